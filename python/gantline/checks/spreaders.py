@@ -1,13 +1,16 @@
-"""Spreaders: what hangs below them, and what pushes them together."""
+"""Spreaders: what hangs below them, what pushes them together, and how far askew they hang."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from gantline.checks.equalizers import hanging_of_capacity
 from gantline.checks.forces import as_it_is, sum_force
-from gantline.checks.measure import Finding
+from gantline.checks.measure import Finding, carrying, extreme
 from gantline.results.recording import Recording
+from gantline.results.rotation import tilt
 from gantline.results.spreaders import thrust
 from gantline.results.variable import BoolArray
 
@@ -24,3 +27,12 @@ def largest_thrust(recording: Recording, during: BoolArray) -> Iterator[Finding]
     for spreader in recording.rig.spreaders:
         force = sum_force(recording, thrust(recording, spreader), None, during)
         yield from as_it_is(force, spreader.name)
+
+
+def tilt_under_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Angle of a spreader's own z axis from plumb, while any sling below it carries."""
+    for spreader in recording.rig.spreaders:
+        below = [sling.rope for sling in recording.rig.slings if sling.from_body == spreader.name]
+        loaded = np.any([carrying(recording, rope, during) for rope in below], axis=0)
+        angle = tilt(recording.column("body_orientation", spreader.body))
+        yield from extreme(recording, angle, loaded, spreader.name)

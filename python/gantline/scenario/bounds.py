@@ -113,6 +113,9 @@ class Require(Element):
 
     load_tilt: AngleBound | None = Field(None, description="Angle of the load's own z axis from plumb.")
     load_yaw: AngleBound | None = Field(None, description="Change of the load's heading from the start.")
+    spreader_tilt: AngleBound | None = Field(
+        None, description="Angle of a spreader's own z axis from plumb, while slings below it carry."
+    )
     equalizer_tilt: AngleBound | None = Field(
         None, description="Angle from plumb of an equalizer's frame, of one that tilts."
     )

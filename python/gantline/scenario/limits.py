@@ -41,6 +41,9 @@ class Limits(Element):
     load_yaw: PositiveAngle | None = Field(
         None, description="Change of the load's heading from the start, to either side."
     )
+    spreader_tilt: PositiveAngle | None = Field(
+        None, description="Angle of a spreader's own z axis from plumb, while slings below it carry."
+    )
     equalizer_tilt: PositiveAngle | None = Field(
         None, description="Angle from plumb of an equalizer's frame, of one that tilts."
     )
