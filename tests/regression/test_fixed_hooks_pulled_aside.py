@@ -36,7 +36,9 @@ def lift(aside: float = ASIDE, more: str = "", hook: str = "") -> str:
     text = hooked_lift(
         hooks, lugs, slings, mass=MASS, centre=centre, box=box, axial_stiffness=EA, more=RUN + more
     )
-    return text.replace("type: fixed_hook", f"type: fixed_hook{hook}").replace("duration: 10 s", "duration: 40 s")
+    return text.replace("type: fixed_hook", f"type: fixed_hook{hook}").replace(
+        "duration: 10 s", "duration: 40 s"
+    )
 
 
 def at_rest(aside: float, block: float = 0.0) -> float:
@@ -84,7 +86,7 @@ def test_limit_of_the_lift_fails() -> None:
 
 
 def test_hook_block_hangs_too() -> None:
-    """The block of 5 t makes the falls lean less: 79 kN over 196 + 49 kN."""
+    """The hook block of 5 t makes the falls lean less: 79 kN over 196 + 49 kN."""
     [check] = checked(rest(lift(hook=", hook_block_mass: 5 t")))
     assert check.value == pytest.approx(at_rest(ASIDE, 5e3), rel=1e-6)
 

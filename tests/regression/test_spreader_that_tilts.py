@@ -114,4 +114,8 @@ def test_bar_that_rolls_over_as_it_is_loaded() -> None:
 def test_what_hangs_empty_does_not_count() -> None:
     """The slings below are slack as long as the load stands and the hook is low."""
     text = lift((8.0, 6.5)).replace("by: 2 m", "by: 0.01 m")
-    assert not [check for check in check_recording(gantline.simulate(parse_scenario(text))) if check.name == "spreader_tilt"]
+    assert not [
+        check
+        for check in check_recording(gantline.simulate(parse_scenario(text)))
+        if check.name == "spreader_tilt"
+    ]

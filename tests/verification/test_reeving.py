@@ -217,7 +217,8 @@ def test_turns_and_layers_of_a_drum_are_recorded_and_too_few_fail() -> None:
     (stiff,) = recording.attributes["warnings"]
     assert "EA of 10,000 MN" in stiff
     down = "  - {{step: down, lower: [{hooks}], speed: 30 m/min, by: 4 m}}"
-    [check] = [one for one in check_recording(lift([8], down, drum=drum).run()) if one.name == "turns_on_drum"]
+    checks = check_recording(lift([8], down, drum=drum).run())
+    [check] = [one for one in checks if one.name == "turns_on_drum"]
     assert check.element == "h8.drum"
     assert check.remark == "1.6 turns are left, and 3 have to stay"
 

@@ -30,8 +30,8 @@ def falls_out_of_plumb(recording: Recording, during: BoolArray) -> Iterator[Find
         yield from extreme(recording, recording.column("falls_out_of_plumb", hook.name), during, hook.name)
     rig = recording.rig
     is_asked = _OF_FALLS in rig.limits or any(_OF_FALLS in step.require for step in rig.plan)
-    for hook in hooks_that_stay(recording):
-        for found in _would_hang(recording, during, hook):
+    for fixed in hooks_that_stay(recording):
+        for found in _would_hang(recording, during, fixed):
             if is_asked or found.value > FALLS.value(recording):
                 yield found
 

@@ -194,8 +194,8 @@ LIMITS: dict[str, Measure] = {
         spreaders.load_of_rated_capacity,
     ),
     "spreader_thrust": Measure(
-        "largest force that pushes a spreader together along its longest side: static with the design weight "
-        "x the rule's factor, or peak",
+        "largest force that pushes a spreader together along its length or breadth: static with the design "
+        "weight x the rule's factor, or peak",
         "kN",
         1,
         spreaders.largest_thrust,

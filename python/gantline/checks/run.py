@@ -45,7 +45,8 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted, and for each hoist
-        that let its load go; one for each drum on which too few turns stay; one for each rope that was taken off; a warning or a failure for each
+        that let its load go; one for each drum on which too few turns stay; one for each rope that was taken
+        off; a warning or a failure for each
         pair that is drawn in one place; one that failed for each trolley, crane or upper structure that goes
         past its range; and a warning for each hoist that fell behind and each winch that
         slipped, where slings never carried or run through a load, where a hook holds a frame upright, where

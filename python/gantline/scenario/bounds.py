@@ -142,8 +142,8 @@ class Require(Element):
     )
     falls_out_of_plumb: AngleBound | None = Field(
         None,
-        description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms; of fixed hooks the "
-        "angle at which falls would hang.",
+        description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms; of fixed hooks "
+        "the angle at which falls would hang.",
     )
     off_lead: AngleBound | None = Field(
         None, description="Angle of the falls from plumb in the plane of the boom, of hooks at booms."

@@ -85,7 +85,8 @@ class RopeOnDrum(Element):
     )
     spare_turns: Annotated[float, Number(least=0.0, most=100.0)] = Field(
         SPARE_TURNS,
-        description="Turns that have to stay on it; fewer fail, fewer than 2 where nothing is said are a warning.",
+        description="Turns that have to stay on it; fewer fail, where nothing is said fewer than 2 are a "
+        "warning.",
     )
     wound_under: NotNegativeForce | None = Field(
         None,

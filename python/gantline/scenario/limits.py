@@ -134,8 +134,8 @@ class Limits(Element):
     )
     falls_out_of_plumb: PositiveAngle | None = Field(
         None,
-        description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms; of fixed hooks the "
-        "angle at which falls would hang.",
+        description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms; of fixed hooks "
+        "the angle at which falls would hang.",
     )
     off_lead: PositiveAngle | None = Field(
         None, description="Angle of the falls from plumb in the plane of the boom, of hooks at booms."
