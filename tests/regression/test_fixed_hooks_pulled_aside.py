@@ -41,7 +41,7 @@ def lift(aside: float = ASIDE, more: str = "", hook: str = "") -> str:
     )
 
 
-def at_rest(aside: float, block: float = 0.0) -> float:
+def at_rest(aside: float, hook_block: float = 0.0) -> float:
     """Angle of what hangs in a hook from plumb [rad], with a hook block of a mass [kg], by hand.
 
     A sling bears half of the weight and leans by the angle a: T cos a = m g/2, sin a = aside/(L (1 + T/EA)).
@@ -49,7 +49,7 @@ def at_rest(aside: float, block: float = 0.0) -> float:
     half, angle = MASS * G / 2, math.asin(aside / LENGTH)
     for _ in range(50):
         angle = math.asin(aside / (LENGTH * (1 + half / math.cos(angle) / EA)))
-    return math.atan(half * math.tan(angle) / (half + block * G))
+    return math.atan(half * math.tan(angle) / (half + hook_block * G))
 
 
 def checked(recording: Recording, name: str = "falls_out_of_plumb") -> list[Check]:
