@@ -130,7 +130,7 @@ def _light_hook_blocks(scenario: Scenario) -> Iterator[str]:
 
 
 def _strong_hoists(scenario: Scenario) -> Iterator[str]:
-    """A sentence for each hoist whose motor or brake pulls as if it were at the hook, and not at each rope."""
+    """A sentence for each hoist whose motor or brake pulls as if it were at the hook, not at each rope."""
     gravity = scenario.simulation.gravity
     for name, hook in scenario.hooks.items():
         if hook.reeving is None or hook.hoist.capacity is None:
