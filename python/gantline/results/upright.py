@@ -2,8 +2,8 @@
 
 A run of perfect symmetry stays where any push would end it: nothing pushes but rounding. So the stiffness
 of what hangs is taken from where it hangs. With u the way up along a sling, T its tension, l its length,
-k = EA/L, and J how the distance of its ends follows places and turns of bodies about their centres of gravity,
-it gives
+k = EA/L, and J how the distance of its ends follows places and turns of bodies about their centres of
+gravity, it gives
 
     k J^T u u^T J + T/l J^T (1 - u u^T) J,  and at a lever r  -(f r^T + r f^T)/2 + (f.r) 1
 
