@@ -72,3 +72,4 @@ def test_height_agrees_with_statics(lugs: float) -> None:
     text = lift(lugs)
     rest = gantline.Statics(parse_scenario(text)).equilibrium(time=60.0)
     assert rest.is_stable is not bool(top_heavy(run(text)))
+    assert rest.is_stable is not bool(checked(rest.recording))

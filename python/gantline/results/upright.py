@@ -1,4 +1,4 @@
-"""Whether loads and spreaders hang stably where a run left them still.
+"""Whether loads and spreaders hang stably where they hang still.
 
 A run of perfect symmetry stays where any push would end it: nothing pushes but rounding. So the stiffness
 of what hangs is taken from where it hangs. With u the way up along a sling, T its tension, l its length,
@@ -57,13 +57,13 @@ def top_heavy(recording: Recording) -> list[TopHeavy]:
     """Loads and spreaders that hang still unstably: the first time of each; none where ropes are not known.
 
     Args:
-        recording: Of a run.
+        recording: Of a run, or of an equilibrium.
     """
-    if series.is_equilibrium(recording) or not recording.rig.loads:
-        return []
     found: dict[str, TopHeavy] = {}
+    clear = series.is_clear(recording)
     for window in series.quiet_windows(recording):
-        for one in _at(recording, int(np.flatnonzero(window)[-1])):
+        last = int(np.flatnonzero(window)[-1])
+        for one in _at(recording, last) if clear[last] else ():
             found.setdefault(one.name, one)
     return list(found.values())
 
