@@ -1,8 +1,8 @@
 """An emergency stop of trolleys was as soft as any other stop, where nothing said otherwise, without a word.
 
 Trolleys, cranes and booms without an `emergency_acceleration` stop with their usual one. A stop of the
-trolleys of `goliath` in mid-traverse was simulated at 0.03 m/s^2, and falls swing by twice that over g, 0.35 deg: GO.
-Brakes that are thrown in stop several times as hard.
+trolleys of `goliath` in mid-traverse was simulated at 0.03 m/s^2, and falls swing by twice that over g,
+0.35 deg: GO. Brakes that are thrown in stop several times as hard.
 """
 
 from __future__ import annotations

@@ -16,8 +16,9 @@ from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
 
 _OF_FALLS = "falls_out_of_plumb"
-#: Share of its largest load from which the pull at a hook has a direction that means something [1].
-_BEARS = 0.1
+#: Share of its largest load from which the pull at a hook counts [1]: as slings come taut one after another
+#: it goes to and fro.
+_BEARS = 0.25
 
 
 def falls_out_of_plumb(recording: Recording, during: BoolArray) -> Iterator[Finding]:
