@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from gantline.checks import check_recording
 from gantline.results.recording import Recording
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation
@@ -197,7 +198,7 @@ def test_an_emergency_stop_on_the_fourth_layer(brake: float) -> None:
     assert set(recording.column("drum_layer", "h8.drum")) == {4.0}
 
 
-def test_turns_and_layers_of_a_drum_are_recorded_and_too_few_are_a_warning() -> None:
+def test_turns_and_layers_of_a_drum_are_recorded_and_too_few_fail() -> None:
     """4 m up on 8 parts are 32 m of rope: two turns of the first layer, the rest of the second."""
     drum = "layers: 2, wraps_per_layer: 10, wraps_at_start: 8, spare_turns: 3, rotating_mass: 500 kg"
     up = "  - {{step: up, hoist: [{hooks}], speed: 30 m/min, by: 4 m}}"
@@ -216,8 +217,10 @@ def test_turns_and_layers_of_a_drum_are_recorded_and_too_few_are_a_warning() -> 
     (stiff,) = recording.attributes["warnings"]
     assert "EA of 10,000 MN" in stiff
     down = "  - {{step: down, lower: [{hooks}], speed: 30 m/min, by: 4 m}}"
-    (warning,) = set(lift([8], down, drum=drum).run().attributes["warnings"]) - {stiff}
-    assert "h8.drum has 1.6 turns of rope left" in warning and "3 have to stay" in warning
+    checks = check_recording(lift([8], down, drum=drum).run())
+    [check] = [one for one in checks if one.name == "turns_on_drum"]
+    assert check.element == "h8.drum"
+    assert check.remark == "1.6 turns are left, and 3 have to stay"
 
 
 def test_a_hook_goes_as_far_as_its_plan_says_on_any_layer() -> None:

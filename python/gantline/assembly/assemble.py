@@ -14,6 +14,7 @@ from gantline.assembly.doubtful import doubtful_cranes
 from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_heights import doubtful_heights
+from gantline.assembly.doubtful_stops import doubtful_stops
 from gantline.assembly.doubtful_waits import doubtful_waits
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
@@ -129,6 +130,7 @@ def assemble(scenario: Scenario) -> Assembly:
             *parts.warnings,
             *doubtful_waits(parts, scenario),
             *doubtful_heights(scenario),
+            *doubtful_stops(scenario),
             *doubtful_cranes(scenario),
             *doubtful_gear(scenario, rigging),
             *doubtful_following(scenario, rigging),

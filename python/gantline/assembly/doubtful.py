@@ -10,7 +10,7 @@ from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.crawler import Crawler
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.rating import Rating
-from gantline.units import format_quantity
+from gantline.units import format_by_size, format_quantity
 
 __all__ = ["doubtful_cranes"]
 
@@ -18,6 +18,9 @@ __all__ = ["doubtful_cranes"]
 _LIGHTEST = 0.002
 #: So do girders, legs, trolleys and booms, by a hundredth at the very least [1].
 _LIGHTEST_PART = 0.01
+#: Motors and brakes of hoists hold 1 to 2.5 times what is rated; more than this is a pull of the hook where
+#: that of a rope is asked for [1].
+_STRONGEST = 3.0
 #: Girders bend by about a thousandth of their span under what they may carry; more than this is none [1].
 _SOFTEST = 0.02
 #: Radii of gyration of a boom about its middle are about 0.3 of its length [1].
@@ -34,6 +37,7 @@ def doubtful_cranes(scenario: Scenario) -> list[str]:
         *_unsaid_ratings(scenario),
         *_charts_past_tipping(scenario),
         *_light_hook_blocks(scenario),
+        *_strong_hoists(scenario),
         *_light_parts(scenario),
         *_soft_girders(scenario),
         *_thin_booms(scenario),
@@ -123,6 +127,30 @@ def _light_hook_blocks(scenario: Scenario) -> Iterator[str]:
         if gear is not None and rated is not None and gear.mass < _LIGHTEST * rated:
             carries = f"weighs {gear.mass:.4g} kg and may carry {format_quantity(rated, 't', 1)}"
             yield f"the hook block of {name} {carries}; a unit has slipped, kg for t"
+
+
+def _strong_hoists(scenario: Scenario) -> Iterator[str]:
+    """A sentence for each hoist whose motor or brake pulls as if it were at the hook, not at each rope."""
+    gravity = scenario.simulation.gravity
+    for name, hook in scenario.hooks.items():
+        if hook.reeving is None or hook.hoist.capacity is None:
+            continue
+        rope = (scenario.ropes or {})[hook.reeving.rope]
+        parts = hook.reeving.ropes * hook.reeving.parts_each
+        pulls: dict[float, list[str]] = {hook.hoist.capacity: ["motor"]}
+        if hook.hoist.brake is not None:
+            pulls.setdefault(hook.hoist.brake, []).append("brake")
+        for pull, of in pulls.items():
+            who = f"the {of[0]} of {name} pulls" if len(of) == 1 else f"{' and '.join(of)} of {name} pull"
+            said = f"{who} {format_by_size(pull, 'force')} at each rope"
+            held = parts * pull / gravity
+            if hook.rated_capacity is not None and held > _STRONGEST * hook.rated_capacity:
+                would = f"{parts} parts of line would hold {format_by_size(held, 'mass')}"
+                rated = f"the rated capacity is {format_by_size(hook.rated_capacity, 'mass')}"
+                yield f"{said}: {would}, and {rated}; it may be the pull at the hook"
+            elif rope.breaking_force is not None and pull > rope.breaking_force:
+                breaks = f"which breaks at {format_by_size(rope.breaking_force, 'force')}"
+                yield f"{said}, {breaks}; it may be the pull at the hook"
 
 
 def _light_parts(scenario: Scenario) -> Iterator[str]:

@@ -29,6 +29,8 @@ _HEAVIEST = 0.03
 _LIGHTEST = 0.002
 #: Radii of gyration of a frame about its middle are about 0.3 of its length [1].
 _RADII = (0.03, 1.0)
+#: Lugs and drop links reach so far from a spreader [m], of short ones this share of the longest side [1].
+_OFF, _OFF_SHARE = 1.0, 0.25
 #: Coefficients of friction of what loads stand on are 0.1 to 1; more than this is none [1].
 _ROUGHEST = 2.0
 
@@ -40,7 +42,14 @@ def doubtful_gear(scenario: Scenario, rigging: Rigging) -> list[str]:
     light = [
         said for name, one in spreaders for said in _light(f"spreader {name}", one.mass, one.rated_capacity)
     ]
-    return [*gear, *_frames(rigging), *light, *_rough(scenario), *_smooth(scenario)]
+    return [
+        *gear,
+        *_frames(rigging),
+        *light,
+        *_off_spreaders(scenario),
+        *_rough(scenario),
+        *_smooth(scenario),
+    ]
 
 
 def _ropes(scenario: Scenario) -> Iterator[str]:
@@ -108,6 +117,17 @@ def _frames(rigging: Rigging) -> Iterator[str]:
 def _light(what: str, mass: float, rated: float | None) -> Iterator[str]:
     if rated is not None and mass < _LIGHTEST * rated:
         yield f"{what} weighs {_mass(mass)} and may carry {_mass(rated)}; a unit has slipped, kg for t"
+
+
+def _off_spreaders(scenario: Scenario) -> Iterator[str]:
+    """A sentence for each spreader with lugs so far off its box that this seems to lie otherwise."""
+    for name, spreader in (scenario.spreaders or {}).items():
+        off = {lug: spreader.off(one.at) for lug, one in spreader.lugs.items()}
+        most = min(_OFF, _OFF_SHARE * max(spreader.size))
+        far = [lug for lug, distance in off.items() if distance > most]
+        if far:
+            lie = f"of spreader {name} lie up to {_short(max(off.values()))} m outside of its box"
+            yield f"lugs {', '.join(far)} {lie}; both are counted from its middle, length x and breadth y"
 
 
 def _rough(scenario: Scenario) -> Iterator[str]:

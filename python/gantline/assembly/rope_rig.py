@@ -139,4 +139,5 @@ def _drum(name: str, drum: Drum | HoistDrum, paid_out: float, rope_diameter: flo
         "layers": drum.layers,
         "layer_step": drum.step(rope_diameter),
         "spare_turns": drum.spare_turns,
+        "asks_for_turns": "spare_turns" in drum.model_fields_set,
     }

@@ -16,6 +16,7 @@ __all__ = [
     "SIDE_LEAD",
     "SLING_ANGLE",
     "SLING_BENDING",
+    "SPREADER_TILT",
     "TILT",
     "TIPPING",
 ]
@@ -59,4 +60,7 @@ SLING_BENDING = Alarm(lambda _: 1.0, "0027/ND rev 11, 7.8.5, of the body of a sl
 ROPE_FACTOR = Alarm(lambda _: 2.3, "least safety factor of 0027/ND rev 11, 7.3.1, straight and with sockets")
 HOOK_DYNAMICS = Alarm(lambda _: 1.3, "more comes of snatching a load; plausible, no document")
 SHEAVE_BENDING = Alarm(lambda _: 11.2, "drums of the lightest duty, group M1: ISO 4308-1:2003")
+SPREADER_TILT = Alarm(
+    lambda _: math.radians(5.0), "makers rate spreaders level, not bent by what hangs; plausible, no document"
+)
 TILT = Alarm(_tilt, "loose things on a load begin to move; plausible, no document")

@@ -7,15 +7,47 @@ from itertools import combinations
 
 import numpy as np
 
+from gantline.checks.alarms import FALLS
+from gantline.checks.forces import kilonewton
 from gantline.checks.measure import Finding, Found, Missing, Refused, extreme
+from gantline.results.gear import Hook
+from gantline.results.pulled_aside import hooks_that_stay, pull_aside
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
 
+_OF_FALLS = "falls_out_of_plumb"
+#: Share of its largest load from which the pull at a hook counts [1]: as slings come taut one after another
+#: it goes to and fro.
+_BEARS = 0.25
+
 
 def falls_out_of_plumb(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Angle of the falls of a hook from plumb."""
+    """Angle of the falls of a hook from plumb; of one that stays where it is, that at which falls would hang.
+
+    Of those that stay nothing is said that nobody asks for, as long as it is within the bound past which
+    falls warn.
+    """
     for hook in recording.rig.carried_hooks:
         yield from extreme(recording, recording.column("falls_out_of_plumb", hook.name), during, hook.name)
+    rig = recording.rig
+    is_asked = _OF_FALLS in rig.limits or any(_OF_FALLS in step.require for step in rig.plan)
+    for fixed in hooks_that_stay(recording):
+        for found in _would_hang(recording, during, fixed):
+            if is_asked or found.value > FALLS.value(recording):
+                yield found
+
+
+def _would_hang(recording: Recording, during: BoolArray, hook: Hook) -> Iterator[Found]:
+    """Angle from plumb of all that pulls down at a hook that does not lean, while it bears something."""
+    aside, down = pull_aside(recording, hook), recording.column("hoist_load", hook.name)
+    load = recording.column("hook_load", hook.name)
+    bears = load > _BEARS * np.max(load, initial=0.0)
+
+    def text(at: int) -> str:
+        pulls = f"{kilonewton(aside[at])} aside, {kilonewton(down[at])} down"
+        return f"{pulls}: {hook.name} stays where falls would lean"
+
+    yield from extreme(recording, np.arctan2(aside, down), during & bears, hook.name, text)
 
 
 def height_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:

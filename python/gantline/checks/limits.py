@@ -32,6 +32,7 @@ from gantline.checks.alarms import (
     SIDE_LEAD,
     SLING_ANGLE,
     SLING_BENDING,
+    SPREADER_TILT,
     TILT,
     TIPPING,
 )
@@ -193,12 +194,20 @@ LIMITS: dict[str, Measure] = {
         spreaders.load_of_rated_capacity,
     ),
     "spreader_thrust": Measure(
-        "largest force that pushes a spreader together along its longest side: static with the design weight "
-        "x the rule's factor, or peak",
+        "largest force that pushes a spreader together along its length or breadth: static with the design "
+        "weight x the rule's factor, or peak",
         "kN",
         1,
         spreaders.largest_thrust,
         is_listed=True,
+    ),
+    "spreader_tilt": Measure(
+        "largest angle of a spreader's own z axis from plumb while slings below it carry",
+        "deg",
+        2,
+        spreaders.tilt_under_load,
+        is_listed=True,
+        alarm=SPREADER_TILT,
     ),
     "equalizer_travel_used": _utilisation(
         "largest travel of a moving sheave / its stroke that way, once the load is clear",

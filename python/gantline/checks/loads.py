@@ -14,6 +14,7 @@ from gantline.results.recording import Recording
 from gantline.results.through import Through, slings_through_loads
 from gantline.results.tilting import loose_tilt
 from gantline.results.upending import is_turned
+from gantline.results.upright import top_heavy
 from gantline.results.variable import BoolArray
 
 #: Of loads that are turned as nothing says they should be.
@@ -57,6 +58,19 @@ def transferred(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """1 - support forces over weight."""
     for load in recording.rig.loads:
         yield from extreme(recording, recording.column("load_transferred", load.name), during, load.name)
+
+
+def on_their_tip(recording: Recording) -> list[Check]:
+    """A failure for each load or spreader that hung still unstably: nothing in a run need push it."""
+    meaning = "what hangs comes back where something pushes it"
+    checks = []
+    for one in top_heavy(recording):
+        high = f"what weighs on it is {one.too_high:.2f} m too high to hang stably"
+        remark = f"{high}: any push turns it over, even where the run has none"
+        checks.append(
+            Check("hangs_stably", Verdict.FAILED, meaning, element=one.name, time=one.time, remark=remark)
+        )
+    return checks
 
 
 def run_through(recording: Recording) -> list[Check]:

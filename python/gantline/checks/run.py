@@ -10,9 +10,10 @@ import numpy as np
 
 from gantline.checks.check import Check, Verdict
 from gantline.checks.crawlers import left_ground
+from gantline.checks.drums import turns_left
 from gantline.checks.equalizers import held_upright
 from gantline.checks.limits import LIMITS
-from gantline.checks.loads import run_through
+from gantline.checks.loads import on_their_tip, run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
 from gantline.checks.overlaps import run_into
 from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_out, stood_still, unfinished
@@ -44,11 +45,12 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted, and for each hoist
-        that let its load go; one for each rope that was taken off; a warning or a failure for each
+        that let its load go; one for each drum on which too few turns stay; one that failed for each load or
+        spreader that hangs unstably; one for each rope that was taken off; a warning or a failure for each
         pair that is drawn in one place; one that failed for each trolley, crane or upper structure that goes
-        past its range; and a warning for each hoist that fell behind and each winch that
-        slipped, where slings never carried or run through a load, where a hook holds a frame upright, where
-        the recording has warnings of its own, where steps moved nothing, where a load came down while it was
+        past its range; and a warning for each hoist that fell behind and each winch that slipped, where
+        slings never carried or run through a load, where a hook holds a frame upright, where the recording
+        has warnings of its own, where steps moved nothing, where a load came down while it was
         taken along or came down hard, and where a run lifts nothing or ends before its plan.
     """
     rig = recording.rig
@@ -68,6 +70,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     steps = [check for step in rig.plan for check in _check_step(recording, step, ending)]
     every = whole + unknown + steps + [_parted(one) for one in partings(recording) if one.kind not in PLANNED]
     every += taken_off(recording) + fell_behind(recording) + ran_out(recording) + idle(recording)
+    every += turns_left(recording) + on_their_tip(recording)
     every += (
         run_through(recording)
         + run_into(recording)

@@ -95,18 +95,13 @@ def drum_wraps(drum: Drum, columns: Columns, names: Names) -> FloatArray:
 
 
 def drum_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:
-    """Drums on which too few turns stayed, or too many did not find room: once for each, the worst."""
+    """Drums on which too many turns did not find room: once for each, the worst."""
     warnings = []
     for drum in rig.drums:
         if drum.wraps_at_start is None or not len(columns["time"]):
             continue
         wraps = drum_wraps(drum, columns, names)
-        least, most = int(np.argmin(wraps)), int(np.argmax(wraps))
-        if drum.spare_turns is not None and wraps[least] < drum.spare_turns:
-            sentence = (
-                f"{drum.name} has {wraps[least]:.1f} turns of rope left at {columns['time'][least]:.2f} s"
-            )
-            warnings.append(f"{sentence}; {drum.spare_turns:g} have to stay")
+        most = int(np.argmax(wraps))
         room = drum.layers * drum.wraps_per_layer if drum.wraps_per_layer is not None else None
         if room is not None and wraps[most] > room:
             sentence = f"{drum.name} would have {wraps[most]:.1f} turns at {columns['time'][most]:.2f} s"

@@ -291,6 +291,7 @@ class Drum(FromJson):
         layers: Layers that fit on it.
         layer_step: Radius that each further layer adds [m].
         spare_turns: Turns that have to stay on it; None where nothing is said.
+        asks_for_turns: Whether the lift file says so, and no rule in its place.
     """
 
     name: str
@@ -301,3 +302,4 @@ class Drum(FromJson):
     layers: int = 1
     layer_step: float = 0.0
     spare_turns: float | None = None
+    asks_for_turns: bool = False

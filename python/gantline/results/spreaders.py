@@ -19,12 +19,17 @@ _ONE_PLACE = 1e-6
 
 
 def thrust(recording: Recording, spreader: Spreader) -> FloatArray:
-    """Largest force that pushes a spreader together along its longest side [N], shape (time,); at least 0.
+    """Largest force that pushes a spreader together along length or breadth [N], shape (time,); at least 0.
 
-    That of a section between lugs is what all slings on one side of it pull along the spreader. Its own
-    weight and inertia, which along it are those of a few degrees of tilt, are left out.
+    That of a section between lugs is what all slings on one side of it pull across it. Its own weight and
+    inertia, which in its plane are those of a few degrees of tilt, are left out.
     """
-    along = int(np.argmax(spreader.size))
+    largest: FloatArray = np.max([_thrust_along(recording, spreader, axis) for axis in (0, 1)], axis=0)
+    return largest
+
+
+def _thrust_along(recording: Recording, spreader: Spreader, along: int) -> FloatArray:
+    """The same along x or y of its box."""
     attitude = axes(recording.column("body_orientation", spreader.body))[:, :, along]
     pulls = []
     for sling in recording.rig.slings:

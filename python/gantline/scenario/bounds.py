@@ -113,6 +113,9 @@ class Require(Element):
 
     load_tilt: AngleBound | None = Field(None, description="Angle of the load's own z axis from plumb.")
     load_yaw: AngleBound | None = Field(None, description="Change of the load's heading from the start.")
+    spreader_tilt: AngleBound | None = Field(
+        None, description="Angle of a spreader's own z axis from plumb, while slings below it carry."
+    )
     equalizer_tilt: AngleBound | None = Field(
         None, description="Angle from plumb of an equalizer's frame, of one that tilts."
     )
@@ -138,7 +141,9 @@ class Require(Element):
         None, description="Pressure on the ground of 'allowed_pressure' of the tracks."
     )
     falls_out_of_plumb: AngleBound | None = Field(
-        None, description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms."
+        None,
+        description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms; of fixed hooks "
+        "the angle at which falls would hang.",
     )
     off_lead: AngleBound | None = Field(
         None, description="Angle of the falls from plumb in the plane of the boom, of hooks at booms."

@@ -34,20 +34,16 @@ def _check_body(findings: Findings, name: str, spreader: Spreader) -> None:
     path = ("spreaders", name)
     for lug_name, lug in spreader.lugs.items():
         check_lug_type(findings, (*path, "lugs", lug_name), lug)
-        off = _outside(spreader, lug.at)
+        off = spreader.off(lug.at)
         if off > _OFF * max(spreader.size):
             sentence = f"this lug is {off:g} m outside the spreader's box"
             findings.add((*path, "lugs", lug_name, "at"), f"{sentence}; {_MEASURED}")
-    if _outside(spreader, spreader.centre_of_gravity) > 0.0:
+    if spreader.off(spreader.centre_of_gravity) > 0.0:
         x, y, z = spreader.centre_of_gravity
         sentence = f"({x:g}, {y:g}, {z:g}) m is outside the spreader's box; {_MEASURED}"
         findings.add((*path, "centre_of_gravity"), sentence)
     if spreader.inertia is not None:
         check_inertia(findings, (*path, "inertia"), spreader.inertia)
-
-
-def _outside(spreader: Spreader, at: tuple[float, float, float]) -> float:
-    return max(abs(part) - size / 2 for part, size in zip(at, spreader.size, strict=True))
 
 
 def _held_by(rigging: Rigging, name: str) -> Iterator[SlingRigging]:

@@ -84,7 +84,9 @@ class RopeOnDrum(Element):
         "the grooves of the layer below, if not given.",
     )
     spare_turns: Annotated[float, Number(least=0.0, most=100.0)] = Field(
-        SPARE_TURNS, description="Turns that have to stay on it; fewer are a warning."
+        SPARE_TURNS,
+        description="Turns that have to stay on it; fewer fail, where nothing is said fewer than 2 are a "
+        "warning.",
     )
     wound_under: NotNegativeForce | None = Field(
         None,

@@ -41,6 +41,9 @@ class Limits(Element):
     load_yaw: PositiveAngle | None = Field(
         None, description="Change of the load's heading from the start, to either side."
     )
+    spreader_tilt: PositiveAngle | None = Field(
+        None, description="Angle of a spreader's own z axis from plumb, while slings below it carry."
+    )
     equalizer_tilt: PositiveAngle | None = Field(
         None, description="Angle from plumb of an equalizer's frame, of one that tilts."
     )
@@ -130,7 +133,9 @@ class Limits(Element):
         "not given.",
     )
     falls_out_of_plumb: PositiveAngle | None = Field(
-        None, description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms."
+        None,
+        description="Angle of the falls from plumb, of hooks of Goliath cranes and at booms; of fixed hooks "
+        "the angle at which falls would hang.",
     )
     off_lead: PositiveAngle | None = Field(
         None, description="Angle of the falls from plumb in the plane of the boom, of hooks at booms."

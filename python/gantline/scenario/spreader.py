@@ -39,6 +39,10 @@ class Spreader(Element):
     )
     rated_capacity: PositiveMass | None = Field(None, description="Working load limit, of all below it.")
 
+    def off(self, at: tuple[float, float, float]) -> float:
+        """How far a place is outside of its box, along the axis on which it is most [m]; negative inside."""
+        return max(abs(part) - size / 2 for part, size in zip(at, self.size, strict=True))
+
 
 def spreader_lugs(scenario: Scenario) -> list[str]:
     """Lugs of all spreaders, as slings call them."""

@@ -1,0 +1,36 @@
+"""Emergency stops that are no harder than any other, since nothing says how hard."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gantline.scenario import Scenario
+from gantline.scenario.movers import Mover, mover
+from gantline.scenario.steps import MovingStep
+
+__all__ = ["doubtful_stops"]
+
+#: What stops with its usual deceleration where nothing says another: of the rest motor and brake, or the
+#: lift file, tell.
+_SOFT = ("trolley", "crane", "boom", "upper")
+
+
+def doubtful_stops(scenario: Scenario) -> Iterator[str]:
+    """A sentence for all trolleys, cranes and booms that an emergency stop stops as any step does."""
+    soft: dict[str, None] = {}
+    for step in scenario.plan:
+        if not isinstance(step, MovingStep):
+            continue
+        if scenario.emergency_stop is None and step.emergency_stop_at is None:
+            continue
+        moved = (mover(scenario, step.kind, text) for text in step.moved)
+        soft |= {one.name: None for one in moved if one is not None and _is_soft(one)}
+    if soft:
+        yield (
+            f"the emergency stop of {', '.join(soft)} is as soft as any stop, with the usual acceleration: "
+            "brakes that are thrown in stop harder; 'emergency_acceleration' says how hard"
+        )
+
+
+def _is_soft(one: Mover) -> bool:
+    return one.kind in _SOFT and not one.capacity and one.emergency == one.acceleration

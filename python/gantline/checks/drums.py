@@ -1,0 +1,50 @@
+"""Drums: whether rope enough stays on them. A simulation pays out more rope than there is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from gantline.checks.check import Check, Verdict
+from gantline.checks.measure import everywhere
+from gantline.results.gear import Drum
+from gantline.results.recording import Recording
+
+__all__ = ["turns_left"]
+
+
+def turns_left(recording: Recording) -> list[Check]:
+    """A check for each drum on which too few turns stay.
+
+    One whose rope runs off fails: what hangs on it falls. So does one with fewer turns than its lift file
+    asks for; fewer than two where nothing is asked for are a warning. A drum for which the lift file asks,
+    and of which nothing says how many turns it has at the start, is not checked.
+    """
+    return [check for drum in recording.rig.drums for check in _of_drum(recording, drum)]
+
+
+def _of_drum(recording: Recording, drum: Drum) -> Iterator[Check]:
+    asked = drum.spare_turns
+    check = Check("turns_on_drum", Verdict.NOT_CHECKED, "rope stays on drums", element=drum.name)
+    if drum.wraps_at_start is None:
+        if drum.asks_for_turns:
+            remark = f"turns at the start not known ('wraps_at_start'), of which {asked:g} have to stay"
+            yield replace(check, remark=remark)
+        return
+    during = everywhere(recording)
+    if asked is None or not during.any():
+        return
+    wraps = np.where(during, recording.column("drum_wraps", drum.name), np.inf)
+    at = int(np.argmin(wraps))
+    left = float(wraps[at])
+    if left >= asked and left >= 0.0:
+        return
+    failed = left < 0.0 or drum.asks_for_turns
+    remark = f"{left:.1f} turns are left, and {asked:g} have to stay"
+    if left < 0.0:
+        more = f"it pays out {-left:.1f} turns more than lie on it"
+        remark = f"its rope runs off, and what hangs on it falls: {more}"
+    verdict = Verdict.FAILED if failed else Verdict.WARNING
+    yield replace(check, verdict=verdict, time=float(recording.time[at]), remark=remark)
