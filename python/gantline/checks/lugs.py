@@ -13,7 +13,7 @@ from gantline.results.variable import BoolArray
 
 _CONSEQUENCE = "lug_consequence_factor"
 #: Share of a load's weight from which a rope bears it; less holds its heading.
-_BEARS = 0.05
+BEARS = 0.05
 
 
 def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -50,5 +50,8 @@ def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Findin
             yield from over(force, lug.capacity, f"{of}.{lug_name}", raised)
     for one in recording.rig.loads:
         for rope in one.other_ropes:
-            if series.rope_peak(recording, rope)[0] > _BEARS * one.weight:
+            if series.rope_peak(recording, rope)[0] > BEARS * one.weight:
                 yield Missing(rope, f"carries {one.name} as a rope of 'mechanics', which has no lug")
+        for line in recording.rig.tag_lines:
+            if series.rope_peak(recording, line.rope)[0] > BEARS * one.weight:
+                yield Missing(line.rope, f"carries {one.name} as a tag line, which has no lug")

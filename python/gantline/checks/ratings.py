@@ -52,10 +52,12 @@ def crane_of(rig: Rig, hook: str) -> str:
 
 
 def _lifting(recording: Recording) -> set[str]:
-    """The cranes from whose hooks slings hang."""
+    """The cranes from whose hooks slings hang, or that bear the load by `mechanics`."""
     rig = recording.rig
     hooks = {rig.hook_of(sling) for sling in rig.slings}
-    return {crane_of(rig, hook.name) for hook in rig.hooks if hook.name in hooks}
+    return {crane_of(rig, hook.name) for hook in rig.hooks if hook.name in hooks} | {
+        *rig.lifting_by_mechanics
+    }
 
 
 def _without_chart(recording: Recording) -> Iterator[Missing]:

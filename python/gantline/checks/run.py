@@ -12,7 +12,7 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.crawlers import left_ground
 from gantline.checks.equalizers import held_upright
 from gantline.checks.limits import LIMITS
-from gantline.checks.loads import run_through
+from gantline.checks.loads import held_by_tag_lines, run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
 from gantline.checks.overlaps import run_into
 from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_out, stood_still, unfinished
@@ -47,7 +47,8 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         that let its load go; one for each rope that was taken off; a warning or a failure for each
         pair that is drawn in one place; one that failed for each trolley, crane or upper structure that goes
         past its range; and a warning for each hoist that fell behind and each winch that
-        slipped, where slings never carried or run through a load, where a hook holds a frame upright, where
+        slipped, where slings never carried or run through a load, where a tag line pulls as if it
+        bore one, where a hook holds a frame upright, where
         the recording has warnings of its own, where steps moved nothing, where a load came down while it was
         taken along or came down hard, and where a run lifts nothing or ends before its plan.
     """
@@ -69,7 +70,8 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     every = whole + unknown + steps + [_parted(one) for one in partings(recording) if one.kind not in PLANNED]
     every += taken_off(recording) + fell_behind(recording) + ran_out(recording) + idle(recording)
     every += (
-        run_through(recording)
+        held_by_tag_lines(recording)
+        + run_through(recording)
         + run_into(recording)
         + left_ground(recording)
         + left_range(recording)
