@@ -1,4 +1,4 @@
-"""Loads: tilt, yaw, what keeps them upright, what supports gave up and tag lines bear, slings through them."""
+"""Loads: tilt, yaw, what keeps them upright, what supports give up and tag lines bear, slings in them."""
 
 from __future__ import annotations
 

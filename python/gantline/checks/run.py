@@ -10,6 +10,7 @@ import numpy as np
 
 from gantline.checks.check import Check, Verdict
 from gantline.checks.crawlers import left_ground
+from gantline.checks.ends import about_end_of_step, one_sample
 from gantline.checks.equalizers import held_upright
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import held_by_tag_lines, run_through
@@ -18,11 +19,11 @@ from gantline.checks.overlaps import run_into
 from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_out, stood_still, unfinished
 from gantline.checks.ranges import left_range
 from gantline.checks.slings import idle, taken_off
-from gantline.results import progress, series
+from gantline.results import series
 from gantline.results.parting import PLANNED, Parting, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
-from gantline.results.variable import BoolArray, FloatArray
+from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
 
 #: Of a bound that nobody set.
@@ -130,7 +131,7 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
 
 def _look_one_by_one(measure: Measure, recording: Recording, during: BoolArray, found: _Outcome) -> _Outcome:
     """The same with the worst of each sample: of many at once a measure finds the largest, or its least."""
-    looks = [_look(measure, recording, _sample(int(at), during)) for at in np.flatnonzero(during)]
+    looks = [_look(measure, recording, one_sample(int(at), during)) for at in np.flatnonzero(during)]
     values = [look.worst for look in looks if look.worst is not None]
     pick = min if measure.at_least else max
     worst = pick(values, key=lambda one: one.value, default=None)
@@ -244,7 +245,7 @@ def _nothing(measure: Measure) -> str:
 
 def _check_step(recording: Recording, step: Step, ending: Collection[str]) -> Iterator[Check]:
     is_now = step.step in ending and series.is_equilibrium(recording)
-    during = _sample(-1, recording.time) if is_now else _at_end(recording, step)
+    during = one_sample(-1, recording.time) if is_now else about_end_of_step(recording, step)
     for key, bounds in step.require.items():
         for side, limit in bounds.items():
             yield _check_requirement(recording, step, during, key, side, float(limit))
@@ -309,43 +310,6 @@ def _told(recording: Recording) -> list[Check]:
     more = f"; and {count} more {'warning' if count == 1 else 'warnings'}" if count else ""
     meaning = "lift file and run give no warning"
     return [Check(NO_WARNINGS, Verdict.WARNING, meaning, remark=f"{warnings[0]}{more}")]
-
-
-def end_of_step(recording: Recording, step: Step) -> BoolArray | None:
-    """The last sample of a step of the plan.
-
-    Args:
-        recording: Any recording.
-        step: The step.
-
-    Returns:
-        Mask with that one sample; None if the step did not end within the recording.
-    """
-    end = progress.end_of_step(recording, step)
-    if end is None or not len(recording.time):
-        return None
-    last = max(0, int(np.searchsorted(recording.time, end, side="right")) - 1)
-    return _sample(last, recording.time)
-
-
-def _sample(at: int, like: BoolArray | FloatArray) -> BoolArray:
-    """A mask of one sample, as long as something else."""
-    mask = np.zeros(len(like), dtype=np.bool_)
-    mask[at] = True
-    return mask
-
-
-def _at_end(recording: Recording, step: Step) -> BoolArray | None:
-    """Samples that a requirement of a step is for: the last one, in waves and gusts the last that average.
-
-    There the last sample is but a moment between a crest and a trough.
-    """
-    last, while_ = end_of_step(recording, step), recording.rig.time_to_average
-    if last is None or while_ == 0.0:
-        return last
-    begin, end = progress.spans(recording)[step.step][0], recording.time[last][0]
-    late: BoolArray = (recording.time >= max(begin, end - while_)) & (recording.time <= end)
-    return late
 
 
 def _verdict(measure: Measure, value: float, limit: float) -> Verdict:
