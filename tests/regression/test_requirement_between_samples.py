@@ -2,8 +2,8 @@
 
 Samples 1 s apart, of which the last before the end has 40 % of the load transferred and the next 60 %:
 `load_transferred: below 50 %` was held against 40 %, ok, whatever the step ended with. Of the two samples
-about the end the unfavourable one counts, unless something parts, comes or goes as the next step begins, which
-is not of this step.
+about the end the unfavourable one counts, unless something parts, comes or goes as the next step begins, and
+that is none of this step.
 """
 
 from __future__ import annotations
