@@ -29,6 +29,9 @@ from gantline.units import format_quantity
 #: Of a bound that nobody set.
 _OWN_LIMIT = "a limit of its own under 'limits' would make this a failure"
 
+#: Of a limit that no element of the lift has.
+_NOTHING = "the lift has nothing that it is about, or nothing of that carries"
+
 #: Check that lift file and run give no warnings of their own.
 NO_WARNINGS = "no_warnings"
 
@@ -174,7 +177,8 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         return _refused(check, found.refused)
     if found.worst is None:
         is_asked = given is not None and key not in rig.assumed_limits
-        return _without_value(recording, check, found.missing, _nothing(measure), is_asked=is_asked)
+        missing = found.missing or _never_clear(recording, measure)
+        return _without_value(recording, check, missing, _NOTHING, is_asked=is_asked)
     check = _with_value(check, found.worst)
     remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
     if given is None and measure.alarm is not None:
@@ -189,6 +193,8 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         verdict = Verdict.WARNING if found.cautions else Verdict.NOT_CHECKED
         return replace(check, verdict=verdict, remark=_joined([found.missing, found.cautions]))
     verdict = _verdict(measure, found.worst.value, limit)
+    if verdict is Verdict.OK:
+        remarks.insert(0, _beyond_all(check, measure))
     if key in rig.assumed_limits and verdict is Verdict.FAILED:
         verdict = Verdict.WARNING
         remarks.append(_OWN_LIMIT)
@@ -196,6 +202,14 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if remark and verdict is Verdict.OK:
         verdict = Verdict.WARNING
     return replace(check, verdict=verdict, remark=remark)
+
+
+def _beyond_all(check: Check, measure: Measure) -> str:
+    """That a value is past all of what there is, by definition, and within a limit that allows more."""
+    whole = measure.by_definition
+    if whole is None or check.value is None or _verdict(measure, check.value, whole) is not Verdict.FAILED:
+        return ""
+    return f"more than all of it, {check.shown(whole)}, which the limit allows"
 
 
 def _refused(check: Check, refused: Sequence[Refused]) -> Check:
@@ -237,10 +251,14 @@ def _joined(remarks: Iterable[str]) -> str:
     return "; ".join(remark for remark in remarks if remark)
 
 
-def _nothing(measure: Measure) -> str:
-    if measure.when_clear:
-        return "the load never came clear of its supports"
-    return "the lift has nothing that it is about, or nothing of that carries"
+def _never_clear(recording: Recording, measure: Measure) -> str:
+    """Why there is no value of what counts while the load hangs clear, and would have one else."""
+    if (
+        not measure.when_clear
+        or _look(replace(measure, when_clear=False), recording, everywhere(recording)).worst is None
+    ):
+        return ""
+    return "the load never came clear of its supports"
 
 
 def _check_step(recording: Recording, step: Step, ending: Collection[str]) -> Iterator[Check]:
@@ -279,8 +297,8 @@ def _check_requirement(
     if found.refused:
         return _refused(check, found.refused)
     if found.worst is None:
-        nothing = "nothing to check at the end of this step"
-        return _without_value(recording, check, found.missing, nothing, is_asked=True)
+        missing = found.missing or "nothing to check at the end of this step"
+        return _without_value(recording, check, missing, missing, is_asked=True)
     check = _with_value(check, found.worst)
     verdict = _verdict(sided, found.worst.value, limit)
     if found.missing:
