@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -108,7 +109,7 @@ def _of_row(
         return f"{kilonewton(load[at])}{raised} / {row}"
 
     for found in extreme(recording, used, loaded, element, text):
-        yield Found(found.value, found.element, found.time, found.formula, names)
+        yield replace(found, factors=names)
 
 
 def _by_rule(

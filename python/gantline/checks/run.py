@@ -109,9 +109,10 @@ def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> d
 
 @dataclass(frozen=True)
 class _Outcome:
-    """What a measure found: the governing value, and all that is not a value."""
+    """What a measure found: the governing value, the same between samples, and all that is not a value."""
 
     worst: Found | None
+    between: float | None
     refused: tuple[Refused, ...]
     missing: str
     cautions: str
@@ -126,6 +127,7 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
     return _Outcome(
         # Nothing compares with what is no number: that governs.
         worst=next((one for one in values if math.isnan(one.value)), worst),
+        between=pick((one.between for one in values if one.between is not None), default=None),
         refused=tuple(one for one in findings if isinstance(one, Refused)),
         missing=_reasons(one for one in findings if isinstance(one, Missing)),
         cautions="; ".join(dict.fromkeys(one.text for one in findings if isinstance(one, Caution))),
@@ -194,7 +196,7 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         return replace(check, verdict=verdict, remark=_joined([found.missing, found.cautions]))
     verdict = _verdict(measure, found.worst.value, limit)
     if verdict is Verdict.OK:
-        remarks.insert(0, _beyond_all(check, measure))
+        remarks = [_beyond_all(check, measure), _between_samples(check, measure, found.between), *remarks]
     if key in rig.assumed_limits and verdict is Verdict.FAILED:
         verdict = Verdict.WARNING
         remarks.append(_OWN_LIMIT)
@@ -202,6 +204,15 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if remark and verdict is Verdict.OK:
         verdict = Verdict.WARNING
     return replace(check, verdict=verdict, remark=remark)
+
+
+def _between_samples(check: Check, measure: Measure, between: float | None) -> str:
+    """That a value within its limit may have been past it between two samples."""
+    if between is None or check.limit is None or _verdict(measure, between, check.limit) is Verdict.OK:
+        return ""
+    return (
+        f"between two samples it may have come to {check.shown(between)}: a shorter 'sample_interval' tells"
+    )
 
 
 def _beyond_all(check: Check, measure: Measure) -> str:
