@@ -363,8 +363,9 @@ def test_a_go_past_a_limit_says_so() -> None:
     assert verdict_of([with_travel(down=0.5 * 1.9)]).startswith("GO; nearest to their limits")
 
 
-@pytest.mark.parametrize(("limit", "verdict"), [(1.0, Verdict.FAILED), (1.06, Verdict.OK)])
+@pytest.mark.parametrize(("limit", "verdict"), [(1.0, Verdict.FAILED), (1.08, Verdict.OK)])
 def test_travel_at_any_time_counts_before_the_load_is_clear(limit: float, verdict: Verdict) -> None:
+    """Of three samples that far apart it may have come to 1.05 + 0.5^2/(8 x 1.6) = 1.0695."""
     travel = np.zeros((3, 5))
     travel[:, 2] = [0.0, -1.05 * 1.4, -0.5 * 1.4]
     contact = np.array([[1.0] * 4, [1.0] * 4, [0.0] * 4])
