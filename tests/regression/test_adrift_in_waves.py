@@ -83,7 +83,7 @@ def test_what_is_not_followed_is_told(tmp_path: Path) -> None:
 def test_a_run_that_stays_says_nothing(tmp_path: Path) -> None:
     """Waves of 10 cm for 30 s move the barge by centimetres."""
     path = waves.in_waves(tmp_path, {"swell": SWELL}, {"heading": "20 deg"}, duration="30 s")
-    assert not any("wave forces of" in text for text in simulate(path).attributes["warnings"])
+    assert not any(" s on it " in text for text in simulate(path).attributes["warnings"])
 
 
 def steady(path: Path, turn: float = 0.0) -> tuple[float, Any]:

@@ -48,7 +48,7 @@ def force(path: Path) -> tuple[np.ndarray, np.ndarray]:
     """X of the only wave (directions, 6), and where its phase counts from aboard (x, y)."""
     document = assemble(load_scenario(path)).document
     found = next(one for one in document["forces"] if one["type"] == "wave")
-    per_metre = np.array(found["phasors"])[0]
+    per_metre = np.array(found["phasors"])[0, :, 0]  # of cubics what they have at the directions themselves
     return per_metre[..., 0] + 1j * per_metre[..., 1], np.array(found["origin"][:2])
 
 

@@ -96,18 +96,14 @@ def test_waves_that_the_file_does_not_know(tmp_path: Path) -> None:
 
 
 def test_forces_between_frequencies_directions_and_sides(tmp_path: Path) -> None:
-    """Linear in both, the other side as in a mirror, by the water's density, zero beyond the shortest."""
+    """At its own as in the file; the other side as in a mirror; by density; zero beyond the shortest."""
     database = read_database(tmp_path / waves.database(tmp_path))
     assert isinstance(database, HydrodynamicDatabase)
     known = np.radians(30.0)
     at = np.array([0.7, 0.725, 0.75])
     ends, doubts = database.excitation_at(at, known, SEA)
     assert not doubts
-    assert ends[1] == pytest.approx((ends[0] + ends[2]) / 2, rel=1e-12)
     assert ends[0] == pytest.approx(waves.force_per_metre(0.7, known), rel=1e-9)
-    between, _ = database.excitation_at(at[:1], np.radians(45.0), SEA)
-    beside = [waves.force_per_metre(0.7, np.radians(angle)) for angle in (30.0, 60.0)]
-    assert between[0] == pytest.approx((beside[0] + beside[1]) / 2, rel=1e-9)
     other, doubts = database.excitation_at(at, -known, SEA)
     assert "its waves come from one side; from the other they are mirrored" in doubts[0]
     assert other == pytest.approx(ends * [1, -1, 1, -1, 1, -1], rel=1e-12)
@@ -134,7 +130,7 @@ def test_the_phase_counts_from_amidships(tmp_path: Path) -> None:
     assert force["origin"] == [LENGTH / 2, 0.0, DRAFT]
     # All seven of the file, and five of them from the other side.
     assert np.degrees(force["directions"]) == pytest.approx(np.arange(0.0, 360.0, 30.0), abs=1e-9)
-    both = np.array(force["phasors"])[0]
+    both = np.array(force["phasors"])[0, :, 0]  # of cubics what they have at the directions themselves
     around = np.radians(30.0 * np.arange(12))
     turned = np.exp(-1j * 0.7**2 / waves.G * 3.0 * np.cos(around))
     expected = [waves.force_per_metre(0.7, b) * turn for b, turn in zip(around, turned, strict=True)]
@@ -189,3 +185,20 @@ def test_vessels_in_waves_without_their_water(tmp_path: Path) -> None:
     found = assemble(load_scenario(path)).warnings
     for key in ("added_mass", "water_damping"):
         assert f"barge has 'wave_forces' and no '{key}': its motions in waves are not its own" in found
+
+
+def test_a_file_too_coarse_for_its_waves(tmp_path: Path) -> None:
+    """In a file of directions 30° apart the phase at a corner of the barge of 100 × 30 m, in waves to 45°,
+    turns by κ 30°·(50 sin 60° + 15 cos 60°) m = 26.6 m κ at most: by 1.5 rad in waves of 8.45 s, κ = ω²/g. To
+    30°, as in the file, forces need no others.
+    """
+    barely = {"height": "10 cm", "period": "8.4 s", "direction": "45 deg"}
+    found = warnings_of(tmp_path, barely)
+    assert "of barge.nc (Capytaine) are far apart for waves of 8.4 s and shorter, which are " in found
+    assert "forces between them may be a tenth and more off" in found
+    assert "far apart" not in warnings_of(tmp_path, {**barely, "period": "8.5 s"})
+    assert "far apart" not in warnings_of(tmp_path, {**barely, "direction": "30 deg"})
+    # In a sea of a peak of 8.5 s much of what moves the barge is shorter, in one of 20 s little.
+    swell = {"significant_height": "0.3 m", "peak_period": "8.5 s", "direction": "45 deg"}
+    assert "far apart" in warnings_of(tmp_path, swell)
+    assert "far apart" not in warnings_of(tmp_path, {**swell, "peak_period": "20 s"})

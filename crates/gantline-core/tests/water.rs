@@ -137,7 +137,7 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             at: at(&mut draw),
             origin: at(&mut draw),
             directions: (0..4).map(|k| f64::from(k) + 0.4 * draw.number()).collect(),
-            phasors: (0..3).map(|_| (0..4).map(|_| phasor(&mut draw)).collect()).collect(),
+            phasors: (0..3).map(|_| (0..4).map(|_| [(); 4].map(|()| phasor(&mut draw))).collect()).collect(),
         };
         spec.forces.extend([buoyancy, added, drag, tank, wave]);
     }
@@ -495,8 +495,8 @@ fn slow_places_follow_and_leave_out_waves() {
 /// Wave forces that do not belong to their sea, or to no direction, are refused by name.
 #[test]
 fn wave_forces_belong_to_a_sea_and_to_directions() {
-    let phasor = [[1.0, 0.0]; 6];
-    let refused = |waves: usize, directions: &[f64], phasors: Vec<Vec<[[f64; 2]; 6]>>| {
+    let phasor = [[[1.0, 0.0]; 6]; 4];
+    let refused = |waves: usize, directions: &[f64], phasors: Vec<Vec<[[[f64; 2]; 6]; 4]>>| {
         let component =
             serde_json::json!({"frequency": 0.7, "wave_number": [0.05, 0], "amplitude": 1.0, "phase": 0.0});
         let spec = serde_json::json!({"gravity": [0, 0, -10.0], "bodies": [{

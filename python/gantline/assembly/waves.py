@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +11,7 @@ from gantline.assembly.databases import from_database
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.trains import Train
 from gantline.assembly.vessels import vessel_hull
-from gantline.hydro.database import DatabaseError, HydrodynamicDatabase
+from gantline.hydro.database import AXES, DatabaseError, ForcesAround, HydrodynamicDatabase
 from gantline.hydro.waves import Components, regular, sea, wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart
@@ -38,6 +37,8 @@ _SILENT = 0.05
 _STEEPEST = ((8.0, 15.0), (1.0 / 15.0, 1.0 / 25.0))
 #: Added mass and damping of another period than the waves' by more than this share are doubtful.
 _OTHER_PERIOD = 0.25
+#: Share of motions that may be by waves that a file has none close to, without saying.
+_MOST_SPARSE = 0.35
 #: Waves that are longer or shorter by another depth by more than this share are doubtful.
 _OTHER_LENGTH = 0.05
 
@@ -83,19 +84,6 @@ def _components(name: str, train: WaveTrain) -> Components:
     )
 
 
-@dataclass(frozen=True)
-class _Around:
-    """Wave forces in all directions that a file has.
-
-    Attributes:
-        directions: from forward to port (k,) [rad].
-        forces: of each wave (n, k, 6) [N/m, N], vessel axes.
-    """
-
-    directions: Array
-    forces: Complex
-
-
 def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, Train]) -> Json:
     """What all waves do to a vessel, vessel axes, phases from the middle of its length in the centre plane.
 
@@ -104,11 +92,11 @@ def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: 
     given = vessel.wave_forces
     assert given is not None
     path = ("vessels", name, "wave_forces")
-    middle = float(vessel_hull(scenario, name, vessel).box[:, 0].mean())
+    box = vessel_hull(scenario, name, vessel).box[:, :2]
     found = []
     for train_name, train in trains.items():
         waves = train.waves
-        per_metre, around, doubts = _of_database(scenario, path, vessel, waves, middle)
+        per_metre, around, doubts = _of_database(scenario, path, vessel, waves, box)
         parts.warnings += [f"wave forces of {name}: {doubt}" for doubt in doubts]
         unknown = _unknown(waves, per_metre)
         if unknown > _SILENT:
@@ -118,32 +106,32 @@ def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: 
                 raise scenario.error((*path, "database"), f"{given.database}: {sentence}")
             parts.warnings.append(f"wave forces of {name}: {sentence}; they do nothing")
         found.append(around)
-    forces = np.concatenate([around.forces for around in found])
+    forces = np.concatenate([around.cubics for around in found])
     # One file has the same directions for all waves.
     return {
         "type": "wave",
         "name": f"{name}.wave_forces",
         "body": name,
         "at": list(given.at),
-        "origin": [middle, 0.0, given.at[2]],
+        "origin": [float(box[:, 0].mean()), 0.0, given.at[2]],
         "directions": found[0].directions.tolist(),
         "phasors": np.stack([forces.real, forces.imag], axis=-1).tolist(),
     }
 
 
 def _of_database(
-    scenario: Scenario, path: tuple[PathPart, ...], vessel: Vessel, train: Components, middle: float
-) -> tuple[Complex, _Around, list[str]]:
+    scenario: Scenario, path: tuple[PathPart, ...], vessel: Vessel, train: Components, box: Array
+) -> tuple[Complex, ForcesAround, list[str]]:
     """Forces per metre at the start in the vessel's axes (n, 6), in all directions, doubts.
 
-    Phases count from `middle` of its length [m] in its centre plane.
+    Phases count from the middle of its length in its centre plane; `box`: its least and largest x, y [m].
     """
     given = vessel.wave_forces
     assert given is not None
     density = (scenario.water or Water()).density
-    lowest = float(train.frequency[0])
+    lowest, middle, size = float(train.frequency[0]), float(box[:, 0].mean()), np.ptp(box, axis=0)
 
-    def forces(database: HydrodynamicDatabase) -> tuple[Complex, _Around, list[str]]:
+    def forces(database: HydrodynamicDatabase) -> tuple[Complex, ForcesAround, list[str]]:
         shortest = 2 * math.pi / float(database.frequencies[-1])
         if len(train.frequency) == 1 and lowest > float(database.frequencies[-1]) * (1 + 1e-6):
             wanted = f"has no waves of {2 * math.pi / lowest:.4g} s"
@@ -154,7 +142,7 @@ def _of_database(
         found, doubts = database.excitation_at(train.frequency, towards, density, phased_at)
         doubts += _of_other_waves(scenario, database, train)
         around = database.excitation_around(train.frequency, density, phased_at)
-        return found, _Around(*around), doubts
+        return found, around, doubts + _sparse(database, around, towards, train, size)
 
     return from_database(scenario, path, (given.database, given.body), forces)
 
@@ -178,6 +166,26 @@ def _of_other_waves(scenario: Scenario, database: HydrodynamicDatabase, train: C
             sentence = f"{database.source} is for {said[0]}, the lift is in {said[1]}"
             doubts.append(f"{sentence}: waves have other lengths there, and other forces")
     return doubts
+
+
+def _sparse(
+    database: HydrodynamicDatabase, around: ForcesAround, towards: float, train: Components, size: Array
+) -> list[str]:
+    """A sentence where frequencies or directions of a file are too far apart for what lies between them."""
+    is_far = ~database.has_close(train.frequency, towards, *size)
+    forces = around.at(towards)
+    assert forces is not None  # asked before
+    # Motions go with X/ω²; beside those of waves from the worst side what is small does not count.
+    soft = (train.amplitude / train.frequency**2)[:, np.newaxis]
+    motions = soft * np.abs(forces)
+    whole = ((soft * np.abs(around.cubics[:, :, 0]).max(axis=1)) ** 2).sum(axis=0)
+    shares = np.sqrt((motions[is_far] ** 2).sum(axis=0) / np.where(whole > 0, whole, 1.0))
+    if shares.max() <= _MOST_SPARSE:
+        return []
+    longest = 2 * math.pi / float(train.frequency[is_far].min())
+    shown = f"which are {100 * shares.max():.2g} % of what moves it in {AXES[int(shares.argmax())]}"
+    sentence = f"frequencies or directions of {database.source} are far apart for waves of {longest:.3g} s"
+    return [f"{sentence} and shorter, {shown}; forces between them may be a tenth and more off"]
 
 
 def _refuse_breaking(scenario: Scenario, name: str, train: WaveTrain) -> None:

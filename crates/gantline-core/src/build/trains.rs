@@ -9,7 +9,7 @@ use super::{BuildError, error, finite, positive};
 use crate::force::slow::Slow;
 use crate::force::trains::{Component, Trains};
 use crate::force::wave::{Phasor, WaveForce};
-use crate::spec::{PhasorSpec, TrainsSpec};
+use crate::spec::{PhasorSpec, TERMS, TrainsSpec};
 
 /// Of the slowest wave, what the slow place of a body follows: 0.7 % of its motion in that wave are left there.
 const CUT_OFF: f64 = 0.2;
@@ -36,7 +36,7 @@ pub(super) fn build_wave(
     body: usize,
     [at, origin]: [&[f64; 3]; 2],
     directions: &[f64],
-    phasors: &[Vec<PhasorSpec>],
+    phasors: &[Vec<[PhasorSpec; TERMS]>],
     sea: &Arc<Trains>,
 ) -> Result<WaveForce, BuildError> {
     finite(name, "a point of its", &[*at, *origin].concat())?;
@@ -56,7 +56,7 @@ pub(super) fn build_wave(
     }
     let mut built = Vec::with_capacity(waves * directions.len());
     for (wave, phasors) in sea.components.iter().zip(phasors) {
-        finite(name, "a force of its", phasors.as_flattened().as_flattened())?;
+        finite(name, "a force of its", phasors.as_flattened().as_flattened().as_flattened())?;
         let (given, wanted) = (phasors.len(), directions.len());
         if given != wanted {
             return error(
@@ -66,7 +66,7 @@ pub(super) fn build_wave(
         }
         let scaled =
             |both: &PhasorSpec| -> Phasor { [0, 1].map(|part| both.map(|x| wave.amplitude * x[part])) };
-        built.extend(phasors.iter().map(scaled));
+        built.extend(phasors.iter().map(|terms| terms.each_ref().map(scaled)));
     }
     let towards = sea.components.iter().map(|wave| wave.wave_number.y.atan2(wave.wave_number.x));
     let slowest = sea.components.iter().map(|wave| wave.frequency).fold(f64::INFINITY, f64::min);

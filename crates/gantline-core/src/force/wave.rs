@@ -5,8 +5,8 @@
 //! ```
 //!
 //! s and ψ are the slow place of a point and the slow heading of the body ([`super::slow`]), β the direction of a wave, X
-//! force and moment per metre, linear between directions, along axes that are level and turn with ψ. They act at a point P
-//! of the body. Within a step all of that depends on time alone. With the place of every moment F would have terms of second
+//! force and moment per metre, a cubic from each direction to the next, along axes that are level and turn with ψ. They act
+//! at a point P of the body. Within a step all of that depends on time alone. With the place of every moment F would have terms of second
 //! order that are a part of the true ones only.
 
 use std::f64::consts::TAU;
@@ -18,6 +18,7 @@ use super::slow::{Slow, Slowly};
 use super::square::{Square, skew};
 use super::trains::Trains;
 use super::{At, Force, Tangent};
+use crate::spec::TERMS;
 use crate::tree::bias::Wrench;
 
 /// X of force and moment: what goes with the cosine of the phase, then what goes with its sine.
@@ -34,8 +35,8 @@ pub struct WaveForce {
     pub at: DVec3,
     /// Directions that X are for, from forward to port [rad], rising within a turn.
     pub directions: Vec<f64>,
-    /// a X of every component of the sea, in all directions.
-    pub phasors: Vec<Phasor>,
+    /// a X of every component of the sea, from all directions to the next, by powers of the share of the way.
+    pub phasors: Vec<[Phasor; TERMS]>,
     /// The waves.
     pub sea: Arc<Trains>,
     /// Direction β of each [rad].
@@ -44,12 +45,23 @@ pub struct WaveForce {
     pub slow: Slow,
 }
 
-/// Between two directions: their places, how much of the second, and how fast that grows [1/rad].
+/// Between two directions: the place of the first, the share of the way to the second, and how fast that grows [1/rad].
 #[derive(Debug, Clone, Copy)]
 struct Between {
-    places: [usize; 2],
+    place: usize,
     share: f64,
     slope: f64,
+}
+
+impl Between {
+    /// A cubic there, and its derivative over the direction [1/rad].
+    fn value(self, [c0, c1, c2, c3]: [f64; TERMS]) -> [f64; 2] {
+        let Self { share, slope, .. } = self;
+        [
+            c0 + share * (c1 + share * (c2 + share * c3)),
+            slope * (c1 + share * (2.0 * c2 + share * (3.0 * c3))),
+        ]
+    }
 }
 
 impl WaveForce {
@@ -66,7 +78,7 @@ impl WaveForce {
         let start = self.directions[after - 1];
         let end = if after < count { self.directions[after] } else { first + TAU };
         let slope = 1.0 / (end - start);
-        Between { places: [after - 1, after % count], share: slope * (wanted - start), slope }
+        Between { place: after - 1, share: slope * (wanted - start), slope }
     }
 
     /// F at P and its derivative over time.
@@ -83,14 +95,13 @@ impl WaveForce {
             found = Some((towards, between));
             let (sin, cos) = (wave.wave_number.dot(place) - wave.frequency * time + wave.phase).sin_cos();
             let pace = wave.wave_number.dot(velocity) - wave.frequency;
-            let [one, other] = between.places.map(|place| &phasors[place]);
+            let cubic = &phasors[between.place];
             for k in 0..6 {
-                let change = [other[0][k] - one[0][k], other[1][k] - one[1][k]];
-                let [real, imaginary] =
-                    [one[0][k] + between.share * change[0], one[1][k] + between.share * change[1]];
+                let [[real, d_real], [imaginary, d_imaginary]] =
+                    [0, 1].map(|part| between.value(cubic.each_ref().map(|term| term[part][k])));
                 sum[k] += real * cos - imaginary * sin;
-                rate[k] -= pace * (real * sin + imaginary * cos)
-                    + turning * between.slope * (change[0] * cos - change[1] * sin);
+                rate[k] -=
+                    pace * (real * sin + imaginary * cos) + turning * (d_real * cos - d_imaginary * sin);
             }
         }
         let (growth, slope) = self.sea.growth(time);

@@ -96,14 +96,18 @@ pub enum ForceSpec {
         origin: [f64; 3],
         /// Directions that waves run in, from body x towards y [rad], rising within a turn.
         directions: Vec<f64>,
-        /// Of every component of the sea, in every direction.
-        phasors: Vec<Vec<PhasorSpec>>,
+        /// Of every component of the sea, from every direction to the next: terms of 1, s, s² and s³, s the share of the
+        /// way.
+        phasors: Vec<Vec<[PhasorSpec; TERMS]>>,
     },
 }
 
 /// Real and imaginary part of X in Re(X a exp(i(k·x + ε − ωt))), x the origin: force x, y, z [N/m], moment x, y, z [N], axes
 /// of a body that is level.
 pub type PhasorSpec = [[f64; 2]; 6];
+
+/// Of a cubic.
+pub const TERMS: usize = 4;
 
 /// A decaying term R exp(ps).
 #[derive(Debug, Clone, Deserialize)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from gantline.hydro.database.around import ForcesAround
 from gantline.hydro.database.model import AXES, DatabaseError, HydrodynamicDatabase
 from gantline.hydro.database.writing import write_database
 
@@ -12,6 +13,7 @@ __all__ = [
     "AXES",
     "DATABASE_FORMATS",
     "DatabaseError",
+    "ForcesAround",
     "HydrodynamicDatabase",
     "read_database",
     "write_database",

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
+from gantline.hydro.database.around import ForcesAround, beside
 from gantline.hydro.waves import wave_number
 
 __all__ = ["AXES", "DatabaseError", "HydrodynamicDatabase"]
@@ -21,12 +22,11 @@ AXES = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 _UNSYMMETRIC = 0.02
 #: The same beyond which a file contradicts itself.
 _CONTRADICTS = 0.25
-#: Directions of waves that are the same [deg].
-_SAME_DIRECTION = 1e-6
 #: Directions are within a turn to either side, but for rounding [rad].
 _ONE_TURN = 2 * math.pi * (1 + 1e-6)
-#: Directions that are further apart have nothing to say of what is between them [deg].
-_WIDEST = 60.0
+#: Turn of the phase at a corner from one point of a file to the next that leaves nine of ten forces between
+#: them within 4 %, and all within a tenth [rad]: docs/concepts/waves.md.
+_FARTHEST = 1.5
 #: Gravity by which waves of files are as long as they are [m/s^2].
 _GRAVITY = 9.81
 #: Negative damping that panel methods leave near irregular frequencies, of the diagonal.
@@ -162,7 +162,7 @@ class HydrodynamicDatabase:
     def excitation_at(
         self, frequency: Array, direction: float, density: float, phased_at: npt.ArrayLike = (0.0, 0.0)
     ) -> tuple[npt.NDArray[np.complex128], list[str]]:
-        """Wave forces per metre of amplitude, linear between frequencies and between directions.
+        """Wave forces per metre of amplitude, by cubic splines over frequency and over direction.
 
         Above the highest frequency of the file they are zero, below the lowest those of the lowest.
 
@@ -179,26 +179,23 @@ class HydrodynamicDatabase:
         Raises:
             DatabaseError: if the file has no wave forces, or none for this direction.
         """
-        directions, forces = self.excitation_around(frequency, density, phased_at)
+        found = self.excitation_around(frequency, density, phased_at).at(direction)
         doubts = list(self.doubts)
         if self.density is None:
             doubts.append(f"{self.source} does not say for which water; that of the lift is taken")
-        known, wanted = np.degrees(directions), math.degrees(direction) % 360.0
-        place = _beside(known, wanted)
-        own = np.degrees(self.directions) % 360.0
-        if place is None:
-            shown = ", ".join(f"{angle:.4g}" for angle in sorted(own)[:12])
+        if found is None:
+            own = np.degrees(self.directions) % 360.0
+            shown, wanted = ", ".join(f"{angle:.4g}" for angle in sorted(own)[:12]), math.degrees(direction)
             raise DatabaseError(
-                f"{self.source}: no waves that run {wanted:.4g} deg from its bow; it has {shown} deg"
+                f"{self.source}: no waves that run {wanted % 360.0:.4g} deg from its bow; it has {shown} deg"
             )
-        if _beside(own, wanted) is None:
+        if beside(self.directions, direction) is None:
             doubts.append(f"{self.source}: its waves come from one side; from the other they are mirrored")
-        before, after, share = place
-        return (1 - share) * forces[:, before] + share * forces[:, after], doubts
+        return found, doubts
 
     def excitation_around(
         self, frequency: Array, density: float, phased_at: npt.ArrayLike = (0.0, 0.0)
-    ) -> tuple[Array, npt.NDArray[np.complex128]]:
+    ) -> ForcesAround:
         """Wave forces per metre in all directions of the file, and mirrored in those of its other side.
 
         Args:
@@ -206,35 +203,60 @@ class HydrodynamicDatabase:
             density: of the water that they are wanted for [kg/m^3].
             phased_at: as of `excitation_at`; of what is mirrored it is on the centre plane of the body.
 
-        Returns:
-            directions that waves run in, from x towards y, rising from 0 to below 2π (k,) [rad]; forces
-            (n, k, 6) [N/m, N], otherwise as `excitation_at`.
-
         Raises:
             DatabaseError: if the file has no wave forces.
         """
         if self.excitation is None or not len(self.directions):
             raise DatabaseError(f"{self.source}: has no wave forces; a file of a run with waves has")
         x, y = np.asarray(phased_at, dtype=float)
-        depth = None if self.water_depth is None or math.isinf(self.water_depth) else self.water_depth
         along = np.cos(self.directions) * x + np.sin(self.directions) * y
-        way = np.outer(wave_number(self.frequencies, _GRAVITY, depth), along)
+        way = np.outer(self._wave_number(self.frequencies), along)
         phased = self.excitation * np.exp(-1j * way)[:, :, np.newaxis]
-        own = np.degrees(self.directions) % 360.0
         # A file for a body with two sides alike needs half of the directions.
-        missing = np.array([_beside(own, -angle % 360.0) is None for angle in own])
+        missing = np.array([beside(self.directions, -angle) is None for angle in self.directions])
+        own = np.degrees(self.directions)
         around = np.round(np.concatenate([own, -own[missing]]), 6) % 360.0
         mirrored = phased[:, missing] * np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
         order = np.unique(around, return_index=True)[1]
         given = np.concatenate([phased, mirrored], axis=1)[:, order]
-        # The highest frequency itself may come with another last digit.
-        known = np.where(
-            np.isclose(frequency, self.frequencies[-1], rtol=1e-6), self.frequencies[-1], frequency
-        )
-        forces = np.empty((len(frequency), len(order), 6), dtype=np.complex128)
-        for place in np.ndindex(forces.shape[1:]):
-            forces[:, *place] = np.interp(known, self.frequencies, given[:, *place], right=0.0)
-        return np.radians(around[order]), forces * (1.0 if self.density is None else density / self.density)
+        scaled = given * complex(1.0 if self.density is None else density / self.density)
+        return ForcesAround.between(self.frequencies, scaled, frequency, np.radians(around[order]))
+
+    def has_close(
+        self, frequency: Array, direction: float, length: float, breadth: float
+    ) -> npt.NDArray[np.bool_]:
+        """Whether forces of waves can be told from those beside them in the file (n,).
+
+        The phase at a corner, κ (x cos β + y sin β), turns by so much at most from one frequency or direction
+        to the next that a cubic spline follows: docs/concepts/waves.md.
+
+        Args:
+            frequency: ω of waves (n,) [rad/s].
+            direction: that they run in, from x towards y, one that forces are known for [rad].
+            length: of the body [m].
+            breadth: of the body [m].
+        """
+        rise = np.zeros(len(frequency))
+        if len(self.frequencies) > 1:
+            after = np.clip(np.searchsorted(self.frequencies, frequency), 1, len(self.frequencies) - 1)
+            numbers = self._wave_number(self.frequencies)
+            is_between = ~np.isclose(self.frequencies[[after - 1, after]], frequency, rtol=1e-6).any(axis=0)
+            rise = np.where(is_between, numbers[after] - numbers[after - 1], 0.0)
+        both = np.concatenate([self.directions, -self.directions])
+        place = beside(both, direction)
+        assert place is not None  # forces are known
+        before, _, gap = place
+        within = both[before] + gap * np.array([0.0, 0.5, 1.0])
+        along, across = abs(math.cos(direction)), abs(math.sin(direction))
+        turned = rise * (length / 2 * along + breadth / 2 * across)
+        swept = length / 2 * np.abs(np.sin(within)) + breadth / 2 * np.abs(np.cos(within))
+        turn = np.maximum(turned, self._wave_number(frequency) * gap * swept.max())
+        close: npt.NDArray[np.bool_] = turn <= _FARTHEST
+        return close
+
+    def _wave_number(self, frequency: Array) -> Array:
+        depth = None if self.water_depth is None or math.isinf(self.water_depth) else self.water_depth
+        return wave_number(frequency, _GRAVITY, depth)
 
     def _range(self) -> str:
         longest, shortest = self.periods[0], self.periods[-1]
@@ -303,17 +325,6 @@ class HydrodynamicDatabase:
             doubts.append(f"{self.source}: a motion whose {what} is below zero, by {share}, is set to zero")
         mended = (vectors * np.maximum(values, 0.0)) @ vectors.T * np.outer(scale, scale)
         return (mended + mended.T) / 2, doubts
-
-
-def _beside(known: Array, wanted: float) -> tuple[int, int, float] | None:
-    """The directions before and after one, and the share of the way between them, in degrees up to 360."""
-    ahead, behind = (known - wanted) % 360.0, (wanted - known) % 360.0
-    after, before = int(np.argmin(ahead)), int(np.argmin(behind))
-    gap = float(ahead[after] + behind[before])
-    if min(ahead[after], behind[before]) < _SAME_DIRECTION:
-        nearest = after if ahead[after] < behind[before] else before
-        return nearest, nearest, 0.0
-    return (before, after, float(behind[before]) / gap) if gap <= _WIDEST else None
 
 
 def _scale(matrix: Array) -> Array:

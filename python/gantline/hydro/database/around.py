@@ -1,0 +1,107 @@
+"""Wave forces between the frequencies and between the directions of a file."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from scipy.interpolate import CubicSpline
+
+__all__ = ["ForcesAround", "beside"]
+
+Array = npt.NDArray[np.float64]
+Complex = npt.NDArray[np.complex128]
+
+#: Directions that are the same [rad].
+_SAME = math.radians(1e-6)
+#: The highest frequency of a file may come with another last digit.
+_ROUNDED = 1e-6
+#: Directions that are further apart have nothing to say of what is between them [rad].
+_WIDEST = math.radians(60.0) + _SAME
+
+
+def beside(known: Array, wanted: float) -> tuple[int, float, float] | None:
+    """The direction before one, the share of the way to the next, and how far that is from it [rad].
+
+    The last two are 0 where the direction is known; None is a gap of more than 60°.
+
+    Args:
+        known: directions (k,) [rad].
+        wanted: a direction [rad].
+    """
+    ahead, behind = (known - wanted) % math.tau, (wanted - known) % math.tau
+    after, before = int(np.argmin(ahead)), int(np.argmin(behind))
+    gap = float(ahead[after] + behind[before])
+    if min(ahead[after], behind[before]) < _SAME:
+        return (after if ahead[after] < behind[before] else before), 0.0, 0.0
+    return (before, float(behind[before]) / gap, gap) if gap <= _WIDEST else None
+
+
+@dataclass(frozen=True, eq=False)
+class ForcesAround:
+    """Forces of some waves per metre of amplitude, as they go with the direction that these run in.
+
+    Attributes:
+        directions: from x towards y, rising from 0 to below 2π (k,) [rad].
+        cubics: terms of 1, s, s² and s³, s the share of the way from a direction to the next
+            (n, k, 4, 6) [N/m, N].
+    """
+
+    directions: Array
+    cubics: Complex
+
+    @classmethod
+    def between(cls, known: Array, forces: Complex, frequency: Array, directions: Array) -> ForcesAround:
+        """By cubic splines, over frequency and over direction.
+
+        Above the highest frequency there is nothing, below the lowest it is as at the lowest.
+
+        Args:
+            known: frequencies, rising (m,) [rad/s].
+            forces: (m, k, 6) [N/m, N].
+            frequency: of waves (n,) [rad/s].
+            directions: as the attribute.
+        """
+        given = (frequency <= known[-1] * (1 + _ROUNDED))[:, np.newaxis, np.newaxis]
+        wanted = np.clip(frequency, known[0], known[-1])
+        smooth = CubicSpline(known, forces)(wanted) if len(known) > 1 else forces
+        return cls(directions, _cubics(directions, np.where(given, smooth, 0.0)))
+
+    def at(self, direction: float) -> Complex | None:
+        """Forces of waves in one direction [rad], shape (n, 6) [N/m, N]; None in a gap of more than 60°."""
+        place = beside(self.directions, direction)
+        if place is None:
+            return None
+        before, share, _ = place
+        found: Complex = np.einsum("npj,p->nj", self.cubics[:, before], share ** np.arange(4))
+        return found
+
+
+def _cubics(directions: Array, forces: Complex) -> Complex:
+    """A periodic spline, or one along each run of directions and straight lines across what is missing."""
+    count = len(directions)
+    gaps = np.diff(directions, append=directions[0] + math.tau)
+    cubics = np.zeros((len(forces), count, 4, 6), dtype=np.complex128)
+    cubics[:, :, 0], cubics[:, :, 1] = forces, np.roll(forces, -1, axis=1) - forces
+    wide = np.flatnonzero(gaps > _WIDEST)
+    if not len(wide):
+        _fill(cubics, forces, gaps, np.arange(count + 1), periodic=True)
+    for last, end in zip(wide, np.append(wide[1:], wide[:1] + count), strict=True):
+        _fill(cubics, forces, gaps, np.arange(last + 1, end + 1), periodic=False)
+    return cubics
+
+
+def _fill(
+    cubics: Complex, forces: Complex, gaps: Array, run: npt.NDArray[np.int_], *, periodic: bool
+) -> None:
+    """The spline along a run of places, counted on beyond one turn, into the cubics between them."""
+    places = run % len(gaps)
+    if len(run) < 3:
+        return  # a straight line, as it is
+    steps = gaps[places[:-1]]
+    way = np.concatenate([[0.0], np.cumsum(steps)])
+    spline = CubicSpline(way, forces[:, places], axis=1, bc_type="periodic" if periodic else "not-a-knot")
+    terms = spline.c[::-1] * (steps ** np.arange(4)[:, np.newaxis])[:, :, np.newaxis, np.newaxis]
+    cubics[:, places[:-1]] = terms.transpose(2, 1, 0, 3)
