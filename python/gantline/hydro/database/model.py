@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
+from scipy.interpolate import CubicSpline
 
 from gantline.hydro.database.around import ForcesAround, beside
 from gantline.hydro.waves import wave_number
@@ -135,7 +136,7 @@ class HydrodynamicDatabase:
         return 2 * np.pi / self.frequencies
 
     def added_mass_at(self, period: float | None, density: float) -> tuple[Array, list[str]]:
-        """Added mass at a period, linear between frequencies, made symmetric.
+        """Added mass at a period, by a cubic spline over frequency, made symmetric.
 
         Args:
             period: [s]; None is infinite frequency.
@@ -270,10 +271,7 @@ class HydrodynamicDatabase:
         if len(self.frequencies) == 1:
             only: Array = values[0]
             return only
-        place = int(np.clip(np.searchsorted(self.frequencies, wanted), 1, len(self.frequencies) - 1))
-        before, after = self.frequencies[place - 1], self.frequencies[place]
-        share = float(np.clip((wanted - before) / (after - before), 0.0, 1.0))
-        between: Array = (1 - share) * values[place - 1] + share * values[place]
+        between: Array = CubicSpline(self.frequencies, values)(np.clip(wanted, low, high))
         return between
 
     def _ready(self, matrix: Array, density: float, what: str) -> tuple[Array, list[str]]:
