@@ -185,7 +185,7 @@ def test_of_values_that_differ_by_rounding_the_first_is_worst(
         "gantline.study.state.values_of", lambda state: {quantity: {"one": values[state.case]}}
     )
     states = [State(name, "", "none", 0.0) for name in values]
-    (worst,) = worst_of(states, states[0])
+    (worst,) = worst_of(states)
     assert worst.state.case == ("case" if is_worse else "")
 
 

@@ -288,12 +288,12 @@ def test_the_rule_is_no_limit() -> None:
     assert {check.name for check in checks} <= set(LIMITS)
 
 
-def test_a_load_that_never_came_clear_is_not_checked() -> None:
+def test_a_limit_of_a_load_that_never_came_clear_warns() -> None:
     contact = np.full((3, 4), WEIGHT / 8)
     rig = sample_rig(tension_spread_when_clear=0.05)
     recording = sample_recording(np.arange(3.0), tension=np.full((3, 5), 1e5), contact=contact, rig=rig)
     check = only(recording)
-    assert check.verdict is Verdict.NOT_CHECKED
+    assert check.verdict is Verdict.WARNING
     assert "never came clear" in check.remark
 
 
@@ -363,8 +363,9 @@ def test_a_go_past_a_limit_says_so() -> None:
     assert verdict_of([with_travel(down=0.5 * 1.9)]).startswith("GO; nearest to their limits")
 
 
-@pytest.mark.parametrize(("limit", "verdict"), [(1.0, Verdict.FAILED), (1.06, Verdict.OK)])
+@pytest.mark.parametrize(("limit", "verdict"), [(1.0, Verdict.FAILED), (1.08, Verdict.OK)])
 def test_travel_at_any_time_counts_before_the_load_is_clear(limit: float, verdict: Verdict) -> None:
+    """Of three samples that far apart it may have come to 1.05 + 0.5^2/(8 x 1.6) = 1.0695."""
     travel = np.zeros((3, 5))
     travel[:, 2] = [0.0, -1.05 * 1.4, -0.5 * 1.4]
     contact = np.array([[1.0] * 4, [1.0] * 4, [0.0] * 4])

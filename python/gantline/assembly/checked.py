@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from gantline.assembly.lifting import lifting_cranes
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import reeved_hooks
 from gantline.rule_data import (
@@ -66,15 +67,9 @@ def limits_and_rules(scenario: Scenario, rigging: Rigging, *, has_sheaves: bool)
 
 
 def _factors(scenario: Scenario, rigging: Rigging, rules: Rules, preset: Preset, own: str) -> Json:
-    hooks = {sling.hook for sling in rigging.slings.values()} & set(scenario.hooks)
-    # Hooks that move as told may be of one crane.
-    groups = sorted((scenario.hook_groups or {}).items(), key=lambda one: one[1].type == "crane")
-    told = {hook for hook in hooks if scenario.hooks[hook].crane == hook}
-    of_groups = {hook: name for name, group in groups for hook in group.hooks if hook in told}
-    lifting = {of_groups.get(hook, scenario.hooks[hook].crane) for hook in hooks}
     of_several = None
     if rules.several_cranes is not None:
-        of_several = several_cranes(rules.several_cranes, len(lifting))
+        of_several = several_cranes(rules.several_cranes, len(lifting_cranes(scenario, rigging)))
     mass = scenario.load.weight.design if scenario.load is not None else None
     of_preset: dict[str, Sourced | None] = {
         **preset.factors,

@@ -13,6 +13,7 @@ from gantline.assembly.crawler import crawler_rig
 from gantline.assembly.goliath import crane_rig
 from gantline.assembly.gusts import wind_rig
 from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.lifting import lifting_by_mechanics
 from gantline.assembly.moorings import mooring_rig
 from gantline.assembly.operations import moved_drives
 from gantline.assembly.parts import Json, Parts
@@ -69,6 +70,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **_tanks(scenario),
         "wrapped_sheaves": (wrapped := wrapped_sheaves(parts)),
         "ratings": ratings(scenario),
+        **({"lifting_by_mechanics": lifting} if (lifting := lifting_by_mechanics(scenario, rigging)) else {}),
         "bends": bends(scenario, parts),
         **limits_and_rules(scenario, rigging, has_sheaves=bool(wrapped)),
         **_equalised_below(scenario),

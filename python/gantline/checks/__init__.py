@@ -1,9 +1,10 @@
 """Limits of a lift held against its recording."""
 
 from gantline.checks.check import Check, Verdict, foremost, governing, has_failed, past_limits, verdict_of
+from gantline.checks.ends import end_of_step
 from gantline.checks.limits import LIMITS
 from gantline.checks.readings import HoldPoint, HookReading, hold_points, hook_readings
-from gantline.checks.run import NO_WARNINGS, check_recording, end_of_step, values_of
+from gantline.checks.run import NO_WARNINGS, check_recording, values_of
 
 __all__ = [
     "LIMITS",

@@ -1,4 +1,4 @@
-"""Loads: tilt, yaw, what keeps them upright, what supports have given up, slings that run through them."""
+"""Loads: tilt, yaw, what keeps them upright, what supports give up and tag lines bear, slings in them."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
+from gantline.checks.lugs import BEARS
 from gantline.checks.measure import Caution, Finding, Missing, extreme, named
 from gantline.results import series
 from gantline.results.recording import Recording
@@ -16,6 +17,7 @@ from gantline.results.tilting import loose_tilt
 from gantline.results.upending import is_turned
 from gantline.results.upright import top_heavy
 from gantline.results.variable import BoolArray
+from gantline.units import format_quantity
 
 #: Of loads that are turned as nothing says they should be.
 _SAY_SO = (
@@ -70,6 +72,34 @@ def on_their_tip(recording: Recording) -> list[Check]:
         checks.append(
             Check("hangs_stably", Verdict.FAILED, meaning, element=one.name, time=one.time, remark=remark)
         )
+    return checks
+
+
+def held_by_tag_lines(recording: Recording) -> list[Check]:
+    """A warning for each tag line that pulls as if it bore the load: no hook, crane or lug knows of that."""
+    checks = []
+    for load in recording.rig.loads:
+        for line in recording.rig.tag_lines:
+            most, time = series.rope_peak(recording, line.rope)
+            if most <= BEARS * load.weight:
+                continue
+            share = format_quantity(most / load.weight, "%", 0)
+            remark = (
+                f"it pulls with up to {share} of the weight of {load.name}, which no hook and no lug knows of"
+            )
+            meaning = (
+                f"tag lines pull with at most {format_quantity(BEARS, '%', 0)} of the weight of their load"
+            )
+            checks.append(
+                Check(
+                    "tag_lines_bear_nothing",
+                    Verdict.WARNING,
+                    meaning,
+                    element=line.name,
+                    time=time,
+                    remark=remark,
+                )
+            )
     return checks
 
 

@@ -9,11 +9,12 @@ from gantline.checks.measure import Finding, Missing, carrying, extreme
 from gantline.results import series
 from gantline.results.gear import Sling
 from gantline.results.recording import Recording
+from gantline.results.rig import Load
 from gantline.results.variable import BoolArray
 
 _CONSEQUENCE = "lug_consequence_factor"
 #: Share of a load's weight from which a rope bears it; less holds its heading.
-_BEARS = 0.05
+BEARS = 0.05
 
 
 def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -27,6 +28,13 @@ def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Find
             else:
                 inside = carrying(recording, sling.rope, during)
                 yield from extreme(recording, angles[of, lug], inside, element)
+
+
+def ropes_that_bear(recording: Recording, load: Load, lack: str) -> Iterator[Missing]:
+    """Ropes of `mechanics` that carry a load, with what they lack for a check."""
+    for rope in load.other_ropes:
+        if series.rope_peak(recording, rope)[0] > BEARS * load.weight:
+            yield Missing(rope, f"carries {load.name} as a rope of 'mechanics', which {lack}")
 
 
 def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -49,6 +57,7 @@ def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Findin
         else:
             yield from over(force, lug.capacity, f"{of}.{lug_name}", raised)
     for one in recording.rig.loads:
-        for rope in one.other_ropes:
-            if series.rope_peak(recording, rope)[0] > _BEARS * one.weight:
-                yield Missing(rope, f"carries {one.name} as a rope of 'mechanics', which has no lug")
+        yield from ropes_that_bear(recording, one, "has no lug")
+        for line in recording.rig.tag_lines:
+            if series.rope_peak(recording, line.rope)[0] > BEARS * one.weight:
+                yield Missing(line.rope, f"carries {one.name} as a tag line, which has no lug")

@@ -25,6 +25,7 @@ class Found:
         time: When [s]; None if it belongs to no one time.
         formula: How it comes about, with numbers; empty if it was measured as it is.
         factors: Names of the rule's factors in it.
+        between: What it may have come to between two samples, where that is worse, SI; None where it is not.
     """
 
     value: float
@@ -32,6 +33,7 @@ class Found:
     time: float | None = None
     formula: str = ""
     factors: tuple[str, ...] = ()
+    between: float | None = None
 
 
 @dataclass(frozen=True)
@@ -143,9 +145,27 @@ def extreme(
     """
     if not during.any():
         return
-    at = int(np.argmax(np.where(during, -values if smallest else values, -np.inf)))
+    upwards = -values if smallest else values
+    at = int(np.argmax(np.where(during, upwards, -np.inf)))
     text = formula(at) if formula is not None else ""
-    yield Found(float(values[at]), element, float(recording.time[at]), text)
+    crest = _crest(upwards, during)
+    between = None if crest is None or not crest > upwards[at] else -crest if smallest else crest
+    yield Found(float(values[at]), element, float(recording.time[at]), text, between=between)
+
+
+def _crest(values: FloatArray, during: BoolArray) -> float | None:
+    """The highest vertex of a parabola through a sample and its two neighbours, all of them in a mask.
+
+    Of samples that are no lower than their neighbours, which the vertex then lies between. A parabola is what
+    a smooth series is about its crest; past a kink it goes by no more than an eighth of the bend there.
+    """
+    before, here, after = values[:-2], values[1:-1], values[2:]
+    bend = (here - before) + (here - after)
+    counts = during[:-2] & during[1:-1] & during[2:] & (here >= before) & (here >= after) & (bend > 0.0)
+    if not counts.any():
+        return None
+    vertices = here[counts] + (after - before)[counts] ** 2 / (8.0 * bend[counts])
+    return float(vertices.max())
 
 
 def to_either_side(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -52,10 +53,12 @@ def crane_of(rig: Rig, hook: str) -> str:
 
 
 def _lifting(recording: Recording) -> set[str]:
-    """The cranes from whose hooks slings hang."""
+    """The cranes from whose hooks slings hang, or that bear the load by `mechanics`."""
     rig = recording.rig
     hooks = {rig.hook_of(sling) for sling in rig.slings}
-    return {crane_of(rig, hook.name) for hook in rig.hooks if hook.name in hooks}
+    return {crane_of(rig, hook.name) for hook in rig.hooks if hook.name in hooks} | {
+        *rig.lifting_by_mechanics
+    }
 
 
 def _without_chart(recording: Recording) -> Iterator[Missing]:
@@ -106,7 +109,7 @@ def _of_row(
         return f"{kilonewton(load[at])}{raised} / {row}"
 
     for found in extreme(recording, used, loaded, element, text):
-        yield Found(found.value, found.element, found.time, found.formula, names)
+        yield replace(found, factors=names)
 
 
 def _by_rule(

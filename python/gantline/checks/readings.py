@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gantline.checks.run import end_of_step, values_of
+from gantline.checks.ends import end_of_step
+from gantline.checks.run import values_of
 from gantline.results.rating import RatedGroup, chart_load, rated_groups, rated_load
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from gantline.checks.forces import Force, Raised, factor, kilonewton, over, rope_force, sling_forces
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, carrying, extreme
-from gantline.checks.slings import bending_factor, bending_text, sling_bend
+from gantline.checks.slings import bending_factor, bending_text, no_slings, sling_bend
 from gantline.results import series
 from gantline.results.gear import Rope
 from gantline.results.recording import Recording
@@ -26,6 +26,7 @@ def sling_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Minimum breaking force of a sling over its peak tension."""
     for sling in recording.rig.slings:
         yield from _factor(recording, during, sling.rope, sling.minimum_breaking_force, sling.name)
+    yield from no_slings(recording)
 
 
 def rope_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -11,23 +11,27 @@ import numpy as np
 from gantline.checks.check import Check, Verdict
 from gantline.checks.crawlers import left_ground
 from gantline.checks.drums import turns_left
+from gantline.checks.ends import about_end_of_step, one_sample
 from gantline.checks.equalizers import held_upright
 from gantline.checks.limits import LIMITS
-from gantline.checks.loads import on_their_tip, run_through
+from gantline.checks.loads import held_by_tag_lines, on_their_tip, run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
 from gantline.checks.overlaps import run_into
 from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_out, stood_still, unfinished
 from gantline.checks.ranges import left_range
 from gantline.checks.slings import idle, taken_off
-from gantline.results import progress, series
+from gantline.results import series
 from gantline.results.parting import PLANNED, Parting, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
-from gantline.results.variable import BoolArray, FloatArray
+from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
 
 #: Of a bound that nobody set.
 _OWN_LIMIT = "a limit of its own under 'limits' would make this a failure"
+
+#: Of a limit that no element of the lift has.
+_NOTHING = "the lift has nothing that it is about, or nothing of that carries"
 
 #: Check that lift file and run give no warnings of their own.
 NO_WARNINGS = "no_warnings"
@@ -49,9 +53,10 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         spreader that hangs unstably; one for each rope that was taken off; a warning or a failure for each
         pair that is drawn in one place; one that failed for each trolley, crane or upper structure that goes
         past its range; and a warning for each hoist that fell behind and each winch that slipped, where
-        slings never carried or run through a load, where a hook holds a frame upright, where the recording
-        has warnings of its own, where steps moved nothing, where a load came down while it was
-        taken along or came down hard, and where a run lifts nothing or ends before its plan.
+        slings never carried or run through a load, where a tag line pulls as if it bore one, where a hook
+        holds a frame upright, where the recording has warnings of its own, where steps moved nothing, where a
+        load came down while it was taken along or came down hard, and where a run lifts nothing or ends
+        before its plan.
     """
     rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
@@ -72,7 +77,8 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     every += taken_off(recording) + fell_behind(recording) + ran_out(recording) + idle(recording)
     every += turns_left(recording) + on_their_tip(recording)
     every += (
-        run_through(recording)
+        held_by_tag_lines(recording)
+        + run_through(recording)
         + run_into(recording)
         + left_ground(recording)
         + left_range(recording)
@@ -106,9 +112,10 @@ def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> d
 
 @dataclass(frozen=True)
 class _Outcome:
-    """What a measure found: the governing value, and all that is not a value."""
+    """What a measure found: the governing value, the same between samples, and all that is not a value."""
 
     worst: Found | None
+    between: float | None
     refused: tuple[Refused, ...]
     missing: str
     cautions: str
@@ -123,6 +130,7 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
     return _Outcome(
         # Nothing compares with what is no number: that governs.
         worst=next((one for one in values if math.isnan(one.value)), worst),
+        between=pick((one.between for one in values if one.between is not None), default=None),
         refused=tuple(one for one in findings if isinstance(one, Refused)),
         missing=_reasons(one for one in findings if isinstance(one, Missing)),
         cautions="; ".join(dict.fromkeys(one.text for one in findings if isinstance(one, Caution))),
@@ -131,7 +139,7 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
 
 def _look_one_by_one(measure: Measure, recording: Recording, during: BoolArray, found: _Outcome) -> _Outcome:
     """The same with the worst of each sample: of many at once a measure finds the largest, or its least."""
-    looks = [_look(measure, recording, _sample(int(at), during)) for at in np.flatnonzero(during)]
+    looks = [_look(measure, recording, one_sample(int(at), during)) for at in np.flatnonzero(during)]
     values = [look.worst for look in looks if look.worst is not None]
     pick = min if measure.at_least else max
     worst = pick(values, key=lambda one: one.value, default=None)
@@ -174,7 +182,8 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         return _refused(check, found.refused)
     if found.worst is None:
         is_asked = given is not None and key not in rig.assumed_limits
-        return _without_value(recording, check, found.missing, _nothing(measure), is_asked=is_asked)
+        missing = found.missing or _never_clear(recording, measure)
+        return _without_value(recording, check, missing, _NOTHING, is_asked=is_asked)
     check = _with_value(check, found.worst)
     remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
     if given is None and measure.alarm is not None:
@@ -189,6 +198,8 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         verdict = Verdict.WARNING if found.cautions else Verdict.NOT_CHECKED
         return replace(check, verdict=verdict, remark=_joined([found.missing, found.cautions]))
     verdict = _verdict(measure, found.worst.value, limit)
+    if verdict is Verdict.OK:
+        remarks = [_beyond_all(check, measure), _between_samples(check, measure, found.between), *remarks]
     if key in rig.assumed_limits and verdict is Verdict.FAILED:
         verdict = Verdict.WARNING
         remarks.append(_OWN_LIMIT)
@@ -196,6 +207,23 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if remark and verdict is Verdict.OK:
         verdict = Verdict.WARNING
     return replace(check, verdict=verdict, remark=remark)
+
+
+def _between_samples(check: Check, measure: Measure, between: float | None) -> str:
+    """That a value within its limit may have been past it between two samples."""
+    if between is None or check.limit is None or _verdict(measure, between, check.limit) is Verdict.OK:
+        return ""
+    return (
+        f"between two samples it may have come to {check.shown(between)}: a shorter 'sample_interval' tells"
+    )
+
+
+def _beyond_all(check: Check, measure: Measure) -> str:
+    """That a value is past all of what there is, by definition, and within a limit that allows more."""
+    whole = measure.by_definition
+    if whole is None or check.value is None or _verdict(measure, check.value, whole) is not Verdict.FAILED:
+        return ""
+    return f"more than all of it, {check.shown(whole)}, which the limit allows"
 
 
 def _refused(check: Check, refused: Sequence[Refused]) -> Check:
@@ -237,15 +265,19 @@ def _joined(remarks: Iterable[str]) -> str:
     return "; ".join(remark for remark in remarks if remark)
 
 
-def _nothing(measure: Measure) -> str:
-    if measure.when_clear:
-        return "the load never came clear of its supports"
-    return "the lift has nothing that it is about, or nothing of that carries"
+def _never_clear(recording: Recording, measure: Measure) -> str:
+    """Why there is no value of what counts while the load hangs clear, and would have one else."""
+    if (
+        not measure.when_clear
+        or _look(replace(measure, when_clear=False), recording, everywhere(recording)).worst is None
+    ):
+        return ""
+    return "the load never came clear of its supports"
 
 
 def _check_step(recording: Recording, step: Step, ending: Collection[str]) -> Iterator[Check]:
     is_now = step.step in ending and series.is_equilibrium(recording)
-    during = _sample(-1, recording.time) if is_now else _at_end(recording, step)
+    during = one_sample(-1, recording.time) if is_now else about_end_of_step(recording, step)
     for key, bounds in step.require.items():
         for side, limit in bounds.items():
             yield _check_requirement(recording, step, during, key, side, float(limit))
@@ -279,8 +311,8 @@ def _check_requirement(
     if found.refused:
         return _refused(check, found.refused)
     if found.worst is None:
-        nothing = "nothing to check at the end of this step"
-        return _without_value(recording, check, found.missing, nothing, is_asked=True)
+        missing = found.missing or "nothing to check at the end of this step"
+        return _without_value(recording, check, missing, missing, is_asked=True)
     check = _with_value(check, found.worst)
     verdict = _verdict(sided, found.worst.value, limit)
     if found.missing:
@@ -310,43 +342,6 @@ def _told(recording: Recording) -> list[Check]:
     more = f"; and {count} more {'warning' if count == 1 else 'warnings'}" if count else ""
     meaning = "lift file and run give no warning"
     return [Check(NO_WARNINGS, Verdict.WARNING, meaning, remark=f"{warnings[0]}{more}")]
-
-
-def end_of_step(recording: Recording, step: Step) -> BoolArray | None:
-    """The last sample of a step of the plan.
-
-    Args:
-        recording: Any recording.
-        step: The step.
-
-    Returns:
-        Mask with that one sample; None if the step did not end within the recording.
-    """
-    end = progress.end_of_step(recording, step)
-    if end is None or not len(recording.time):
-        return None
-    last = max(0, int(np.searchsorted(recording.time, end, side="right")) - 1)
-    return _sample(last, recording.time)
-
-
-def _sample(at: int, like: BoolArray | FloatArray) -> BoolArray:
-    """A mask of one sample, as long as something else."""
-    mask = np.zeros(len(like), dtype=np.bool_)
-    mask[at] = True
-    return mask
-
-
-def _at_end(recording: Recording, step: Step) -> BoolArray | None:
-    """Samples that a requirement of a step is for: the last one, in waves and gusts the last that average.
-
-    There the last sample is but a moment between a crest and a trough.
-    """
-    last, while_ = end_of_step(recording, step), recording.rig.time_to_average
-    if last is None or while_ == 0.0:
-        return last
-    begin, end = progress.spans(recording)[step.step][0], recording.time[last][0]
-    late: BoolArray = (recording.time >= max(begin, end - while_)) & (recording.time <= end)
-    return late
 
 
 def _verdict(measure: Measure, value: float, limit: float) -> Verdict:

@@ -9,6 +9,7 @@ import numpy as np
 
 from gantline.checks.check import Check, Verdict
 from gantline.checks.forces import NO_STATIC, OTHER_SLINGS, kilonewton
+from gantline.checks.lugs import ropes_that_bear
 from gantline.checks.measure import Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
@@ -67,6 +68,12 @@ def taken_off(recording: Recording) -> list[Check]:
     return checks
 
 
+def no_slings(recording: Recording) -> Iterator[Missing]:
+    """Ropes of `mechanics` that carry a load, which limits of slings do not know of."""
+    for load in recording.rig.loads:
+        yield from ropes_that_bear(recording, load, "is no sling")
+
+
 def sling_tension(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Tension as simulated."""
     for sling in recording.rig.slings:
@@ -80,6 +87,7 @@ def smallest_tension(recording: Recording, during: BoolArray) -> Iterator[Findin
         tension = series.sling_tension(recording, sling)
         on = during & series.is_on(recording, sling.rope)
         yield from extreme(recording, tension, on, sling.name, smallest=True)
+    yield from no_slings(recording)
 
 
 def skew_load_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -116,6 +124,7 @@ def angle_from_vertical(recording: Recording, during: BoolArray) -> Iterator[Fin
     for sling in recording.rig.slings:
         angle = series.sling_angle(recording, sling)
         yield from extreme(recording, angle, carrying(recording, sling.rope, during), sling.name)
+    yield from no_slings(recording)
 
 
 def angle_from_horizontal(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -128,6 +137,7 @@ def angle_from_horizontal(recording: Recording, during: BoolArray) -> Iterator[F
 
         inside = carrying(recording, sling.rope, during)
         yield from extreme(recording, math.pi / 2 - angle, inside, sling.name, text, smallest=True)
+    yield from no_slings(recording)
 
 
 def bending_factor(ratio: float) -> float | None:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 
 from gantline.checks import governing
 from gantline.cli.table import ABSENT, show, table, tables
+from gantline.results.saved import WORST_OF_LOSSES
 from gantline.study.cases import CasesResult
 from gantline.study.state import QUANTITIES, State, Worst, values_of
 
@@ -23,6 +24,7 @@ _LINES = {
     "sheave_travel": "{} travel",
 }
 _SHORTEST_LABEL = 16
+_WITHOUT_LOSSES = "without losses"
 
 
 def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]:
@@ -35,12 +37,16 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
     """
     groups: list[tuple[str, list[State]]]
     if variants:
-        groups = [(_name(state.case, state.label), [state]) for state in result.states]
+        bounded = {(state.case, state.variant) for state in result.states if state.losses != "none"}
+        groups = [(_name(state.case, _label(state, bounded)), [state]) for state in result.states]
     else:
         by_case = {name: result.of(name) for name in result.names}
         groups = [(_name(name, str(len(states)) if len(states) > 1 else ""), states)
                   for name, states in by_case.items()]  # fmt: skip
-    why = notes(result.states, lambda found: _in_cases(result.states, found), width)
+    why = [
+        *([f"  {WORST_OF_LOSSES}"] if result.has_losses and not variants else []),
+        *notes(result.states, lambda found: _in_cases(result.states, found), width),
+    ]
     parts = [
         [f"{result.title}, at rest"],
         [*states_table(groups, "Case", width=width), *why],
@@ -82,6 +88,12 @@ def states_table(groups: Sequence[tuple[str, Sequence[State]]], title: str, *, w
 
 def _name(case: str, more: str) -> str:
     return f"{case or AS_GIVEN}{f' ({more})' if more else ''}"
+
+
+def _label(state: State, bounded: Container[tuple[str, str]]) -> str:
+    """Variant and losses; that there are none of a variant whose losses are `bounded` by others."""
+    is_between = state.losses == "none" and (state.case, state.variant) in bounded
+    return ", ".join(part for part in (state.label, _WITHOUT_LOSSES if is_between else "") if part)
 
 
 def _largest(states: Iterable[State], quantity: str, *, smallest: bool = False) -> float | None:
@@ -213,8 +225,13 @@ def _repeats(hoist: Worst, worst: Sequence[Worst]) -> bool:
 
 
 def _bands(result: CasesResult) -> Iterator[list[str]]:
-    """Tensions over the patterns of lengths of each case, by sensitivities and solved anew."""
+    """Tensions over the patterns of lengths of each case, by sensitivities and solved anew.
+
+    Those are about the lift without losses.
+    """
     given = values_of(result.given)["sling_tension"]
+    is_bounded = any(state.losses != "none" for state in result.of(""))
+    about = _WITHOUT_LOSSES if is_bounded else AS_GIVEN
     for name in result.names:
         states = [state for state in result.of(name) if state.first_order]
         if not states:
@@ -229,7 +246,7 @@ def _bands(result: CasesResult) -> Iterator[list[str]]:
             )
             for sling in states[0].first_order
         ]
-        yield table((name, AS_GIVEN, "by sensitivities", "solved anew"), rows, "lrrr")
+        yield table((name, about, "by sensitivities", "solved anew"), rows, "lrrr")
 
 
 def _band(values: Iterable[float]) -> str:

@@ -56,7 +56,7 @@ def check_table(
         style: How a verdict is written, as wide as all others.
         width: Columns that a line may have.
         full: Whether each check shows its meaning, its formula with numbers, and its source.
-        with_unlimited: Whether quantities that have no limit have a line too.
+        with_unlimited: Whether each quantity that has no limit has a line too; else one line names them.
     """
     shown = [check for check in checks if with_unlimited or not _is_unlimited(check)]
     if not shown:
@@ -77,20 +77,35 @@ def check_table(
         lines.append(f"{style(check.verdict)}  {line}{f'  {place}' if place and beside else ''}".rstrip())
         notes = [] if beside or not place else [place]
         for note in (*notes, *_notes(check, full=full)):
-            lines += textwrap.wrap(
-                note,
-                max(width, 60),
-                initial_indent=f"{_INDENT}  ",
-                subsequent_indent=f"{_INDENT}    ",
-                break_long_words=False,
-                break_on_hyphens=False,
-            )
+            lines += _wrapped(note, width, f"{_INDENT}  ", f"{_INDENT}    ")
+    if len(shown) < len(checks):
+        unlimited = _named([check for check in checks if check not in shown])
+        lines += _wrapped(unlimited, width, f"{'no limit':<{_VERDICT_WIDTH}}  ", f"{_INDENT}  ")
     return [*lines, "", *textwrap.wrap(verdict_of(checks), max(width, 60), subsequent_indent="  ")]
+
+
+def _wrapped(text: str, width: int, first: str, following: str) -> list[str]:
+    """Lines of a text after indents, with names that stay whole."""
+    return textwrap.wrap(
+        text,
+        max(width, 60),
+        initial_indent=first,
+        subsequent_indent=following,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
 
 
 def _is_unlimited(check: Check) -> bool:
     """Whether a quantity is shown because everybody has to hand it in, and has nothing to be held against."""
     return check.verdict is Verdict.NOT_CHECKED and check.limit is None and bool(check.meaning)
+
+
+def _named(unlimited: Sequence[Check]) -> str:
+    """Names of quantities without a limit, with those apart that have no value either and count as such."""
+    known = ", ".join(one.name for one in unlimited if one.has_no_limit)
+    unknown = ", ".join(one.name for one in unlimited if not one.has_no_limit)
+    return "; ".join(part for part in (known, unknown and f"not checked either: {unknown}") if part)
 
 
 def _row(check: Check) -> tuple[str, str, str, str]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from gantline.checks import Check, verdict_of
+from gantline.checks import Check, check_recording, verdict_of
 from gantline.cli.check_table import check_table, width_of_terminal
 from gantline.cli.summary import heading, weights
 from gantline.cli.table import ABSENT, show, table
@@ -168,6 +169,20 @@ def checks_at_rest(rest: Equilibrium, checks: Sequence[Check]) -> list[str]:
     return check_table(checks, rule, width=width_of_terminal(), full=False, with_unlimited=False)
 
 
+#: How sheaves slip in a bound, in words.
+_SLIPPING = {"forward": "along the rope", "backward": "against the rope"}
+
+
+def bounds_at_rest(bounds: Sequence[Equilibrium]) -> list[str]:
+    """The verdict with all sheaves slipping one way, and the other: losses may hold as much."""
+    lines = []
+    for bound in bounds:
+        verdict = verdict_of(check_recording(bound.recording))
+        said = f"With all sheaves slipping {_SLIPPING[bound.losses]}: {verdict}"
+        lines += textwrap.wrap(said, max(width_of_terminal(), 60), subsequent_indent="  ")
+    return lines
+
+
 def statics_json(
     rest: Equilibrium,
     bounds: list[Equilibrium],
@@ -185,7 +200,7 @@ def statics_json(
 
     return {
         **numbers(rest),
-        "bounds": [numbers(one) for one in bounds],
+        "bounds": [{**numbers(one), "verdict": verdict_of(check_recording(one.recording))} for one in bounds],
         "contacts": [
             {"name": one.contact, "support": one.support, "friction": list(one.friction), "bound": one.bound}
             for one in rest.contacts

@@ -10,7 +10,7 @@ from gantline.report.section import Section
 from gantline.report.subject import ABSENT, Subject, number, show
 from gantline.results import series
 from gantline.results.recording import Recording
-from gantline.results.saved import QUANTITIES, SavedWorst
+from gantline.results.saved import QUANTITIES, WORST_OF_LOSSES, SavedWorst
 
 #: What the first page says of cases, in its order.
 _FIRST = {
@@ -160,6 +160,7 @@ class Cases(Section):
             return None
         return {
             "sound": cases.is_sound,
+            "losses": WORST_OF_LOSSES if any(one.has_losses for one in cases.cases) else "",
             "cases": [
                 {
                     "name": one.name or "as given",

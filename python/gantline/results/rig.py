@@ -199,6 +199,7 @@ class Rig(FromJson):
         factors: Factors on loads and strengths by name, see `gantline.rule_data.FACTORS`.
         shackle_side_load: Chart of side loads on shackles.
         ratings: Rated capacities of hooks, trolleys and cranes.
+        lifting_by_mechanics: Cranes to which ropes and bodies of `mechanics` lead from the load.
         rating_charts: Rating charts of cranes.
         bends: The smallest sheave or drum of each rope.
         equalised_below: Tension spread below which an equalizer has equalised [1].
@@ -240,6 +241,7 @@ class Rig(FromJson):
     factors: Mapping[str, Factor] = field(default_factory=dict)
     shackle_side_load: SideLoad = field(default_factory=SideLoad)
     ratings: Sequence[Rating] = ()
+    lifting_by_mechanics: Sequence[str] = ()
     rating_charts: Sequence[RatingChart] = ()
     bends: Sequence[Bend] = ()
     equalised_below: float = EQUALISED_BELOW

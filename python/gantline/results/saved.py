@@ -27,6 +27,7 @@ __all__ = [
     "LOSSES",
     "LOST_LOAD",
     "QUANTITIES",
+    "WORST_OF_LOSSES",
     "Beside",
     "SavedCase",
     "SavedCases",
@@ -55,6 +56,10 @@ QUANTITIES: dict[str, tuple[str, int]] = {
 }
 #: What losses of sheaves do, in words.
 LOSSES: dict[str, str] = {"none": "", "forward": "slip along", "backward": "slip against"}
+#: What numbers of cases are of which some have such bounds.
+WORST_OF_LOSSES = (
+    "of sheaves with losses the worst of three equilibria: without losses, all slip along, all slip against"
+)
 
 _OF_ANOTHER = "is of another lift file than the recording, or of that file before or after it was edited"
 _LARGEST = 50_000_000  # bytes of a file that is read
@@ -75,12 +80,14 @@ class SavedCase:
         troubles: What is wrong in them, each once: no start or no equilibrium and why, instability, loads
             that stand and should hang, failed checks.
         remarks: What it asks for in vain, and that it changes nothing.
+        has_losses: Whether some of these equilibria are bounds of what losses of sheaves do.
     """
 
     name: str
     states: int
     troubles: Sequence[str]
     remarks: Sequence[str] = ()
+    has_losses: bool = False
 
 
 @dataclass(frozen=True)
@@ -90,7 +97,7 @@ class SavedWorst:
     Attributes:
         quantity: A key of `QUANTITIES`.
         element: Sling, rope, hook, load or moving sheave.
-        given: Its value in the lift as it is given [SI]; None where it has none.
+        given: Its worst value in the lift as it is given, whatever losses do [SI]; None where it has none.
         value: The worst value [SI].
         case: The case that has it; empty for the lift as it is given.
         label: The variant of that, and what losses do in it.
@@ -329,8 +336,9 @@ def _case(given: Mapping[str, Any]) -> SavedCase:
         troubles += [f"{name} failed" for name in _list(state, "failed") if isinstance(name, str)]
     if states and all(state.get("changes_nothing") is True for state in states):
         remarks.append("changes nothing")
-    once = (tuple(dict.fromkeys(told)) for told in (troubles, remarks))
-    return SavedCase(_text(given, "case"), len(states), *once)
+    told, said = (tuple(dict.fromkeys(each)) for each in (troubles, remarks))
+    has_losses = any(state.get("losses") != "none" for state in states)
+    return SavedCase(_text(given, "case"), len(states), told, said, has_losses)
 
 
 def _worst(given: Mapping[str, Any]) -> SavedWorst:

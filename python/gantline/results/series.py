@@ -29,7 +29,7 @@ from gantline.results.rotation import axes, heading, tilt
 from gantline.results.variable import BoolArray, FloatArray
 
 _SHORTEST_QUIET = 5.0  # s
-_CARRIED_MORE = 1.01  # from which share of the last static value an earlier one counts in its place
+_CARRIED_MORE = 1.001  # from which share of the last static value an earlier one counts in its place
 _CARRYING_FROM = 0.01  # of the largest tension
 _ROUNDED = 1e-14  # of the work of drives over a run
 _SLIPPING = 1e-10  # rounding of the work of a tugger that slips, from sample to sample
@@ -211,7 +211,7 @@ def has_hung_so(recording: Recording, time: float) -> bool:
 def is_more(earlier: float, later: float) -> bool:
     """Whether a force at an earlier time that the loads hung still counts more than at a later one.
 
-    It is more by over a hundredth, which no swinging is.
+    It is more by over a thousandth, which no swinging leaves in a mean.
     """
     return earlier > later * _CARRIED_MORE
 

@@ -10,7 +10,7 @@ from pydantic.json_schema import JsonSchemaValue
 
 from gantline.scenario.base import Element
 from gantline.scenario.errors import nearest
-from gantline.scenario.quantities import Quantity, Reader, found, refuse
+from gantline.scenario.quantities import Quantity, Reader, Share, found, refuse
 from gantline.units import example, units_of
 
 __all__ = ["MEASURES", "Bound", "BoundReader", "MeasuresReader", "Require"]
@@ -37,7 +37,8 @@ class BoundReader(Reader):
             raise refuse(
                 f"found {found(value)}; a requirement is written like 'below {right}' or 'above {right}'"
             )
-        return Bound(words[0], Quantity(self.dimension, "not_negative").read(words[1]))
+        reader = Share() if self.dimension == "ratio" else Quantity(self.dimension, "not_negative")
+        return Bound(words[0], reader.read(words[1]))
 
     def shown(self) -> JsonSchemaValue:
         """A string that begins with a relation."""

@@ -17,7 +17,7 @@ from gantline.scenario.quantities import (
     PositiveForce,
     PositiveLength,
     Quantity,
-    Ratio,
+    Share,
     Text,
     Word,
     refuse,
@@ -25,6 +25,7 @@ from gantline.scenario.quantities import (
 
 __all__ = ["Limits", "Rules", "SideLoad"]
 
+_Share = Annotated[float, Share()]
 _Factor = Annotated[float, Number(least=1.0, most=100.0)]
 
 
@@ -34,7 +35,7 @@ class Limits(Element):
     what: ClassVar[str] = "limits"
 
     rule: Text | None = Field(None, description="Rule and edition that the limits come from.")
-    support_force_of_capacity: Ratio | None = Field(
+    support_force_of_capacity: _Share | None = Field(
         None, description="Force of a support of its capacity; 100 % if not given."
     )
     load_tilt: PositiveAngle | None = Field(None, description="Tilt of the load.")
@@ -69,7 +70,7 @@ class Limits(Element):
         description="Least factor of minimum breaking force over peak tension, of every rope: slings, "
         "equalizing ropes, hoist ropes, ropes of 'mechanics'; 1 if not given.",
     )
-    rope_load_of_breaking_force: Ratio | None = Field(
+    rope_load_of_breaking_force: _Share | None = Field(
         None,
         description="Rope force times the factors of 'rules', of minimum breaking force; 100 % if not given.",
     )
@@ -82,7 +83,7 @@ class Limits(Element):
     smallest_sling_tension_when_clear: Annotated[float, Quantity("force", "not_negative")] | None = Field(
         None, description="Least tension of any sling once the load is clear."
     )
-    tension_spread_when_clear: Ratio | None = Field(
+    tension_spread_when_clear: _Share | None = Field(
         None, description="(max - min)/mean of slings once clear."
     )
     equalised_below: Annotated[float, Quantity("ratio", "positive")] | None = Field(
@@ -93,20 +94,20 @@ class Limits(Element):
     skew_load_factor: _Factor | None = Field(
         None, description="Static force of a sling over its force with perfect lengths."
     )
-    equalizer_travel_used: Ratio | None = Field(
+    equalizer_travel_used: _Share | None = Field(
         None, description="Travel used, of the stroke; 100 % if not given."
     )
-    equalizer_travel_at_any_time: Ratio | None = Field(
+    equalizer_travel_at_any_time: _Share | None = Field(
         None, description="The same over the whole lift, also before the load is clear of its supports."
     )
-    equalizer_load_of_rated_capacity: Ratio | None = Field(
+    equalizer_load_of_rated_capacity: _Share | None = Field(
         None,
         description="Static load of all slings of an equalizer, of its rated capacity; 100 % if not given.",
     )
-    pin_force_of_capacity: Ratio | None = Field(
+    pin_force_of_capacity: _Share | None = Field(
         None, description="Force on a locking pin of its capacity; 100 % if not given."
     )
-    spreader_load_of_rated_capacity: Ratio | None = Field(
+    spreader_load_of_rated_capacity: _Share | None = Field(
         None,
         description="Static load of all slings under a spreader, of its rated capacity; 100 % if not given.",
     )
@@ -123,11 +124,11 @@ class Limits(Element):
     dynamic_hook_load: PositiveForce | None = Field(
         None, description="Larger of static hook load times the rule's factor, and simulated peak."
     )
-    hoist_load_of_rated_capacity: Ratio | None = Field(
+    hoist_load_of_rated_capacity: _Share | None = Field(
         None,
         description="Hoist load of rated capacity, of hooks and of 'hook_groups'; 100 % if not given.",
     )
-    hoist_load_of_drive_capacity: Ratio | None = Field(
+    hoist_load_of_drive_capacity: _Share | None = Field(
         None,
         description="Static hoist load of what motor and brake of a hoist hold, 67 % for instance; 100 % if "
         "not given.",
@@ -165,31 +166,31 @@ class Limits(Element):
         description="How far of two hooks that bear the load one goes up more than the other once it is "
         "clear.",
     )
-    hoist_load_of_rating: Ratio | None = Field(
+    hoist_load_of_rating: _Share | None = Field(
         None,
         description="Hoist load of the rated load of the chart where the hook is; 100 % if not given.",
     )
-    attitude_of_rating: Ratio | None = Field(
+    attitude_of_rating: _Share | None = Field(
         None,
         description="Heel, trim, off-lead and side-lead of the largest for which the chart holds; 100 % if "
         "not given.",
     )
-    moment_of_tipping_moment: Ratio | None = Field(
+    moment_of_tipping_moment: _Share | None = Field(
         None,
         description="Moment of what hangs of that at which a crawler crane tips, 75 % for instance; 100 % if "
         "not given.",
     )
-    ground_pressure_of_allowed: Ratio | None = Field(
+    ground_pressure_of_allowed: _Share | None = Field(
         None, description="Pressure on the ground of 'allowed_pressure' of the tracks; 100 % if not given."
     )
     corner_load: PositiveForce | None = Field(
         None, description="Load of a corner of a Goliath crane, by moments of weights and falls."
     )
-    mooring_tension_of_breaking_force: Ratio | None = Field(
+    mooring_tension_of_breaking_force: _Share | None = Field(
         None,
         description="Tension of a mooring line of minimum breaking force of its rope; 100 % if not given.",
     )
-    fender_force_of_capacity: Ratio | None = Field(
+    fender_force_of_capacity: _Share | None = Field(
         None, description="Force of a fender of its capacity; 100 % if not given."
     )
     heel: PositiveAngle | None = Field(None, description="Heel of vessels to either side.")
@@ -197,18 +198,18 @@ class Limits(Element):
     freeboard: NotNegativeLength | None = Field(
         None, description="Least height of deck edge and openings of vessels above the water; 0 if not given."
     )
-    wind_of_limit: Ratio | None = Field(
+    wind_of_limit: _Share | None = Field(
         None, description="Gusts of the lift of the wind limit of the crane; 100 % if not given."
     )
-    lug_load_of_capacity: Ratio | None = Field(
+    lug_load_of_capacity: _Share | None = Field(
         None, description="Load of a lug of its capacity; 100 % if not given."
     )
-    shackle_load_of_working_load_limit: Ratio | None = Field(
+    shackle_load_of_working_load_limit: _Share | None = Field(
         None,
         description="Static load of a shackle of its working load limit, reduced for side load; 100 % if "
         "not given.",
     )
-    shackle_dynamic_load_of_strength: Ratio | None = Field(
+    shackle_dynamic_load_of_strength: _Share | None = Field(
         None,
         description="Dynamic load of a shackle of the least of working load limit times dynamic "
         "amplification factor, minimum breaking force over its factor, and proof load; 100 % if not given.",

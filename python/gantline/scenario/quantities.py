@@ -47,6 +47,8 @@ _LARGEST: Final[dict[str, tuple[float, str]]] = {
     "ratio": (1e4, "1e4"),
 }
 
+#: Largest share of a limit that is written without its percent sign: what is more has lost it [1].
+_MOST_PLAIN: Final = 2.0
 #: Smallest size of a quantity that has to be above zero [SI]; below it arithmetic has no room left.
 SMALLEST: Final = 1e-9
 
@@ -145,6 +147,19 @@ class Quantity(Reader):
         zero = {"type": "string", "pattern": r"^\s*[+-]?0+(\.0*)?\s*$"}
         bare = {"type": "number"} if optional else {"const": 0}
         return {"anyOf": [text, bare] if optional else [text, zero, bare]}
+
+
+@dataclass(frozen=True)
+class Share(Quantity):
+    """A share of something, not a coefficient of any size: 95 is no 9500 %."""
+
+    dimension: str = "ratio"
+    sign: str = "not_negative"
+
+    def _check(self, number: float, text: str) -> None:
+        if number > _MOST_PLAIN and "%" not in text:
+            raise refuse(f"'{text}' is {100.0 * number:g} %; {example(self.dimension)}")
+        super()._check(number, text)
 
 
 @dataclass(frozen=True)

@@ -75,7 +75,12 @@ class CasesResult:
     @property
     def worst(self) -> list[Worst]:
         """The worst case of each element."""
-        return worst_of(self.states, self.given)
+        return worst_of(self.states)
+
+    @property
+    def has_losses(self) -> bool:
+        """Whether sheaves have losses in any state, so that there are bounds of what they do."""
+        return any(state.losses != "none" for state in self.states)
 
     @property
     def has_equilibria(self) -> bool:

@@ -128,7 +128,8 @@ class Worst:
     Attributes:
         quantity: A key of `QUANTITIES`.
         element: Sling, rope, hook, load or moving sheave.
-        given: Its value in the lift as it is given [SI]; None without equilibrium or such an element.
+        given: Its worst value in the lift as it is given, whatever losses do [SI]; None without equilibrium
+            or such an element.
         value: The worst value [SI].
         state: The state that has it.
     """
@@ -210,21 +211,22 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
     }
 
 
-def worst_of(states: Sequence[State], given: State) -> list[Worst]:
+def worst_of(states: Sequence[State]) -> list[Worst]:
     """The worst state for each quantity of each element, in the order of the lift.
 
     Worst is the largest value, of `smallest_sling_tension` the smallest, of `sheave_travel` the farthest from
     the start; where several are alike, the first.
     """
     found: dict[tuple[str, str], Worst] = {}
-    as_given = values_of(given)
-    for state in states:
+    # States without a case are the lift as it is given; they come first, too.
+    for state in sorted(states, key=lambda one: bool(one.case)):
         for quantity, values in values_of(state).items():
             for element, value in values.items():
                 known = found.get((quantity, element))
-                if known is None or _is_worse(quantity, value, known.value):
-                    of = as_given[quantity].get(element)
-                    found[quantity, element] = Worst(quantity, element, of, value, state)
+                if known is not None and not _is_worse(quantity, value, known.value):
+                    continue
+                of = known.given if known is not None else None
+                found[quantity, element] = Worst(quantity, element, of if state.case else value, value, state)
     order = list(QUANTITIES)
     return sorted(found.values(), key=lambda one: order.index(one.quantity))
 

@@ -1,0 +1,64 @@
+"""A quantity that is within its limit at every sample, and past it between two of them.
+
+A load that sways every 10 s, by samples 2 s apart, has its largest tilt between them: 1.856 deg was ok where
+the limit is 1.87 deg and the load came to 1.90 deg. The parabola through a largest sample and its neighbours
+says how far it may have come; where that is past the limit the check warns.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from gantline.checks import Check, Verdict, check_recording
+from sample_lift import sample_recording, sample_rig
+
+PERIOD, MEAN, SWAY = 10.0, 1.0, 0.9  # [s], [deg], [deg]
+
+
+def tilt(away: float) -> float:
+    """Tilt at a time [s] from a crest [deg]."""
+    return MEAN + SWAY * math.cos(2 * math.pi * away / PERIOD)
+
+
+def checked(interval: float, limit: float, late: float) -> Check:
+    """The check of a tilt with crests `late` [s] after 5 s and every 10 s on; the limit in degrees."""
+    time = np.arange(0.0, 40.0 + 1e-9, interval)
+    sway = np.array([tilt(moment - 5.0 - late) for moment in time])
+    hung = np.outer(np.ones(len(time)), np.full(5, 600e3))
+    rig = sample_rig(load_tilt=math.radians(limit))
+    checks = check_recording(sample_recording(time, rig=rig, tension=hung, tilt=np.radians(sway)))
+    return next(one for one in checks if one.name == "load_tilt")
+
+
+def told(check: Check) -> bool:
+    return "between two samples" in check.remark
+
+
+@pytest.mark.parametrize("late", [0.5, 0.7, 1.3])
+def test_a_crest_between_samples_is_told(late: float) -> None:
+    """y0 + (y+ - y-)^2/(8 (2 y0 - y- - y+)) of the samples 2 s before, at and after 6 s."""
+    before, here, after = (tilt(away - late) for away in (-1.0, 1.0, 3.0))
+    vertex = here + (after - before) ** 2 / (8.0 * (2.0 * here - before - after))
+    assert here < vertex < MEAN + SWAY
+    found = checked(2.0, (here + vertex) / 2.0, late)
+    assert math.degrees(found.value or 0.0) == pytest.approx(here, rel=1e-9)
+    assert found.verdict is Verdict.WARNING
+    words = f"between two samples it may have come to {vertex:.2f} deg: a shorter 'sample_interval' tells"
+    assert found.remark.startswith(words)
+    assert not told(checked(2.0, vertex + 1e-6, late))
+
+
+def test_near_samples_know_their_crests() -> None:
+    """20 ms apart, with a limit 0.01 mdeg above the crest; a sample at it has (0.01 s)^2 x 2e-5 s^-2 less."""
+    found = checked(0.02, MEAN + SWAY + 1e-5, 0.51)
+    assert not told(found)
+    assert math.degrees(found.value or 0.0) == pytest.approx(MEAN + SWAY, abs=2e-5)
+
+
+def test_what_fails_fails() -> None:
+    found = checked(2.0, 1.5, 0.5)
+    assert found.verdict is Verdict.FAILED
+    assert not told(found)
