@@ -17,13 +17,8 @@ import numpy as np
 import pytest
 
 import gantline
-from gantline.results.recording import Recording
-from lift_text import weight_on_a_rope
 from sample_lift import ringing_lift
-
-
-def simulated(mass: str) -> Recording:
-    return gantline.simulate(gantline.parse_scenario(weight_on_a_rope(mass)))
+from simulated_weight import simulated_weight
 
 
 @pytest.mark.parametrize("again", [lambda one: pickle.loads(pickle.dumps(one)), copy.deepcopy])
@@ -44,9 +39,9 @@ def test_a_pool_of_processes_sends_recordings_back() -> None:
     """Heavier by 2 stretches the rope more; each recording is the one of its own mass."""
     masses = ["100 kg", "200 kg"]
     with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
-        found = list(pool.map(simulated, masses))
+        found = list(pool.map(simulated_weight, masses))
     for mass, recording in zip(masses, found, strict=True):
-        assert np.array_equal(recording["rope_tension"].values, simulated(mass)["rope_tension"].values)
+        assert np.array_equal(recording["rope_tension"].values, simulated_weight(mass)["rope_tension"].values)
 
 
 def test_a_pool_of_processes_tells_of_a_mistake() -> None:
@@ -55,12 +50,12 @@ def test_a_pool_of_processes_tells_of_a_mistake() -> None:
         ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool,
         pytest.raises(gantline.ScenarioError, match=r"mechanics\.bodies.weight.mass: '100' has no unit"),
     ):
-        list(pool.map(simulated, ["100"]))
+        list(pool.map(simulated_weight, ["100"]))
 
 
 def errors() -> list[Exception]:
     with pytest.raises(gantline.ScenarioError) as wrong:
-        simulated("100")
+        simulated_weight("100")
     return [
         wrong.value,
         gantline.NoEquilibriumError(1.5, "weight", "nothing holds it"),
