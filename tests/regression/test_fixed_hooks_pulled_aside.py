@@ -65,6 +65,7 @@ def test_warns_past_the_bound_of_hooks_that_hang() -> None:
     found = rest(lift())
     [check] = checked(found)
     assert check.verdict is Verdict.WARNING
+    assert check.value is not None
     assert check.value == pytest.approx(at_rest(ASIDE), rel=1e-6)
     assert math.degrees(check.value) == pytest.approx(21.9, abs=0.05)
     half = MASS * G / 2

@@ -134,9 +134,7 @@ def notes(states: Sequence[State], where: Callable[[Sequence[int]], str], width:
             what = "no equilibrium" if state.starts else "cannot start"
             reasons.setdefault(f"{what}: {state.cause}", []).append(place)
         elif not state.rest.is_stable:
-            count = state.rest.unstable
-            motions = "one motion leads" if count == 1 else f"{count} motions lead"
-            reasons.setdefault(f"unstable: {motions} away", []).append(place)
+            reasons.setdefault(f"unstable: {state.rest.stability}", []).append(place)
         for load in state.stands:
             reasons.setdefault(f"{load} stands on its supports, and hangs as given", []).append(place)
         for check in state.failed:

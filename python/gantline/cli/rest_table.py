@@ -20,11 +20,7 @@ from gantline.study.tilting import Margin
 def heading_of(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[str]:
     """The lift, whether it is stable, and what is left out."""
     lines = [*heading(question.rig), *weights(question.rig), *question.scenario.left_out_at_rest]
-    if rest.is_stable:
-        state = "stable"
-    else:
-        count = "one motion leads" if rest.unstable == 1 else f"{rest.unstable} motions lead"
-        state = f"UNSTABLE: {count} away"
+    state = rest.stability if rest.is_stable else f"UNSTABLE: {rest.stability}"
     lines.append(f"Equilibrium at {rest.time:g} s: {state}")
     free = [mode.motion for mode in modes if mode.period is None and mode.growth_time is None]
     lines += [f"  nothing holds: {motion}; nearest to the start" for motion in free]

@@ -9,6 +9,7 @@ from typing import Any
 from gantline.report.section import Section
 from gantline.report.subject import ABSENT, Subject, number, show
 from gantline.results import series
+from gantline.results.leading_away import stability
 from gantline.results.recording import Recording
 from gantline.results.saved import QUANTITIES, WORST_OF_LOSSES, SavedWorst
 
@@ -68,13 +69,14 @@ class Rest(Section):
 
 
 def _facts(said: Mapping[str, Any]) -> list[tuple[str, str]]:
-    unstable, neutral = said.get("unstable_motions"), said.get("neutral_motions")
+    unstable, swinging = (int(said.get(f"{kind}_motions") or 0) for kind in ("unstable", "swinging"))
+    neutral = said.get("neutral_motions")
     lossy = said.get("lossy_sheaves")
     rows = [
         ("time of the plan", show(_finite(said.get("time")), "s", 2)),
         (
             "equilibrium",
-            "stable" if said.get("stable") is True else f"UNSTABLE: {unstable} motions lead away",
+            "stable" if said.get("stable") is True else f"UNSTABLE: {stability(unstable, swinging)}",
         ),
         ("motions that nothing holds", str(neutral)),
         ("largest imbalance of forces", _imbalance(_finite(said.get("residual")))),

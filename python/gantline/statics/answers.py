@@ -10,6 +10,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
+from gantline.results.leading_away import stability
 from gantline.results.recording import Recording
 
 Floats = npt.NDArray[np.float64]
@@ -77,6 +78,7 @@ class Equilibrium:
         residual: Largest imbalance of forces relative to the forces that meet there.
         neutral: How many motions nothing holds; they stay where the start was nearest.
         unstable: How many motions lead away; 0 if it is stable.
+        swinging: How many of these lead away by swinging ever farther, in wind or current.
         steps: Steps that the search made.
         lossy: Sheaves with losses.
         losses: What friction does, see `Statics.equilibrium`.
@@ -95,15 +97,20 @@ class Equilibrium:
     losses: Losses = "none"
     contacts: tuple[ContactForce, ...] = ()
     slides: tuple[tuple[float, str], ...] = ()
+    swinging: int = 0
 
     def __repr__(self) -> str:
-        kind = "stable" if self.is_stable else f"{self.unstable} motions lead away"
-        return f"<Equilibrium {self.recording.title!r}: at {self.time:g} s, {kind}>"
+        return f"<Equilibrium {self.recording.title!r}: at {self.time:g} s, {self.stability}>"
 
     @property
     def is_stable(self) -> bool:
         """Whether no motion leads away from it."""
         return self.unstable == 0
+
+    @property
+    def stability(self) -> str:
+        """Whether it is stable, in words."""
+        return stability(self.unstable, self.swinging)
 
     def to_json(self) -> dict[str, Any]:
         """What it is like as a JSON object, SI units; its numbers are in the recording."""
@@ -111,6 +118,7 @@ class Equilibrium:
             "time": self.time,
             "stable": self.is_stable,
             "unstable_motions": self.unstable,
+            "swinging_motions": self.swinging,
             "neutral_motions": self.neutral,
             "residual": self.residual,
             "losses": self.losses,

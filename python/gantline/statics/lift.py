@@ -276,9 +276,10 @@ class Statics:
         recording = self._recording(f"at rest at {moment:g} s")
         for _, _, crane in recording.events("tipping"):  # downhill of the start lies the crane on its back
             raise self._nowhere(moment, crane, "the crane tips over")
-        unstable, neutral = found["unstable"], found["neutral"]
+        straight, swinging, neutral = found["unstable"], 0, found["neutral"]
         if self._streams:  # the core tells by half of the tangent
-            unstable, neutral = leading_away(self._core.linear())
+            straight, swinging, neutral = leading_away(self._core.linear())
+        unstable = straight + swinging
         self._is_stable = not unstable
         return Equilibrium(
             time=moment,
@@ -286,6 +287,7 @@ class Statics:
             residual=found["residual"],
             neutral=neutral,
             unstable=unstable,
+            swinging=swinging,
             steps=found["steps"],
             lossy=tuple(found["lossy"]),
             losses=losses,

@@ -34,8 +34,8 @@ def _free(found: Mapping[str, Any]) -> tuple[Floats, Floats, Floats, Floats]:
     return base, *reduced
 
 
-def leading_away(found: Mapping[str, Any]) -> tuple[int, int]:
-    """How many motions lead away, and how many nothing holds.
+def leading_away(found: Mapping[str, Any]) -> tuple[int, int, int]:
+    """How many motions lead straight away, how many by swinging ever farther, and how many nothing holds.
 
     A motion leads away where ω² of K x = ω² M x is below zero. Where the stream couples two so that their ω²
     are complex they build up together unless D takes more than that gives: a root of det(λ² M + λ D + K) that
@@ -49,11 +49,11 @@ def leading_away(found: Mapping[str, Any]) -> tuple[int, int]:
     squares = np.linalg.eigvals(np.linalg.solve(mass, stiffness))
     away, neutral = _straight(squares), int(np.count_nonzero(abs(squares) <= _NEUTRAL))
     if (abs(squares.imag) <= _NEUTRAL).all():
-        return away, neutral
+        return away, 0, neutral
     rates = np.linalg.solve(mass, np.hstack([-stiffness, -damping]))
     roots = np.linalg.eigvals(np.vstack([np.eye(size, 2 * size, size), rates]))
     grows = np.count_nonzero((roots.real > _GROWS) & (roots.imag > _GROWS))
-    return away + int(grows), neutral
+    return away, int(grows), neutral
 
 
 def leads_straight(found: Mapping[str, Any]) -> bool:
