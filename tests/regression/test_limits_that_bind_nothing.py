@@ -100,7 +100,7 @@ def test_a_lift_that_has_nothing_of_the_kind_is_not_checked() -> None:
     assert one("heel", heel=0.1).verdict is Verdict.NOT_CHECKED
 
 
-@pytest.mark.parametrize("key", ["heel", "falls_out_of_plumb", "moment_of_tipping_moment"])
+@pytest.mark.parametrize("key", ["heel", "side_lead", "moment_of_tipping_moment"])
 def test_a_step_that_requires_what_the_lift_does_not_have_warns(key: str) -> None:
     rig = sample_rig()
     rig["plan"][0]["require"] = {key: {"below": 0.1}}

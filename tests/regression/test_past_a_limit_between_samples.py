@@ -62,3 +62,13 @@ def test_what_fails_fails() -> None:
     found = checked(2.0, 1.5, 0.5)
     assert found.verdict is Verdict.FAILED
     assert not told(found)
+
+
+def test_what_comes_to_rest_at_its_limit_does_not_pass_it() -> None:
+    """0.1 deg/s up to 1.9 deg, and there it stays: the parabola over the kink goes 1/8 of 0.2 deg higher."""
+    time = np.arange(0.0, 40.0 + 1e-9, 2.0)
+    hung = np.outer(np.ones(len(time)), np.full(5, 600e3))
+    rig = sample_rig(load_tilt=math.radians(1.901))
+    recording = sample_recording(time, rig=rig, tension=hung, tilt=np.radians(np.minimum(0.1 * time, 1.9)))
+    found = next(one for one in check_recording(recording) if one.name == "load_tilt")
+    assert not told(found)

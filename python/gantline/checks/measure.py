@@ -157,15 +157,20 @@ def _crest(values: FloatArray, during: BoolArray) -> float | None:
     """The highest vertex of a parabola through a sample and its two neighbours, all of them in a mask.
 
     Of samples that are no lower than their neighbours, which the vertex then lies between. A parabola is what
-    a smooth series is about its crest; past a kink it goes by no more than an eighth of the bend there.
+    a smooth series is about its crest; past a kink it goes by no more than an eighth of the bend there. What
+    comes to rest has no crest there: the parabola about the higher neighbour goes no higher than the sample.
     """
+    vertices = values.copy()
     before, here, after = values[:-2], values[1:-1], values[2:]
     bend = (here - before) + (here - after)
-    counts = during[:-2] & during[1:-1] & during[2:] & (here >= before) & (here >= after) & (bend > 0.0)
-    if not counts.any():
-        return None
-    vertices = here[counts] + (after - before)[counts] ** 2 / (8.0 * bend[counts])
-    return float(vertices.max())
+    is_round = np.isfinite(bend) & (bend > 0.0)
+    vertices[1:-1][is_round] += (after - before)[is_round] ** 2 / (8.0 * bend[is_round])
+    # At the ends there is no neighbour's parabola.
+    vertices[[0, -1]] = np.inf
+    higher = np.where(after > before, vertices[2:], vertices[:-2])
+    counts = during[:-2] & during[1:-1] & during[2:] & (here >= before) & (here >= after)
+    counts &= is_round & (higher > here)
+    return float(vertices[1:-1][counts].max()) if counts.any() else None
 
 
 def to_either_side(
