@@ -74,9 +74,10 @@ def test_warns_past_the_bound_of_hooks_that_hang() -> None:
 
 
 def test_run_warns_too() -> None:
+    """The largest of a run is a little more than at rest: what was hoisted sways, and its slings ring."""
     [check] = checked(gantline.simulate(parse_scenario(lift())))
     assert check.verdict is Verdict.WARNING
-    assert check.value == pytest.approx(at_rest(ASIDE), rel=0.01)
+    assert check.value == pytest.approx(at_rest(ASIDE), rel=5e-3)
 
 
 def test_limit_of_the_lift_fails() -> None:
@@ -93,11 +94,12 @@ def test_hook_block_hangs_too() -> None:
 
 
 def test_requirement_of_a_step() -> None:
+    """At the end of a step of 10 s it is at rest but for what is left of its sway, 2 parts in 1000."""
     text = lift(0.1).replace("hold: until_end}", "hold: 10 s, require: {falls_out_of_plumb: below 0.5 deg}}")
     recording = gantline.simulate(parse_scenario(text))
     [check] = [one for one in checked(recording) if one.step == "hold"]
     assert check.verdict is Verdict.FAILED
-    assert check.value == pytest.approx(at_rest(0.1), rel=0.02)
+    assert check.value == pytest.approx(at_rest(0.1), rel=3e-3)
 
 
 def test_nothing_is_said_of_what_hangs_plumb() -> None:

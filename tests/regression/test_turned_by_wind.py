@@ -67,7 +67,7 @@ def test_it_turns_its_areas_down_wind(direction: float) -> None:
     rest = statics.equilibrium()
     assert rest.residual < 1e-9
     w, _, _, z = rest.recording.column("body_orientation", "module")[-1]
-    assert 2.0 * math.degrees(math.atan2(z, w)) == pytest.approx(direction, abs=0.01)
+    assert 2.0 * math.degrees(math.atan2(z, w)) == pytest.approx(direction, abs=1e-9)
     assert (rest.is_stable, rest.unstable, rest.neutral) == (True, 0, 0)
     slow = statics.modes(1)[0]
     # Its slings swing and lean by 0.02 rad, which is in I by its square.
@@ -76,7 +76,8 @@ def test_it_turns_its_areas_down_wind(direction: float) -> None:
     swing = statics.swing(slow, amplitude=0.1)
     w, _, _, z = swing.column("body_orientation", "module").T
     heading = 2.0 * np.arctan2(z, w) - math.radians(direction)
-    assert (heading.min(), heading.max()) == pytest.approx((-0.1, 0.1), rel=0.01)
+    # The lean of its slings is in that by its square too, 0.02^2.
+    assert (heading.min(), heading.max()) == pytest.approx((-0.1, 0.1), rel=4e-4)
 
 
 def test_nothing_turns_what_the_wind_meets_in_the_middle() -> None:
@@ -151,4 +152,5 @@ mooring_lines:
     first, last = (heading[(time >= at) & (time <= at + period)] for at in (400.0, end - period))
     assert 1.0 / fastest.real == pytest.approx({20.0: 404.0, 70.0: 495.0}[length], abs=1.0)
     growth = math.log(np.ptp(last) / np.ptp(first)) / (3.0 * period)
-    assert growth == pytest.approx(fastest.real, rel=0.01)
+    # Samples 0.5 s apart miss the ends of swings of minutes by parts in 10^4.
+    assert growth == pytest.approx(fastest.real, rel=2e-4)
