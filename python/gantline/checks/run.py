@@ -45,6 +45,9 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         ending: Steps of the plan that end at the moment of an equilibrium: it is held against what they
             require.
 
+    Raises:
+        ValueError: If the plan has no step of one of these names.
+
     Returns:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
@@ -59,6 +62,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         before its plan.
     """
     rig = recording.rig
+    _hold_steps(recording, ending)
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
     hands_in = bool(rig.loads or rig.hooks or rig.slings or rig.vessels or rig.mooring_lines or rig.fenders)
     found = [
@@ -99,7 +103,12 @@ def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> d
         recording: Any recording.
         name: A key of `LIMITS`.
         at: Samples that count; None for the whole lift.
+
+    Raises:
+        KeyError: If there is no such quantity.
     """
+    if name not in LIMITS:
+        raise KeyError(f"no quantity that limits can be set for is {name!r}; they are {', '.join(LIMITS)}")
     measure = LIMITS[name]
     pick = min if measure.at_least else max
     values: dict[str, float] = {}
@@ -273,6 +282,13 @@ def _never_clear(recording: Recording, measure: Measure) -> str:
     ):
         return ""
     return "the load never came clear of its supports"
+
+
+def _hold_steps(recording: Recording, names: Collection[str]) -> None:
+    known = [step.step for step in recording.rig.plan]
+    # One word is a collection of letters.
+    if isinstance(names, str) or not set(names) <= set(known):
+        raise ValueError(f"ending: {names!r} are no steps of the plan; they are {', '.join(known)}")
 
 
 def _check_step(recording: Recording, step: Step, ending: Collection[str]) -> Iterator[Check]:
