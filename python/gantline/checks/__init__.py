@@ -1,6 +1,16 @@
 """Limits of a lift held against its recording."""
 
-from gantline.checks.check import Check, Verdict, foremost, governing, has_failed, past_limits, verdict_of
+from gantline.checks.check import (
+    Check,
+    Outcome,
+    Verdict,
+    foremost,
+    governing,
+    has_failed,
+    outcome_of,
+    past_limits,
+    verdict_of,
+)
 from gantline.checks.ends import end_of_step
 from gantline.checks.limits import LIMITS
 from gantline.checks.readings import HoldPoint, HookReading, hold_points, hook_readings
@@ -12,6 +22,7 @@ __all__ = [
     "Check",
     "HoldPoint",
     "HookReading",
+    "Outcome",
     "Verdict",
     "check_recording",
     "end_of_step",
@@ -20,6 +31,7 @@ __all__ = [
     "has_failed",
     "hold_points",
     "hook_readings",
+    "outcome_of",
     "past_limits",
     "values_of",
     "verdict_of",

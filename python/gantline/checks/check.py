@@ -10,8 +10,8 @@ from typing import Any
 
 from gantline.units import format_quantity
 
-#: Checks that a run got through its plan, and that it lifted what it should.
-PLAN_FINISHED, LOAD_LIFTED = "plan_finished", "load_lifted"
+#: Checks that a run got through its plan, that it lifted what it should, and that nothing of it is lost.
+PLAN_FINISHED, LOAD_LIFTED, ALL_KNOWN = "plan_finished", "load_lifted", "all_known"
 #: What a step may ask to be at least and has to come to: less is missed, and no share of it is used up.
 _COME_TO = frozenset({"load_tilt"})
 #: Most checks that the verdict on a lift names.
@@ -25,6 +25,15 @@ class Verdict(StrEnum):
     WARNING = "warning"
     FAILED = "failed"
     NOT_CHECKED = "not checked"
+
+
+class Outcome(StrEnum):
+    """What all checks together say of a lift."""
+
+    GO = "GO"
+    GO_WITH_WARNINGS = "GO WITH WARNINGS"
+    NO_GO = "NO-GO"
+    NO_VERDICT = "NO VERDICT"
 
 
 @dataclass(frozen=True)
@@ -98,26 +107,36 @@ def has_failed(checks: Sequence[Check]) -> bool:
     return any(check.verdict is Verdict.FAILED for check in checks)
 
 
-def verdict_of(checks: Sequence[Check]) -> str:
-    """The lift in one sentence: go or no-go, what governs, how many warnings, what has not been checked.
+def outcome_of(checks: Sequence[Check]) -> Outcome:
+    """Go or no-go.
 
-    A run that ends before its plan, or lifts nothing, may show that a lift is no go, but not that it is one.
+    A run that ends before its plan, lifts nothing, or of which something is no number, may show that a lift
+    is no go, but not that it is one.
     """
+    if _is_nothing(checks):
+        return Outcome.NO_VERDICT
+    if has_failed(checks):
+        return Outcome.NO_GO
+    if _shown_nothing(checks):
+        return Outcome.NO_VERDICT
+    is_warned = any(check.verdict is Verdict.WARNING for check in checks)
+    return Outcome.GO_WITH_WARNINGS if is_warned else Outcome.GO
+
+
+def verdict_of(checks: Sequence[Check]) -> str:
+    """The lift in one sentence: go or no-go, what governs, how many warnings, what has not been checked."""
+    outcome = outcome_of(checks)
+    if _is_nothing(checks):
+        return f"{outcome}: nothing has been checked"
     done = [check for check in checks if _is_done(check)]
-    if all(check.value is None and check.verdict is Verdict.WARNING for check in done):
-        return "NO VERDICT: nothing has been checked"
     failed = [check for check in done if check.verdict is Verdict.FAILED]
     if failed:
-        head = f"NO-GO: {len(failed)} failed, {_foremost(failed)}"
+        head = f"{outcome}: {len(failed)} failed, {_foremost(failed)}"
     else:
         past = past_limits(checks)
         nearest = _foremost([check for check in done if check.utilisation is not None and check not in past])
-        shown_nothing = [check.remark for check in done if check.name in (PLAN_FINISHED, LOAD_LIFTED)]
-        if shown_nothing:
-            head = f"NO VERDICT: {'; '.join(shown_nothing)}"
-        else:
-            is_warned = any(check.verdict is Verdict.WARNING for check in checks)
-            head = "GO WITH WARNINGS" if is_warned else "GO"
+        why = "; ".join(check.remark for check in _shown_nothing(checks))
+        head = f"{outcome}: {why}" if why else f"{outcome}"
         head += f"; past a limit that only warns: {_foremost(past)}" if past else ""
         head += f"; nearest to their limits: {nearest}" if nearest else ""
     warnings = sum(check.verdict is Verdict.WARNING for check in checks)
@@ -146,6 +165,18 @@ def past_limits(checks: Sequence[Check]) -> list[Check]:
         for check in checks
         if check.verdict is Verdict.WARNING and check.utilisation is not None and check.utilisation > 1.0
     ]
+
+
+def _is_nothing(checks: Sequence[Check]) -> bool:
+    """Whether nothing was held against anything."""
+    done = [check for check in checks if _is_done(check)]
+    return all(check.value is None and check.verdict is Verdict.WARNING for check in done)
+
+
+def _shown_nothing(checks: Sequence[Check]) -> list[Check]:
+    """Checks that say why a recording cannot show that a lift is a go."""
+    names = (PLAN_FINISHED, LOAD_LIFTED, ALL_KNOWN)
+    return [check for check in checks if check.name in names and _is_done(check)]
 
 
 def _is_done(check: Check) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gantline.checks.check import Check, Verdict
+from gantline.checks.check import ALL_KNOWN, Check, Verdict
 from gantline.checks.crawlers import left_ground
 from gantline.checks.drums import turns_left
 from gantline.checks.ends import about_end_of_step, one_sample
@@ -21,6 +21,7 @@ from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_ou
 from gantline.checks.ranges import left_range
 from gantline.checks.slings import idle, taken_off
 from gantline.results import series
+from gantline.results.gaps import gaps
 from gantline.results.parting import PLANNED, Parting, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
@@ -57,9 +58,9 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         pair that is drawn in one place; one that failed for each trolley, crane or upper structure that goes
         past its range; and a warning for each hoist that fell behind and each winch that slipped, where
         slings never carried or run through a load, where a tag line pulls as if it bore one, where a hook
-        holds a frame upright, where the recording has warnings of its own, where steps moved nothing, where a
-        load came down while it was taken along or came down hard, and where a run lifts nothing or ends
-        before its plan.
+        holds a frame upright, where the recording has warnings of its own or values that are no numbers,
+        where steps moved nothing, where a load came down while it was taken along or came down hard, and
+        where a run lifts nothing or ends before its plan.
     """
     rig = recording.rig
     _hold_steps(recording, ending)
@@ -68,7 +69,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     found = [
         _check_limit(recording, key, measure, limits.get(key))
         for key, measure in LIMITS.items()
-        if key in limits or (measure.is_listed and hands_in)
+        if key in limits or ((measure.is_listed or measure.alarm is not None) and hands_in)
     ]
     whole = [check for check in found if check is not None]
     unknown = [
@@ -88,6 +89,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         + left_range(recording)
         + held_upright(recording)
         + _told(recording)
+        + _unknown(recording)
     )
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
@@ -165,7 +167,7 @@ def _reasons(missing: Iterable[Missing]) -> str:
 
 
 def _check_limit(recording: Recording, key: str, measure: Measure, given: object) -> Check | None:
-    """One check of the whole lift; None where the lift has nothing of the kind and sets no limit either."""
+    """One check of the whole lift; None without a limit where the lift has nothing of the kind to be told."""
     rig = recording.rig
     check = Check(
         key,
@@ -183,7 +185,7 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     )
     found = _look(measure, recording, everywhere(recording))
     nothing = found.worst is None and not found.refused
-    if nothing and not found.missing and given is None:
+    if nothing and given is None and not (found.missing and measure.is_listed):
         return None
     factors = found.worst.factors if found.worst is not None else ()
     check = replace(check, limit=limit, source=_with_factors(recording, source, factors))
@@ -203,6 +205,8 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
                 check, limit=alarm, source=_with_factors(recording, measure.alarm.source, factors)
             )
             return replace(check, verdict=Verdict.WARNING, remark=_joined([_OWN_LIMIT, *remarks]))
+    if given is None and not measure.is_listed:
+        return None
     if limit is None:
         verdict = Verdict.WARNING if found.cautions else Verdict.NOT_CHECKED
         return replace(check, verdict=verdict, remark=_joined([found.missing, found.cautions]))
@@ -358,6 +362,17 @@ def _told(recording: Recording) -> list[Check]:
     more = f"; and {count} more {'warning' if count == 1 else 'warnings'}" if count else ""
     meaning = "lift file and run give no warning"
     return [Check(NO_WARNINGS, Verdict.WARNING, meaning, remark=f"{warnings[0]}{more}")]
+
+
+def _unknown(recording: Recording) -> list[Check]:
+    """A warning where values are no numbers, which no run leaves: what follows from them is not known."""
+    sentences = gaps(recording)
+    if not sentences:
+        return []
+    count = len(sentences) - 1
+    more = f"; and {count} more" if count else ""
+    meaning = "every value of a recording is a number"
+    return [Check(ALL_KNOWN, Verdict.WARNING, meaning, remark=f"{sentences[0]}{more}")]
 
 
 def _verdict(measure: Measure, value: float, limit: float) -> Verdict:
