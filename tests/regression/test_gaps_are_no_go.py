@@ -30,7 +30,9 @@ def with_gap(name: str, samples: slice) -> Recording:
     return Recording(variables, whole.coordinates, whole.attributes)
 
 
-@pytest.mark.parametrize("name", ["body_position", "body_orientation", "rope_point", "rope_tension", "energy"])
+@pytest.mark.parametrize(
+    "name", ["body_position", "body_orientation", "rope_point", "rope_tension", "energy"]
+)
 @pytest.mark.parametrize("samples", [slice(1000, 1001), slice(None)], ids=["one sample", "all"])
 def test_a_recording_with_gaps_is_no_go(tmp_path: Path, name: str, samples: slice) -> None:
     """Whatever is lost, at one sample or at all: no go, and the check says of what."""

@@ -55,6 +55,7 @@ class Check:
         time: When it governs [s]; None where the value belongs to no one time.
         step: Step of the plan whose end was checked; empty for the whole lift.
         remark: Why there is no verdict, or what else to know.
+        is_vain: Whether the lift file sets the limit, and the lift has nothing that it is about.
     """
 
     name: str
@@ -71,6 +72,7 @@ class Check:
     time: float | None = None
     step: str = ""
     remark: str = ""
+    is_vain: bool = False
 
     def shown(self, number: float | None) -> str:
         """A value or limit of this check as people read it; empty for None."""
@@ -142,6 +144,8 @@ def verdict_of(checks: Sequence[Check]) -> str:
     warnings = sum(check.verdict is Verdict.WARNING for check in checks)
     without = sum(check.has_no_limit for check in checks)
     rest = f"{len(checks) - len(done) - without} not checked, {without} without a limit"
+    vain = [check.name for check in checks if check.is_vain]
+    rest += f"; the lift has nothing that these limits are about: {', '.join(vain)}" if vain else ""
     return f"{head}; {_count(warnings, 'warning')}, {rest}"
 
 

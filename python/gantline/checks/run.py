@@ -26,13 +26,14 @@ from gantline.results.parting import PLANNED, Parting, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
 from gantline.results.variable import BoolArray
+from gantline.rule_data import LIFT_FILE
 from gantline.units import format_quantity
 
 #: Of a bound that nobody set.
 _OWN_LIMIT = "a limit of its own under 'limits' would make this a failure"
 
 #: Of a limit that no element of the lift has.
-_NOTHING = "the lift has nothing that it is about, or nothing of that carries"
+_NOTHING = "the lift has nothing that this limit is about, or nothing of that carries"
 
 #: Check that lift file and run give no warnings of their own.
 NO_WARNINGS = "no_warnings"
@@ -73,7 +74,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     ]
     whole = [check for check in found if check is not None]
     unknown = [
-        Check(key, Verdict.NOT_CHECKED, "", remark="this limit is not known here")
+        Check(key, Verdict.WARNING, "", remark="this limit is not known here")
         for key in limits
         if key not in LIMITS
     ]
@@ -178,7 +179,7 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         digits=measure.digits,
     )
     if given is not None and (isinstance(given, bool) or not isinstance(given, int | float)):
-        return replace(check, remark=f"the limit is not a number: {given!r}")
+        return replace(check, verdict=Verdict.WARNING, remark=f"the limit is not a number: {given!r}")
     limit = measure.by_definition if given is None else float(given)
     source = (
         measure.definition if given is None else rig.limit_sources.get(key, str(rig.limits.get("rule", "")))
@@ -194,6 +195,10 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if found.worst is None:
         is_asked = given is not None and key not in rig.assumed_limits
         missing = found.missing or _never_clear(recording, measure)
+        # A preset is for every lift; its limits have other sources than those of the lift file.
+        is_own = rig.limit_sources.get(key, LIFT_FILE) in (LIFT_FILE, rig.limits.get("rule"))
+        is_vain = is_own and given is not None and not missing
+        check = replace(check, is_vain=is_vain)
         return _without_value(recording, check, missing, _NOTHING, is_asked=is_asked)
     check = _with_value(check, found.worst)
     remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
@@ -308,7 +313,7 @@ def _check_requirement(
 ) -> Check:
     measure = LIMITS.get(key)
     if measure is None:
-        return Check(key, Verdict.NOT_CHECKED, "", step=step.step, remark="this quantity is not known here")
+        return Check(key, Verdict.WARNING, "", step=step.step, remark="this quantity is not known here")
     sided = replace(measure, at_least=side == "above")
     check = Check(
         key,
