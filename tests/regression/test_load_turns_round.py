@@ -52,7 +52,7 @@ def test_up_to_an_eighth_of_a_turn_there_is_nothing_to_tell() -> None:
 
 
 def test_what_carries_it_may_turn_it() -> None:
-    """With a crane that slews by 90 deg a load may turn by 135 deg, either way: tag lines may hold it back."""
+    """With a crane that slews by 90 deg a load may turn by 135 deg: tag lines may hold it back."""
     assert turned(134.0, slew=90.0) == [] == turned(-134.0, slew=90.0)
     (found,) = turned(136.0, slew=-90.0)
     assert found.limit == pytest.approx(math.radians(135.0))

@@ -27,7 +27,7 @@ def recording() -> gantline.Recording:
 
 
 def test_a_kind_of_event_that_is_mistyped(recording: gantline.Recording) -> None:
-    """Kinds that did not happen have no events; kinds that nobody knows are refused with all that there are."""
+    """Kinds that did not happen have no events; one that nobody knows is refused with all there are."""
     assert recording.events("taut")
     assert recording.events("broken") == []
     with pytest.raises(KeyError, match="no kind of event is 'tautt'; they are taut, slack, lift_off"):
