@@ -2,8 +2,8 @@
 
 `wind_of_limit: 80 %` of a lift in the hook of a crane that is no Goliath crane, or `freeboard: 1 m` of a
 barge that the lift file does not have as a vessel, are held against nothing, and the verdict was a GO with
-"2 not checked". It names them now. Limits of presets, which are for every lift, stay in the count. A limit that a
-later version of gantline knows was `not checked` too, and is a warning: nobody knows whether it held.
+"2 not checked". It names them now. Limits of presets, which are for every lift, stay in the count. A limit
+that a later version of gantline knows was `not checked` too, and is a warning: nobody knows whether it held.
 """
 
 from __future__ import annotations
