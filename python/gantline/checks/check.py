@@ -12,6 +12,26 @@ from gantline.units import format_quantity
 
 #: Checks that a run got through its plan, that it lifted what it should, and that nothing of it is lost.
 PLAN_FINISHED, LOAD_LIFTED, ALL_KNOWN = "plan_finished", "load_lifted", "all_known"
+#: Checks that hold what hooks, slings, shackles and lugs bear against what they may bear.
+_STRENGTHS = frozenset(
+    {
+        "hoist_load_of_rated_capacity",
+        "hoist_load_of_rating",
+        "equalizer_load_of_rated_capacity",
+        "spreader_load_of_rated_capacity",
+        "sling_factor_on_breaking_force",
+        "rope_factor_on_breaking_force",
+        "rope_load_of_breaking_force",
+        "shackle_load_of_working_load_limit",
+        "shackle_dynamic_load_of_strength",
+        "lug_load_of_capacity",
+    }
+)
+#: Why a lift is no go of whose gear nothing is known.
+_NO_STRENGTH = (
+    "no force has been held against what bears it: capacities of hooks and lugs, breaking forces of slings "
+    "and working load limits of shackles are not known"
+)
 #: What a step may ask to be at least and has to come to: less is missed, and no share of it is used up.
 _COME_TO = frozenset({"load_tilt"})
 #: Most checks that the verdict on a lift names.
@@ -113,7 +133,7 @@ def outcome_of(checks: Sequence[Check]) -> Outcome:
     """Go or no-go.
 
     A run that ends before its plan, lifts nothing, or of which something is no number, may show that a lift
-    is no go, but not that it is one.
+    is no go, but not that it is one. Nor may a lift of whose gear no strength is known.
     """
     if _is_nothing(checks):
         return Outcome.NO_VERDICT
@@ -137,7 +157,7 @@ def verdict_of(checks: Sequence[Check]) -> str:
     else:
         past = past_limits(checks)
         nearest = _foremost([check for check in done if check.utilisation is not None and check not in past])
-        why = "; ".join(check.remark for check in _shown_nothing(checks))
+        why = "; ".join(_shown_nothing(checks))
         head = f"{outcome}: {why}" if why else f"{outcome}"
         head += f"; past a limit that only warns: {_foremost(past)}" if past else ""
         head += f"; nearest to their limits: {nearest}" if nearest else ""
@@ -177,10 +197,19 @@ def _is_nothing(checks: Sequence[Check]) -> bool:
     return all(check.value is None and check.verdict is Verdict.WARNING for check in done)
 
 
-def _shown_nothing(checks: Sequence[Check]) -> list[Check]:
-    """Checks that say why a recording cannot show that a lift is a go."""
+def _shown_nothing(checks: Sequence[Check]) -> list[str]:
+    """Why these checks cannot show that a lift is a go."""
     names = (PLAN_FINISHED, LOAD_LIFTED, ALL_KNOWN)
-    return [check for check in checks if check.name in names and _is_done(check)]
+    reasons = [check.remark for check in checks if check.name in names and _is_done(check)]
+    strengths = [check for check in checks if check.name in _STRENGTHS]
+    if strengths and all(check.value is None for check in strengths) and _is_hung(checks):
+        reasons.append(_NO_STRENGTH)
+    return reasons
+
+
+def _is_hung(checks: Sequence[Check]) -> bool:
+    """Whether they are of something that hangs in a hook."""
+    return any(check.name in ("static_hook_load", "dynamic_hook_load") and check.value for check in checks)
 
 
 def _is_done(check: Check) -> bool:
