@@ -18,7 +18,7 @@ from typer.testing import CliRunner
 from gantline.checks import Outcome, check_recording, outcome_of
 from gantline.cli.app import app
 from gantline.results.recording import Recording
-from lift_text import changed
+from lift_text import BASE, changed
 from sample_lift import ringing_lift
 
 EQUALIZER = Path(__file__).parents[2] / "python" / "gantline" / "scenarios" / "equalizer.yaml"
@@ -86,3 +86,21 @@ def test_a_check_that_fails_in_a_bound(tmp_path: Path) -> None:
     assert "slipping along the rope: NO-GO" in printed
     assert "\nGO" in printed
     assert ended == 1
+
+
+def test_cases_of_a_load_that_stands(tmp_path: Path) -> None:
+    """At the start nothing hangs in any case; with the load in the air all is as it was."""
+    lift = tmp_path / "lift.yaml"
+    text = BASE + "cases: {heavy: {set: {load.weight.simulate: design}}}\n"
+    lift.write_text(changed(text, ("at: [0 m, 0 m, 20 m]", "at: [0 m, 0 m, 19 m]")), encoding="utf-8")
+    ended, printed = code_of("cases", lift, "--time", "0 s")
+    said = (
+        "2 equilibria asked for: nothing hangs then, 'block' is not lifted, 0 % of its weight hangs at most"
+    )
+    assert (ended, said in " ".join(printed.split())) == (4, True)
+    ended, printed = code_of("cases", lift)
+    assert (ended, "2 equilibria asked for: all sound" in printed) == (0, True)
+    sweep = ("--sweep", "load.weight.calculated=50 t..60 t/2")
+    ended, printed = code_of("statics", lift, *sweep, "--time", "0 s")
+    assert (ended, "\n  nothing hangs then, 'block' is not lifted" in printed) == (4, True)
+    assert code_of("statics", lift, *sweep)[0] == 0

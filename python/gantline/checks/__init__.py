@@ -1,6 +1,7 @@
 """Limits of a lift held against its recording."""
 
 from gantline.checks.check import (
+    LOAD_LIFTED,
     Check,
     Outcome,
     Verdict,
@@ -18,6 +19,7 @@ from gantline.checks.run import NO_WARNINGS, check_recording, values_of
 
 __all__ = [
     "LIMITS",
+    "LOAD_LIFTED",
     "NO_WARNINGS",
     "Check",
     "HoldPoint",
