@@ -3,7 +3,8 @@
 `recording.events("tautt")` gave an empty list, as if no rope had ever become taut, and
 `check_recording(recording, ending="hold")` held an equilibrium against no step at all, or against every step
 whose name is part of that word. `values_of(recording, "load_tlt")` ended with "KeyError: 'load_tlt'". Each
-says now which names there are. So does `Statics.times_of`, to which a step that is none had not begun.
+says now which names there are. So does `Statics.times_of`, to which a step that is none had not begun,
+and `CasesResult.of`, which gave no states.
 """
 
 from __future__ import annotations
@@ -13,9 +14,10 @@ from pathlib import Path
 
 import pytest
 
-import gantline
+import gantline.study
 from gantline.checks import check_recording, values_of
 from gantline.results.kinds import EVENT_KINDS
+from lift_text import BASE
 
 _ROOT = Path(__file__).parents[2]
 
@@ -65,3 +67,12 @@ def test_a_step_that_is_mistyped() -> None:
     assert statics.times_of(statics.scenario.plan[-1].step)[1] is None
     with pytest.raises(ValueError, match="the plan has no step 'nosuch'; its steps are "):
         statics.times_of("nosuch")
+
+
+def test_a_case_that_is_mistyped() -> None:
+    """The lift as it is given is the case without a name."""
+    lift = gantline.parse_scenario(BASE + "cases: {heavy: {set: {load.weight.simulate: design}}}\n", "x.yaml")
+    found = gantline.study.run_cases(lift, 0.0)
+    assert [len(found.of(name)) for name in ("", "heavy")] == [1, 1]
+    with pytest.raises(KeyError, match="there is no case 'heavvy'; there are '', 'heavy'"):
+        found.of("heavvy")
