@@ -6,7 +6,7 @@ lists its variables with their dimensions and units.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
@@ -49,6 +49,7 @@ class Recording:
         self._coordinates = MappingProxyType({dim: tuple(labels) for dim, labels in coordinates.items()})
         self._attributes = MappingProxyType(dict(attributes))
         self._sizes = MappingProxyType(_sizes(self._variables, self._coordinates))
+        self._kept: dict[Hashable, FloatArray] = {}
 
     @property
     def variables(self) -> Mapping[str, Variable]:
@@ -186,6 +187,21 @@ class Recording:
         for place, rope in enumerate(self["rope_of_point"].values.tolist()):
             places.setdefault(rope, []).append(place)
         return MappingProxyType({rope: np.array(of_rope) for rope, of_rope in places.items()})
+
+    def kept(self, name: Hashable, make: Callable[[], FloatArray]) -> FloatArray:
+        """A series that many ask for, worked out the first time.
+
+        Args:
+            name: What it is, and of what.
+            make: Works it out.
+
+        Returns:
+            The series, which cannot be written to.
+        """
+        if name not in self._kept:
+            self._kept[name] = make()
+            self._kept[name].flags.writeable = False
+        return self._kept[name]
 
     def metrics(self) -> dict[str, float]:
         """The lift in key numbers, SI units; `gantline.results.metrics` defines each."""

@@ -270,6 +270,12 @@ def sling_direction(recording: Recording, sling: Sling, end: int = 0) -> FloatAr
 
     Zero once it has parted. `end` counts the lower ends of one that runs over an extension sheave, 0 and 1.
     """
+    return recording.kept(
+        ("sling_direction", sling.rope, sling.over, end), lambda: _along_sling(recording, sling, end)
+    )
+
+
+def _along_sling(recording: Recording, sling: Sling, end: int) -> FloatArray:
     first, last = rope_ends(recording, sling.rope)
     upper, lower = first, last
     if sling.over is not None:
