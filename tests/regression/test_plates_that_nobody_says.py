@@ -20,8 +20,9 @@ from gantline.statics import Statics
 _HEIGHT = 10.0
 
 
-def checks(lean: float, plate: str = "", types: str = "") -> dict[str, Check]:
+def checks(lean: float, plate: str = "", types: str = "", *, shackles: bool = True) -> dict[str, Check]:
     """Of 40 t on two slings that lean by so much along x [deg]."""
+    gear = ", shackles: {top: wb, bottom: wb}" if shackles else ""
     away = _HEIGHT * math.tan(math.radians(lean))
     length = math.hypot(_HEIGHT, away)
     said = f"""\
@@ -44,8 +45,8 @@ cranes:
   hook:
     {{type: fixed_hook, at: [0 m, 0 m, {_HEIGHT + 2} m], hoist: {{speed: 1 m/min, acceleration: 1 m/s^2}}}}
 slings:
-  A: {{from: hook, to: box.A, length: {length} m, rope: steel, shackles: {{top: wb, bottom: wb}}}}
-  B: {{from: hook, to: box.B, length: {length} m, rope: steel, shackles: {{top: wb, bottom: wb}}}}
+  A: {{from: hook, to: box.A, length: {length} m, rope: steel{gear}}}
+  B: {{from: hook, to: box.B, length: {length} m, rope: steel{gear}}}
 """
     recording = Statics(parse_scenario(said, "lift.yaml")).equilibrium().recording
     return {check.name: check for check in check_recording(recording)}
@@ -84,3 +85,11 @@ def test_a_type_that_says_nothing_either() -> None:
     """A capacity is no plane."""
     told = checks(35.0, ", type: PL", "lug_types: {PL: {capacity: 50 t}}\n")["lug_out_of_plane_angle"]
     assert told.verdict is Verdict.WARNING
+
+
+def test_without_shackles_it_matters_to_a_limit_alone() -> None:
+    """Then nothing that is held against anything rests on how the plate stands."""
+    name = "lug_out_of_plane_angle"
+    assert checks(35.0, shackles=False)[name].verdict is Verdict.NOT_CHECKED
+    limited = checks(35.0, types="limits: {lug_out_of_plane_angle: 10 deg}\n", shackles=False)[name]
+    assert (limited.value, limited.verdict) == (pytest.approx(0.0, abs=1e-9), Verdict.WARNING)

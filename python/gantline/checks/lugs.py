@@ -38,12 +38,13 @@ def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Find
 def _assumed(recording: Recording, during: BoolArray) -> Iterator[Caution]:
     """That plates of lugs are taken to stand along x where the lift file does not say it.
 
-    However an upright plate stands, a sling that leans no farther than the first row of the chart of side
-    loads takes nothing from its shackle.
+    It matters to shackles, and to a limit of the angle. However an upright plate stands, a sling that leans
+    no farther than the first row of the chart of side loads takes nothing from its shackle.
     """
     most, lugs = recording.rig.shackle_side_load.rows[0][0], []
     worst = most
-    for sling in recording.rig.slings:
+    is_asked = "lug_out_of_plane_angle" in recording.rig.limits
+    for sling in recording.rig.slings if is_asked else (one for one in recording.rig.slings if one.shackles):
         for end, of, name in sling.at_lugs():
             holder = recording.rig.with_lugs(of)
             lug = None if holder is None else holder.lugs.get(name)
