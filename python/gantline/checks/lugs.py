@@ -44,7 +44,7 @@ def _assumed(recording: Recording, during: BoolArray) -> Iterator[Caution]:
     most, lugs = recording.rig.shackle_side_load.rows[0][0], []
     worst = most
     is_asked = "lug_out_of_plane_angle" in recording.rig.limits
-    for sling in recording.rig.slings if is_asked else (one for one in recording.rig.slings if one.shackles):
+    for sling in (one for one in recording.rig.slings if is_asked or one.shackles):
         for end, of, name in sling.at_lugs():
             holder = recording.rig.with_lugs(of)
             lug = None if holder is None else holder.lugs.get(name)
