@@ -80,3 +80,13 @@ def test_what_cannot_be_lost_is_said(words: str, said: str) -> None:
     result = CliRunner().invoke(app, f"statics {words}")
     assert result.exit_code == 2
     assert said in result.stderr
+
+
+def test_a_load_that_stands_is_not_lost() -> None:
+    """At the start it stands on the quay: that the vessel stays as it is ended with 0, as if it came back."""
+    code, said, _ = lost("floating_crane", "--lost", "load", "--time", "0 s")
+    assert code == 4
+    assert "\nIt turns no vessel: 'load' stands then; --time says when in the plan it is lost\n" in said
+    code, said, _ = lost("floating_crane", "--lost", "load", "--time", "0 s", "--json")
+    found = json.loads(said)
+    assert (code, found["swings"], found["stands"]) == (4, [], True)

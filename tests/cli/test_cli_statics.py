@@ -85,7 +85,8 @@ def test_bounds_of_losses(tmp_path: Path) -> None:
     real = ("efficiency: 1.0, rotating_mass: 0 kg", "efficiency: 0.98, rotating_mass: 100 kg")
     lossy = lift(tmp_path, real)
     result = statics(lossy, "--modes", 0)
-    assert result.returncode == 0, result.stderr
+    # A spread of 16 % fails in both bounds, see below.
+    assert result.returncode == 1, result.stderr
     assert "losses of 9 sheaves left out" in result.stdout
     assert re.search(r"S1 +589\.746 kN.* 543\.\d kN +638\.\d kN", result.stdout)
 
@@ -163,7 +164,8 @@ def test_friction_that_holds(tmp_path: Path) -> None:
     path = tmp_path / "aside.yaml"
     path.write_text(PULLED_ASIDE, encoding="utf-8")
     result = statics(path, "--held", "--modes", 0)
-    assert result.returncode == 0, result.stderr
+    # Of its gear no strength is known, so that there is no verdict.
+    assert result.returncode == 4, result.stderr
     distance = math.sqrt(2**2 + 1**2 + 10.065**2)
     tension = 20e3 * (distance / 10.3 - 1)
     found = re.search(r"SA +([\d.]+) kN", result.stdout)

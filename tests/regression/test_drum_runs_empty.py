@@ -91,7 +91,8 @@ def test_nothing_is_said_of_enough(drum: str) -> None:
     assert not checked(run(drum))
 
 
-def test_turns_that_nothing_says_are_not_checked() -> None:
+def test_turns_that_nothing_says_are_a_warning() -> None:
+    """The lift file asks for some, and nobody knows whether they stay; that was `not checked`, and a GO."""
     [check] = checked(run(", spare_turns: 3"))
-    assert check.verdict is Verdict.NOT_CHECKED
+    assert check.verdict is Verdict.WARNING
     assert "wraps_at_start" in check.remark

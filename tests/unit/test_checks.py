@@ -278,7 +278,7 @@ def test_hoist_load_counts_where_the_rating_includes_the_hook_block() -> None:
 
 def test_an_unknown_limit_is_reported_and_not_dropped() -> None:
     check = with_limit(wind_speed=16.0)
-    assert (check.name, check.verdict) == ("wind_speed", Verdict.NOT_CHECKED)
+    assert (check.name, check.verdict) == ("wind_speed", Verdict.WARNING)
     assert "not known" in check.remark
 
 

@@ -95,7 +95,7 @@ def test_checks_stand_with_their_verdicts_and_places() -> None:
     assert any("Check (example)" in line for line in text)
     assert row(text, "  warning      load_tilt").startswith("warning load_tilt 0.00 deg <= 2.00 deg 0.0 % ")
     at = next(number for number, line in enumerate(text) if "wind_speed" in line)
-    assert " ".join(text[at].split()) == "not checked wind_speed - - -"
+    assert " ".join(text[at].split()) == "warning wind_speed - - -"
     assert text[at + 1].strip() == "(this limit is not known here)"
 
 

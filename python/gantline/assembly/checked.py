@@ -11,6 +11,7 @@ from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import reeved_hooks
 from gantline.rule_data import (
     FACTORS,
+    LIFT_FILE,
     PRESETS,
     SIDE_LOAD,
     SIDE_LOAD_SOURCE,
@@ -32,7 +33,6 @@ __all__ = ["bends", "limits_and_rules", "rating_charts", "ratings"]
 #: DGUV Vorschrift 54; `docs/concepts/sheave.md` has more rules.
 FLEET_ANGLE = math.radians(4.0)
 _FLEET_ANGLE_SOURCE = "DGUV Vorschrift 54, notes on section 20"
-_LIFT_FILE = "lift file"
 
 
 def limits_and_rules(scenario: Scenario, rigging: Rigging, *, has_sheaves: bool) -> Json:
@@ -48,7 +48,7 @@ def limits_and_rules(scenario: Scenario, rigging: Rigging, *, has_sheaves: bool)
     given = {}
     if scenario.limits is not None:  # the bound of equalising is no limit, but what a result is counted by
         given = scenario.limits.model_dump(exclude_none=True, exclude={"equalised_below"})
-    own = str(given.get("rule", _LIFT_FILE))
+    own = str(given.get("rule", LIFT_FILE))
     sources = {key: own for key in given if key != "rule"}
     of_preset = {key: one for key, one in preset.limits.items() if key not in given}
     assumed = {}

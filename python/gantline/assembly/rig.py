@@ -156,10 +156,13 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
 
 
 def _lug(scenario: Scenario, lug: Lug, at: Sequence[float]) -> Json:
-    kind = lug.or_of((scenario.lug_types or {}).get(lug.type or ""))
+    given = (scenario.lug_types or {}).get(lug.type or "")
+    kind = lug.or_of(given)
+    is_assumed = lug.main_plate is None and (given is None or given.main_plate is None)
     return {
         "at": list(at),
         "main_plate_normal": list(kind.main_plate_normal),
+        **({"plate_is_assumed": True} if is_assumed else {}),
         "capacity": _force(scenario, kind.capacity),
     }
 

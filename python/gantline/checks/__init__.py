@@ -1,6 +1,17 @@
 """Limits of a lift held against its recording."""
 
-from gantline.checks.check import Check, Verdict, foremost, governing, has_failed, past_limits, verdict_of
+from gantline.checks.check import (
+    LOAD_LIFTED,
+    Check,
+    Outcome,
+    Verdict,
+    foremost,
+    governing,
+    has_failed,
+    outcome_of,
+    past_limits,
+    verdict_of,
+)
 from gantline.checks.ends import end_of_step
 from gantline.checks.limits import LIMITS
 from gantline.checks.readings import HoldPoint, HookReading, hold_points, hook_readings
@@ -8,10 +19,12 @@ from gantline.checks.run import NO_WARNINGS, check_recording, values_of
 
 __all__ = [
     "LIMITS",
+    "LOAD_LIFTED",
     "NO_WARNINGS",
     "Check",
     "HoldPoint",
     "HookReading",
+    "Outcome",
     "Verdict",
     "check_recording",
     "end_of_step",
@@ -20,6 +33,7 @@ __all__ = [
     "has_failed",
     "hold_points",
     "hook_readings",
+    "outcome_of",
     "past_limits",
     "values_of",
     "verdict_of",

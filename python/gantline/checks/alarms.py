@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from gantline.checks.measure import Alarm
+from gantline.results.carried import carried_round
 from gantline.results.recording import Recording
 
 __all__ = [
@@ -19,10 +20,13 @@ __all__ = [
     "SPREADER_TILT",
     "TILT",
     "TIPPING",
+    "YAW",
 ]
 
 #: Falls out of plumb whichever way [rad].
 _OUT_OF_PLUMB = math.radians(2.0)
+#: Turn of a load about plumb past which a corner of it comes where a side was [rad].
+_ROUND = math.radians(45.0)
 #: Share of what hangs that pulls a boom aside [1].
 _ASIDE = 0.02
 
@@ -35,6 +39,16 @@ def _side_lead(recording: Recording) -> float:
 def _tilt(recording: Recording) -> float:
     """Tilt at which loose things begin to move [rad]; none where the plan turns its load on purpose."""
     return math.inf if any(step.turns for step in recording.rig.plan) else math.radians(5.0)
+
+
+def _yaw(recording: Recording) -> float:
+    """Turn about plumb past what carries a load turns, by which nobody lets one go [rad].
+
+    None where a step asks for the heading.
+    """
+    if any("load_yaw" in step.require for step in recording.rig.plan):
+        return math.inf
+    return _ROUND + carried_round(recording)
 
 
 def _falls(recording: Recording) -> float:
@@ -64,3 +78,4 @@ SPREADER_TILT = Alarm(
     lambda _: math.radians(5.0), "makers rate spreaders level, not bent by what hangs; plausible, no document"
 )
 TILT = Alarm(_tilt, "loose things on a load begin to move; plausible, no document")
+YAW = Alarm(_yaw, "a corner is where a side was, beyond what crane or vessel turn by; plausible, no document")

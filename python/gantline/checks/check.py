@@ -10,8 +10,28 @@ from typing import Any
 
 from gantline.units import format_quantity
 
-#: Checks that a run got through its plan, and that it lifted what it should.
-PLAN_FINISHED, LOAD_LIFTED = "plan_finished", "load_lifted"
+#: Checks that a run got through its plan, that it lifted what it should, and that nothing of it is lost.
+PLAN_FINISHED, LOAD_LIFTED, ALL_KNOWN = "plan_finished", "load_lifted", "all_known"
+#: Checks that hold what hooks, slings, shackles and lugs bear against what they may bear.
+_STRENGTHS = frozenset(
+    {
+        "hoist_load_of_rated_capacity",
+        "hoist_load_of_rating",
+        "equalizer_load_of_rated_capacity",
+        "spreader_load_of_rated_capacity",
+        "sling_factor_on_breaking_force",
+        "rope_factor_on_breaking_force",
+        "rope_load_of_breaking_force",
+        "shackle_load_of_working_load_limit",
+        "shackle_dynamic_load_of_strength",
+        "lug_load_of_capacity",
+    }
+)
+#: Why a lift is no go of whose gear nothing is known.
+_NO_STRENGTH = (
+    "no force has been held against what bears it: capacities of hooks and lugs, breaking forces of slings "
+    "and working load limits of shackles are not known"
+)
 #: What a step may ask to be at least and has to come to: less is missed, and no share of it is used up.
 _COME_TO = frozenset({"load_tilt"})
 #: Most checks that the verdict on a lift names.
@@ -25,6 +45,15 @@ class Verdict(StrEnum):
     WARNING = "warning"
     FAILED = "failed"
     NOT_CHECKED = "not checked"
+
+
+class Outcome(StrEnum):
+    """What all checks together say of a lift."""
+
+    GO = "GO"
+    GO_WITH_WARNINGS = "GO WITH WARNINGS"
+    NO_GO = "NO-GO"
+    NO_VERDICT = "NO VERDICT"
 
 
 @dataclass(frozen=True)
@@ -46,6 +75,7 @@ class Check:
         time: When it governs [s]; None where the value belongs to no one time.
         step: Step of the plan whose end was checked; empty for the whole lift.
         remark: Why there is no verdict, or what else to know.
+        is_vain: Whether the lift file sets the limit, and the lift has nothing that it is about.
     """
 
     name: str
@@ -62,6 +92,7 @@ class Check:
     time: float | None = None
     step: str = ""
     remark: str = ""
+    is_vain: bool = False
 
     def shown(self, number: float | None) -> str:
         """A value or limit of this check as people read it; empty for None."""
@@ -98,31 +129,43 @@ def has_failed(checks: Sequence[Check]) -> bool:
     return any(check.verdict is Verdict.FAILED for check in checks)
 
 
-def verdict_of(checks: Sequence[Check]) -> str:
-    """The lift in one sentence: go or no-go, what governs, how many warnings, what has not been checked.
+def outcome_of(checks: Sequence[Check]) -> Outcome:
+    """Go or no-go.
 
-    A run that ends before its plan, or lifts nothing, may show that a lift is no go, but not that it is one.
+    A run that ends before its plan, lifts nothing, or of which something is no number, may show that a lift
+    is no go, but not that it is one. Nor may a lift of whose gear no strength is known.
     """
+    if _is_nothing(checks):
+        return Outcome.NO_VERDICT
+    if has_failed(checks):
+        return Outcome.NO_GO
+    if _shown_nothing(checks):
+        return Outcome.NO_VERDICT
+    is_warned = any(check.verdict is Verdict.WARNING for check in checks)
+    return Outcome.GO_WITH_WARNINGS if is_warned else Outcome.GO
+
+
+def verdict_of(checks: Sequence[Check]) -> str:
+    """The lift in one sentence: go or no-go, what governs, how many warnings, what has not been checked."""
+    outcome = outcome_of(checks)
+    if _is_nothing(checks):
+        return f"{outcome}: nothing has been checked"
     done = [check for check in checks if _is_done(check)]
-    if all(check.value is None and check.verdict is Verdict.WARNING for check in done):
-        return "NO VERDICT: nothing has been checked"
     failed = [check for check in done if check.verdict is Verdict.FAILED]
     if failed:
-        head = f"NO-GO: {len(failed)} failed, {_foremost(failed)}"
+        head = f"{outcome}: {len(failed)} failed, {_foremost(failed)}"
     else:
         past = past_limits(checks)
         nearest = _foremost([check for check in done if check.utilisation is not None and check not in past])
-        shown_nothing = [check.remark for check in done if check.name in (PLAN_FINISHED, LOAD_LIFTED)]
-        if shown_nothing:
-            head = f"NO VERDICT: {'; '.join(shown_nothing)}"
-        else:
-            is_warned = any(check.verdict is Verdict.WARNING for check in checks)
-            head = "GO WITH WARNINGS" if is_warned else "GO"
+        why = "; ".join(_shown_nothing(checks))
+        head = f"{outcome}: {why}" if why else f"{outcome}"
         head += f"; past a limit that only warns: {_foremost(past)}" if past else ""
         head += f"; nearest to their limits: {nearest}" if nearest else ""
     warnings = sum(check.verdict is Verdict.WARNING for check in checks)
     without = sum(check.has_no_limit for check in checks)
     rest = f"{len(checks) - len(done) - without} not checked, {without} without a limit"
+    vain = [check.name for check in checks if check.is_vain]
+    rest += f"; the lift has nothing that these limits are about: {', '.join(vain)}" if vain else ""
     return f"{head}; {_count(warnings, 'warning')}, {rest}"
 
 
@@ -146,6 +189,27 @@ def past_limits(checks: Sequence[Check]) -> list[Check]:
         for check in checks
         if check.verdict is Verdict.WARNING and check.utilisation is not None and check.utilisation > 1.0
     ]
+
+
+def _is_nothing(checks: Sequence[Check]) -> bool:
+    """Whether nothing was held against anything."""
+    done = [check for check in checks if _is_done(check)]
+    return all(check.value is None and check.verdict is Verdict.WARNING for check in done)
+
+
+def _shown_nothing(checks: Sequence[Check]) -> list[str]:
+    """Why these checks cannot show that a lift is a go."""
+    names = (PLAN_FINISHED, LOAD_LIFTED, ALL_KNOWN)
+    reasons = [check.remark for check in checks if check.name in names and _is_done(check)]
+    strengths = [check for check in checks if check.name in _STRENGTHS]
+    if strengths and all(check.value is None for check in strengths) and _is_hung(checks):
+        reasons.append(_NO_STRENGTH)
+    return reasons
+
+
+def _is_hung(checks: Sequence[Check]) -> bool:
+    """Whether they are of something that hangs in a hook."""
+    return any(check.name in ("static_hook_load", "dynamic_hook_load") and check.value for check in checks)
 
 
 def _is_done(check: Check) -> bool:

@@ -19,8 +19,8 @@ def turns_left(recording: Recording) -> list[Check]:
     """A check for each drum on which too few turns stay.
 
     One whose rope runs off fails: what hangs on it falls. So does one with fewer turns than its lift file
-    asks for; fewer than two where nothing is asked for are a warning. A drum for which the lift file asks,
-    and of which nothing says how many turns it has at the start, is not checked.
+    asks for; fewer than two where nothing is asked for are a warning, and so is a drum for which the lift
+    file asks, and of which nothing says how many turns it has at the start.
     """
     return [check for drum in recording.rig.drums for check in _of_drum(recording, drum)]
 
@@ -31,7 +31,7 @@ def _of_drum(recording: Recording, drum: Drum) -> Iterator[Check]:
     if drum.wraps_at_start is None:
         if drum.asks_for_turns:
             remark = f"turns at the start not known ('wraps_at_start'), of which {asked:g} have to stay"
-            yield replace(check, remark=remark)
+            yield replace(check, verdict=Verdict.WARNING, remark=remark)
         return
     during = everywhere(recording)
     if asked is None or not during.any():

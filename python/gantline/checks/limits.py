@@ -35,6 +35,7 @@ from gantline.checks.alarms import (
     SPREADER_TILT,
     TILT,
     TIPPING,
+    YAW,
 )
 from gantline.checks.measure import Alarm, Findings, Measure
 
@@ -364,7 +365,9 @@ LIMITS: dict[str, Measure] = {
     "load_tilt": Measure(
         "largest angle of the load's own z axis from plumb", "deg", 2, loads.tilt, is_listed=True, alarm=TILT
     ),
-    "load_yaw": Measure("largest change of the load's heading from the start", "deg", 1, loads.yaw),
+    "load_yaw": Measure(
+        "largest change of the load's heading from the start", "deg", 1, loads.yaw, alarm=YAW
+    ),
     "tension_spread": Measure(
         "(max - min)/mean over one equalizer's slings", "%", 2, equalizers.tension_spread
     ),

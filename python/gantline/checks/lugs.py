@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from gantline.checks.forces import Raised, factor, force_together, over, sling_forces
-from gantline.checks.measure import Finding, Missing, carrying, extreme
+from gantline.checks.measure import Caution, Finding, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
+from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray
+from gantline.units import format_quantity
 
 _CONSEQUENCE = "lug_consequence_factor"
 #: Share of a load's weight from which a rope bears it; less holds its heading.
@@ -28,6 +32,36 @@ def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Find
             else:
                 inside = carrying(recording, sling.rope, during)
                 yield from extreme(recording, angles[of, lug], inside, element)
+    yield from _assumed(recording, during)
+
+
+def _assumed(recording: Recording, during: BoolArray) -> Iterator[Caution]:
+    """That plates of lugs are taken to stand along x where the lift file does not say it.
+
+    It matters to shackles, and to a limit of the angle. However an upright plate stands, a sling that leans
+    no farther than the first row of the chart of side loads takes nothing from its shackle.
+    """
+    most, lugs = recording.rig.shackle_side_load.rows[0][0], []
+    worst = most
+    is_asked = "lug_out_of_plane_angle" in recording.rig.limits
+    for sling in (one for one in recording.rig.slings if is_asked or one.shackles):
+        for end, of, name in sling.at_lugs():
+            holder = recording.rig.with_lugs(of)
+            lug = None if holder is None else holder.lugs.get(name)
+            if holder is None or lug is None or not lug.plate_is_assumed:
+                continue
+            upright = axes(recording.column("body_orientation", holder.body))[:, :, 2]
+            along = np.sum(upright * series.sling_direction(recording, sling, end), axis=1)
+            leans = np.arccos(np.clip(np.abs(along), 0.0, 1.0))[carrying(recording, sling.rope, during)]
+            if leans.max(initial=0.0) > most:
+                lugs.append(f"{of}.{name}")
+                worst = max(worst, float(leans.max()))
+    if lugs:
+        lean = format_quantity(worst, "deg", 1)
+        yield Caution(
+            f"'main_plate' not said, xz assumed: if it stands across, the {lean} by which slings lean there "
+            f"pull lug and shackle aside: {named(lugs)}"
+        )
 
 
 def ropes_that_bear(recording: Recording, load: Load, lack: str) -> Iterator[Missing]:

@@ -108,7 +108,8 @@ class Measure:
         by_definition: Limit that holds where nobody sets one, such as all of a rated capacity.
         definition: Where that limit comes from.
         is_listed: Whether it stands in the table without a limit too.
-        alarm: Where nobody sets a limit, a value past this one warns; one within it is as without it.
+        alarm: Where nobody sets a limit, a value past this one warns; one within it is as without it. What
+            is not listed stands in the table then.
     """
 
     meaning: str

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gantline.checks.check import Check, Verdict
+from gantline.checks.check import ALL_KNOWN, Check, Verdict
 from gantline.checks.crawlers import left_ground
 from gantline.checks.drums import turns_left
 from gantline.checks.ends import about_end_of_step, one_sample
@@ -21,17 +21,19 @@ from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_ou
 from gantline.checks.ranges import left_range
 from gantline.checks.slings import idle, taken_off
 from gantline.results import series
+from gantline.results.gaps import gaps
 from gantline.results.parting import PLANNED, Parting, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
 from gantline.results.variable import BoolArray
+from gantline.rule_data import LIFT_FILE
 from gantline.units import format_quantity
 
 #: Of a bound that nobody set.
 _OWN_LIMIT = "a limit of its own under 'limits' would make this a failure"
 
 #: Of a limit that no element of the lift has.
-_NOTHING = "the lift has nothing that it is about, or nothing of that carries"
+_NOTHING = "the lift has nothing that this limit is about, or nothing of that carries"
 
 #: Check that lift file and run give no warnings of their own.
 NO_WARNINGS = "no_warnings"
@@ -45,6 +47,9 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         ending: Steps of the plan that end at the moment of an equilibrium: it is held against what they
             require.
 
+    Raises:
+        ValueError: If the plan has no step of one of these names.
+
     Returns:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
@@ -54,21 +59,22 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         pair that is drawn in one place; one that failed for each trolley, crane or upper structure that goes
         past its range; and a warning for each hoist that fell behind and each winch that slipped, where
         slings never carried or run through a load, where a tag line pulls as if it bore one, where a hook
-        holds a frame upright, where the recording has warnings of its own, where steps moved nothing, where a
-        load came down while it was taken along or came down hard, and where a run lifts nothing or ends
-        before its plan.
+        holds a frame upright, where the recording has warnings of its own or values that are no numbers,
+        where steps moved nothing, where a load came down while it was taken along or came down hard, and
+        where a run lifts nothing or ends before its plan.
     """
     rig = recording.rig
+    _hold_steps(recording, ending)
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
     hands_in = bool(rig.loads or rig.hooks or rig.slings or rig.vessels or rig.mooring_lines or rig.fenders)
     found = [
         _check_limit(recording, key, measure, limits.get(key))
         for key, measure in LIMITS.items()
-        if key in limits or (measure.is_listed and hands_in)
+        if key in limits or ((measure.is_listed or measure.alarm is not None) and hands_in)
     ]
     whole = [check for check in found if check is not None]
     unknown = [
-        Check(key, Verdict.NOT_CHECKED, "", remark="this limit is not known here")
+        Check(key, Verdict.WARNING, "", remark="this limit is not known here")
         for key in limits
         if key not in LIMITS
     ]
@@ -84,6 +90,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         + left_range(recording)
         + held_upright(recording)
         + _told(recording)
+        + _unknown(recording)
     )
     if series.is_equilibrium(recording):
         # It has no moments to tell apart.
@@ -99,7 +106,12 @@ def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> d
         recording: Any recording.
         name: A key of `LIMITS`.
         at: Samples that count; None for the whole lift.
+
+    Raises:
+        KeyError: If there is no such quantity.
     """
+    if name not in LIMITS:
+        raise KeyError(f"no quantity that limits can be set for is {name!r}; they are {', '.join(LIMITS)}")
     measure = LIMITS[name]
     pick = min if measure.at_least else max
     values: dict[str, float] = {}
@@ -156,7 +168,7 @@ def _reasons(missing: Iterable[Missing]) -> str:
 
 
 def _check_limit(recording: Recording, key: str, measure: Measure, given: object) -> Check | None:
-    """One check of the whole lift; None where the lift has nothing of the kind and sets no limit either."""
+    """One check of the whole lift; None without a limit where the lift has nothing of the kind to be told."""
     rig = recording.rig
     check = Check(
         key,
@@ -167,14 +179,14 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         digits=measure.digits,
     )
     if given is not None and (isinstance(given, bool) or not isinstance(given, int | float)):
-        return replace(check, remark=f"the limit is not a number: {given!r}")
+        return replace(check, verdict=Verdict.WARNING, remark=f"the limit is not a number: {given!r}")
     limit = measure.by_definition if given is None else float(given)
     source = (
         measure.definition if given is None else rig.limit_sources.get(key, str(rig.limits.get("rule", "")))
     )
     found = _look(measure, recording, everywhere(recording))
     nothing = found.worst is None and not found.refused
-    if nothing and not found.missing and given is None:
+    if nothing and given is None and not (found.missing and measure.is_listed):
         return None
     factors = found.worst.factors if found.worst is not None else ()
     check = replace(check, limit=limit, source=_with_factors(recording, source, factors))
@@ -183,6 +195,10 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if found.worst is None:
         is_asked = given is not None and key not in rig.assumed_limits
         missing = found.missing or _never_clear(recording, measure)
+        # A preset is for every lift; its limits have other sources than those of the lift file.
+        is_own = rig.limit_sources.get(key, LIFT_FILE) in (LIFT_FILE, rig.limits.get("rule"))
+        is_vain = is_own and given is not None and not missing
+        check = replace(check, is_vain=is_vain)
         return _without_value(recording, check, missing, _NOTHING, is_asked=is_asked)
     check = _with_value(check, found.worst)
     remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
@@ -194,6 +210,8 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
                 check, limit=alarm, source=_with_factors(recording, measure.alarm.source, factors)
             )
             return replace(check, verdict=Verdict.WARNING, remark=_joined([_OWN_LIMIT, *remarks]))
+    if given is None and not measure.is_listed:
+        return None
     if limit is None:
         verdict = Verdict.WARNING if found.cautions else Verdict.NOT_CHECKED
         return replace(check, verdict=verdict, remark=_joined([found.missing, found.cautions]))
@@ -275,6 +293,13 @@ def _never_clear(recording: Recording, measure: Measure) -> str:
     return "the load never came clear of its supports"
 
 
+def _hold_steps(recording: Recording, names: Collection[str]) -> None:
+    known = [step.step for step in recording.rig.plan]
+    # One word is a collection of letters.
+    if isinstance(names, str) or not set(names) <= set(known):
+        raise ValueError(f"ending: {names!r} are no steps of the plan; they are {', '.join(known)}")
+
+
 def _check_step(recording: Recording, step: Step, ending: Collection[str]) -> Iterator[Check]:
     is_now = step.step in ending and series.is_equilibrium(recording)
     during = one_sample(-1, recording.time) if is_now else about_end_of_step(recording, step)
@@ -288,7 +313,7 @@ def _check_requirement(
 ) -> Check:
     measure = LIMITS.get(key)
     if measure is None:
-        return Check(key, Verdict.NOT_CHECKED, "", step=step.step, remark="this quantity is not known here")
+        return Check(key, Verdict.WARNING, "", step=step.step, remark="this quantity is not known here")
     sided = replace(measure, at_least=side == "above")
     check = Check(
         key,
@@ -342,6 +367,17 @@ def _told(recording: Recording) -> list[Check]:
     more = f"; and {count} more {'warning' if count == 1 else 'warnings'}" if count else ""
     meaning = "lift file and run give no warning"
     return [Check(NO_WARNINGS, Verdict.WARNING, meaning, remark=f"{warnings[0]}{more}")]
+
+
+def _unknown(recording: Recording) -> list[Check]:
+    """A warning where values are no numbers, which no run leaves: what follows from them is not known."""
+    sentences = gaps(recording)
+    if not sentences:
+        return []
+    count = len(sentences) - 1
+    more = f"; and {count} more" if count else ""
+    meaning = "every value of a recording is a number"
+    return [Check(ALL_KNOWN, Verdict.WARNING, meaning, remark=f"{sentences[0]}{more}")]
 
 
 def _verdict(measure: Measure, value: float, limit: float) -> Verdict:

@@ -86,7 +86,10 @@ def _print_version(is_wanted: bool) -> None:
         raise typer.Exit()
 
 
-@app.callback(epilog="Exit codes: 0 done, 1 a check failed, 2 bad input, 3 the simulation could not go on.")
+@app.callback(
+    epilog="Exit codes: 0 done, 1 a check failed, 2 bad input, 3 the simulation could not go on, "
+    "4 no verdict."
+)
 def _gantline(
     context: typer.Context,
     version: Annotated[

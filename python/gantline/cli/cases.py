@@ -9,7 +9,15 @@ from typing import Annotated
 import typer
 
 from gantline.cli.lift import Lift, Moment, folder_option, moment_of, output_folder, refuse_beyond
-from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop, writing
+from gantline.cli.messages import (
+    CHECK_FAILED,
+    COULD_NOT_GO_ON,
+    DONE,
+    NO_VERDICT,
+    scenario_errors,
+    stop,
+    writing,
+)
 
 
 def cases(
@@ -28,8 +36,8 @@ def cases(
 ) -> None:
     """Find how a lift hangs in each of its cases, and the worst case of each element; nothing is simulated.
 
-    Ends with code 1 where a check fails, an equilibrium is unstable or a case cannot start, and with 3
-    where there is no equilibrium.
+    Ends with code 1 where a check fails, an equilibrium is unstable or a case cannot start, with 3 where
+    there is no equilibrium, and with 4 where nothing hangs at that time.
     """
     from gantline.replacing import replace_text
     from gantline.results.saved import CASES
@@ -47,10 +55,11 @@ def cases(
             stop(f"{scenario.source}: there are no 'cases' in this file; one is written like '{right}'")
         result = run_cases(scenario, moment)
     text = json.dumps(result.to_json(), indent=2, allow_nan=False)
+    from gantline.cli.cases_table import cases_table, nothing_hangs
+
     if as_json:
         typer.echo(text)
     else:
-        from gantline.cli.cases_table import cases_table
         from gantline.cli.check_table import width_of_terminal
 
         table = cases_table(result, width=width_of_terminal(), variants=variants)
@@ -61,4 +70,6 @@ def cases(
         typer.echo(f"Cases       {folder / CASES}", err=as_json)
     if not result.has_equilibria:
         raise typer.Exit(COULD_NOT_GO_ON)
-    raise typer.Exit(DONE if result.is_sound else CHECK_FAILED)
+    if not result.is_sound:
+        raise typer.Exit(CHECK_FAILED)
+    raise typer.Exit(NO_VERDICT if nothing_hangs(result.states) else DONE)

@@ -276,7 +276,14 @@ def _verdict(result: CasesResult) -> str:
     bad = ", ".join(f"{count} {what}" for what, count in counts.items() if count)
     cases = len(result.names) - 1
     head = f"{cases} case{'' if cases == 1 else 's'}, {len(result.states)} equilibria asked for"
-    return f"{head}: {bad or 'all sound'}{without}"
+    return f"{head}: {bad or nothing_hangs(result.states) or 'all sound'}{without}"
+
+
+def nothing_hangs(states: Sequence[State]) -> str:
+    """That no load hangs in any of these states, and why: nothing tells what carries one; else empty."""
+    if not all(state.not_lifted for state in states):
+        return ""
+    return f"nothing hangs then, {'; '.join(states[0].not_lifted)}"
 
 
 def _shortened(text: str, room: int) -> str:

@@ -11,9 +11,7 @@ import typer
 
 from gantline.cli.lift import lifts_that_begin, opened, recording_file, warn_of_gaps
 from gantline.cli.messages import (
-    CHECK_FAILED,
     COULD_NOT_GO_ON,
-    DONE,
     INTERRUPTED,
     scenario_errors,
     stop,
@@ -46,7 +44,7 @@ def check(
 ) -> None:
     """Check a recording, or a simulated lift, against its limits; or look a lift file over.
 
-    Ends with code 1 if a check failed. Nothing is written.
+    Ends with code 1 if a check failed, and with 4 if the checks give no verdict. Nothing is written.
     """
     file = recording_file(lift)
     if file is not None:
@@ -66,8 +64,8 @@ def check(
 
 def _check_limits(recording: Recording, *, as_json: bool) -> NoReturn:
     """Print the checks of a recording, and end with the code that says how they went."""
-    from gantline.checks import check_recording, has_failed
-    from gantline.cli.check_table import check_table, checks_json, width_of_terminal
+    from gantline.checks import check_recording
+    from gantline.cli.check_table import check_table, checks_json, exit_code, width_of_terminal
     from gantline.cli.summary import heading, weights
 
     checks = check_recording(recording)
@@ -86,7 +84,7 @@ def _check_limits(recording: Recording, *, as_json: bool) -> NoReturn:
         warn(f"this run {ended} at {end}: what would have come after is not checked")
     if not checks:
         warn("nothing to check: the lift sets no limits, and has nothing that is checked without")
-    raise typer.Exit(CHECK_FAILED if has_failed(checks) else DONE)
+    raise typer.Exit(exit_code(checks))
 
 
 def _simulated(simulation: Simulation) -> Recording:

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from gantline.checks import Check, Verdict, has_failed, verdict_of
+from gantline.checks import Check, Outcome, Verdict, has_failed, outcome_of, verdict_of
+from gantline.cli.messages import CHECK_FAILED, DONE, NO_VERDICT
 from gantline.cli.table import ABSENT
 from gantline.results.gaps import without_gaps
 
@@ -21,11 +22,17 @@ if TYPE_CHECKING:
 _USUAL_WIDTH = 100
 _VERDICT_WIDTH = 11
 _INDENT = " " * (_VERDICT_WIDTH + 2)
+_CODES = {Outcome.NO_GO: CHECK_FAILED, Outcome.NO_VERDICT: NO_VERDICT}
 _COLOURS = {
     Verdict.OK: typer.colors.GREEN,
     Verdict.WARNING: typer.colors.YELLOW,
     Verdict.FAILED: typer.colors.RED,
 }
+
+
+def exit_code(checks: Sequence[Check]) -> int:
+    """The code that tells a script what these checks say of a lift: only of a go it is `DONE`."""
+    return _CODES.get(outcome_of(checks), DONE)
 
 
 def width_of_terminal() -> int:
@@ -154,6 +161,7 @@ def checks_json(recording: Recording, checks: Sequence[Check]) -> str:
         "rule": rig.limits.get("rule"),
         "status": recording.attributes.get("status"),
         "failed": has_failed(checks),
+        "outcome": outcome_of(checks).value,
         "verdict": verdict_of(checks),
         "checks": [check.to_json() for check in checks],
         "refinement": recording.attributes.get("refinement"),

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NoReturn
 import typer
 
 from gantline.cli.lift import output_folder
-from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, stop, writing
+from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, NO_VERDICT, stop, writing
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -29,7 +29,10 @@ _WORK = ("Righting work", "water comes in", "arms vanish", "A1", "A2", "A2/A1")
 def lose(
     question: Statics, load: str, moment: float | None, *, held: bool, output: Path | None, as_json: bool
 ) -> NoReturn:
-    """Lose a load of a lift at rest and show what becomes of it; code 1 where a vessel stays away."""
+    """Lose a load of a lift at rest and show what becomes of it; code 1 where a vessel stays away.
+
+    Where the load stands, and turns no vessel, nothing was lost: code 4.
+    """
     from gantline.replacing import replace_text
     from gantline.results.saved import LOST_LOAD
 
@@ -43,7 +46,9 @@ def lose(
         lines = [f"Picture     {path}" for path in written]
         typer.echo("\n".join([*lines, f"Lost load   {place / LOST_LOAD}"]), err=as_json)
     typer.echo(text if as_json else "\n".join(_as_lines(question, found)))
-    raise typer.Exit(DONE if found.is_sound else CHECK_FAILED)
+    if not found.is_sound:
+        raise typer.Exit(CHECK_FAILED)
+    raise typer.Exit(NO_VERDICT if found.stands and not found.swings else DONE)
 
 
 def _found(question: Statics, load: str, moment: float | None, *, held: bool) -> LostLoad:
@@ -75,7 +80,8 @@ def _as_lines(question: Statics, found: LostLoad) -> list[str]:
     ]
     lines += ["", *vessels(found.rest.recording), "", *righting(found.heights)]
     if not found.swings:
-        return [*lines, "", "It turns no vessel", ""]
+        stands = f": '{found.load}' stands then; --time says when in the plan it is lost"
+        return [*lines, "", f"It turns no vessel{stands if found.stands else ''}", ""]
     lines += ["", *table(_SWING, [_swing(one) for one in found.swings], "llrrrrr")]
     lines += ["", *table(_WORK, [_work(one) for one in found.swings], "lrrrrr")]
     return [*lines, *(note for one in found.swings for note in _notes(one)), ""]

@@ -16,6 +16,7 @@ __all__ = [
     "COULD_NOT_GO_ON",
     "DONE",
     "INTERRUPTED",
+    "NO_VERDICT",
     "complain",
     "scenario_errors",
     "stop",
@@ -27,6 +28,7 @@ DONE = 0
 CHECK_FAILED = 1
 BAD_INPUT = 2
 COULD_NOT_GO_ON = 3
+NO_VERDICT = 4
 
 
 def stop(message: str, code: int = BAD_INPUT) -> NoReturn:

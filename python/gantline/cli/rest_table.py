@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from gantline.checks import Check, check_recording, verdict_of
+from gantline.checks import Check, check_recording, outcome_of, verdict_of
 from gantline.cli.check_table import check_table, width_of_terminal
 from gantline.cli.summary import heading, weights
 from gantline.cli.table import ABSENT, show, table
@@ -211,6 +211,7 @@ def statics_json(
             for one in sensitivities
         ],
         "margins": [asdict(one) for one in margins],
+        "outcome": outcome_of(checks).value,
         "verdict": verdict_of(checks),
         "checks": [check.to_json() for check in checks],
         "left_out": list(left_out),

@@ -19,7 +19,7 @@ from gantline.cli.lift import (
     quantity_of,
 )
 from gantline.cli.live import live_view
-from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
+from gantline.cli.messages import COULD_NOT_GO_ON, DONE, INTERRUPTED, stop, warn, writing
 from gantline.cli.progress import progress, speed
 from gantline.cli.refinement import with_refinement
 from gantline.cli.report import REPORT, write_beside
@@ -28,6 +28,9 @@ from gantline.interrupt import noted_interrupt
 from gantline.replacing import replace_bytes
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from gantline.checks import Check
     from gantline.results.recording import Recording
     from gantline.simulation import Simulation, SimulationError
     from gantline.viewer.live import LiveView
@@ -105,7 +108,7 @@ def run(
         if is_interrupted():
             warn(f"interrupted after the last step; the recording is {written}")
             raise typer.Exit(INTERRUPTED)
-        failed = _print_json(recording) if as_json else _print_table(recording, simulation)
+        code = _print_json(recording) if as_json else _print_table(recording, simulation)
         clock.lap("table")
         typer.echo(f"Recording   {written}", err=as_json)
         if plots:
@@ -119,7 +122,7 @@ def run(
     if recording.attributes["status"] == "stopped":
         warn(f"stopped at {recording.time[-1]:.2f} s of {simulation.duration:g} s")
         raise typer.Exit(INTERRUPTED)
-    raise typer.Exit(CHECK_FAILED if failed else DONE)
+    raise typer.Exit(code)
 
 
 class _Clock:
@@ -164,9 +167,9 @@ def _save_failure(problem: SimulationError, folder: Path) -> NoReturn:
     stop(f"{problem}\n  recording up to then: {written}\n  last good state: {state}", COULD_NOT_GO_ON)
 
 
-def _print_table(recording: Recording, simulation: Simulation) -> bool:
-    """Print the final table; the answer is whether a check failed."""
-    from gantline.checks import check_recording, has_failed
+def _print_table(recording: Recording, simulation: Simulation) -> int:
+    """Print the final table; the answer is the code that tells of its verdict."""
+    from gantline.checks import check_recording
     from gantline.cli.check_table import styled, width_of_terminal
     from gantline.cli.summary import summary
 
@@ -177,17 +180,24 @@ def _print_table(recording: Recording, simulation: Simulation) -> bool:
     typer.echo(
         ", ".join(filter(None, (f"Integration {simulated:g} s in {passed:.2f} s", speed(simulated, passed))))
     )
-    return has_failed(checks)
+    return _code(checks)
 
 
-def _print_json(recording: Recording) -> bool:
-    """Print the checks as JSON; the answer is whether one failed."""
-    from gantline.checks import check_recording, has_failed
+def _print_json(recording: Recording) -> int:
+    """Print the checks as JSON; the answer is the code that tells of their verdict."""
+    from gantline.checks import check_recording
     from gantline.cli.check_table import checks_json
 
     checks = check_recording(recording)
     typer.echo(checks_json(recording, checks))
-    return has_failed(checks)
+    return _code(checks)
+
+
+def _code(checks: Sequence[Check]) -> int:
+    """The code that tells of a verdict; what has nothing to check, such as a mechanism, is done."""
+    from gantline.cli.check_table import exit_code
+
+    return exit_code(checks) if checks else DONE
 
 
 def _draw(recording: Recording, folder: Path, *, aside: bool) -> None:

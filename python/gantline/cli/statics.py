@@ -66,7 +66,8 @@ def statics(
     """Find the equilibrium of a lift, and its natural motions about it; nothing is simulated.
 
     An unstable equilibrium is told first, then the stable one that it leads to. Ends with code 1 where the
-    equilibrium is unstable or a check fails, and with 3 where there is none.
+    equilibrium is unstable or a check fails, with 3 where there is none, and with 4 where checks give no
+    verdict.
     """
     refuse_unrelated(context)
     moment = moment_of(time)
@@ -96,7 +97,7 @@ def statics(
         _write(question, answer.rest, answer.shown, output, aside=as_json)
     text = _as_json if as_json else _as_tables
     typer.echo(text(question, answer, sensitivities))
-    raise typer.Exit(DONE if answer.is_sound else CHECK_FAILED)
+    raise typer.Exit(answer.code)
 
 
 @dataclass
@@ -122,10 +123,15 @@ class _Answer:
     margins: list[Margin] = field(default_factory=list)
 
     @property
-    def is_sound(self) -> bool:
-        from gantline.checks import has_failed
+    def code(self) -> int:
+        """The code that the program ends with: of the worst of the equilibrium and its bounds."""
+        from gantline.checks import check_recording, has_failed
+        from gantline.cli.check_table import exit_code
 
-        return self.rest.is_stable and not has_failed(self.checks)
+        of_bounds = (check_recording(bound.recording) for bound in self.bounds)
+        if not self.rest.is_stable or any(has_failed(checks) for checks in of_bounds):
+            return CHECK_FAILED
+        return exit_code(self.checks) if self.checks else DONE
 
 
 def _question(lift: Path, moment: float | None) -> Statics:

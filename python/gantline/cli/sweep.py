@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
+import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 import typer
 
-from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, scenario_errors, stop
+from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, NO_VERDICT, scenario_errors, stop
 
 if TYPE_CHECKING:
     from gantline.study.sweep import SweepPoint
@@ -28,11 +29,12 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
         as_json: Whether all numbers are printed as JSON in place of the table.
 
     Raises:
-        typer.Exit: Always; with 1 where a check fails, a lift is unstable or cannot start, and with 3 where
-            it falls.
+        typer.Exit: Always; with 1 where a check fails, a lift is unstable or cannot start, with 3 where it
+            falls, and with 4 where nothing hangs at that time.
     """
     path, first, last, count = _read(text)
     with scenario_errors():
+        from gantline.cli.cases_table import nothing_hangs
         from gantline.cli.check_table import width_of_terminal
         from gantline.cli.lift import refuse_beyond
         from gantline.scenario import load_scenario
@@ -54,7 +56,10 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
         typer.echo("\n".join([*scenario.left_out_at_rest, *_lines(path, points, width_of_terminal())]))
     if any(point.state.starts and point.state.rest is None for point in points):
         raise typer.Exit(COULD_NOT_GO_ON)
-    raise typer.Exit(DONE if all(point.state.is_sound for point in points) else CHECK_FAILED)
+    states = [point.state for point in points]
+    if not all(state.is_sound for state in states):
+        raise typer.Exit(CHECK_FAILED)
+    raise typer.Exit(NO_VERDICT if nothing_hangs(states) else DONE)
 
 
 def _read(text: str) -> tuple[str, str, str, int]:
@@ -71,7 +76,7 @@ def _read(text: str) -> tuple[str, str, str, int]:
 
 def _lines(path: str, points: Sequence[SweepPoint], width: int) -> list[str]:
     """The table; slings that find no room beside the others stand below them."""
-    from gantline.cli.cases_table import notes, outcome
+    from gantline.cli.cases_table import notes, nothing_hangs, outcome
     from gantline.cli.table import show, tables
     from gantline.study.state import QUANTITIES, values_of
 
@@ -86,7 +91,9 @@ def _lines(path: str, points: Sequence[SweepPoint], width: int) -> list[str]:
     first = [path, *(_shown(point) for point in points)]
     last = ["", *(outcome([point.state]) for point in points)]
     parts = tables(first, columns, last, width=width)
-    why = list(notes([point.state for point in points], lambda found: _runs(points, found), width))
+    states = [point.state for point in points]
+    why = list(notes(states, lambda found: _runs(points, found), width))
+    why += textwrap.wrap(nothing_hangs(states), max(width, 60), initial_indent="  ", subsequent_indent="    ")
     return [line for part in (*parts, why) if part for line in (*part, "")][:-1]
 
 

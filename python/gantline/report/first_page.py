@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.checks import NO_WARNINGS, Check, Verdict, foremost, past_limits, verdict_of
+from gantline.checks import NO_WARNINGS, Check, Verdict, foremost, outcome_of, past_limits
 from gantline.checks.forces import hook_force
 from gantline.checks.measure import everywhere
 from gantline.report.afloat import afloat_facts, vessel_tables
@@ -85,8 +85,7 @@ def fingerprint(subject: Subject) -> str:
 
 def _verdict(subject: Subject) -> dict[str, Any]:
     checks = subject.checks
-    sentence = verdict_of(checks)
-    head = sentence.split(":")[0].split(";")[0].strip()
+    head = outcome_of(checks).value
     status = str(subject.recording.attributes.get("status", "done"))
     if status in ("stopped", "failed"):
         head = f"INCOMPLETE: the run {'was stopped' if status == 'stopped' else 'failed'}; {head} so far"

@@ -64,13 +64,14 @@ def _sentence(recording: Recording, name: str, variable: Variable) -> str:
 
 def _elements(recording: Recording, variable: Variable, missing: Any) -> Iterator[str]:
     """Names along the first dimension that has some, of what has values that are no numbers."""
+    of_points = recording["rope_of_point"].values.tolist() if "rope_of_point" in recording else None
     for axis, dim in enumerate(variable.dims):
-        labels = recording.coordinates.get(dim)
+        labels = of_points if dim == "rope_point" else recording.coordinates.get(dim)
         if labels is None:
             continue
         others = tuple(other for other in range(missing.ndim) if other != axis)
-        found = np.flatnonzero(missing.any(axis=others))
-        yield from (labels[place] for place in found[:_MOST_NAMED])
+        found = list(dict.fromkeys(labels[place] for place in np.flatnonzero(missing.any(axis=others))))
+        yield from found[:_MOST_NAMED]
         if len(found) > _MOST_NAMED:
             yield f"{len(found) - _MOST_NAMED} more"
         return

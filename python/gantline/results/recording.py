@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
+from gantline.results.kinds import EVENT_KINDS
 from gantline.results.rig import Rig
 from gantline.results.variable import BoolArray, FloatArray, Indices, Variable
 
@@ -166,9 +167,16 @@ class Recording:
             kind: Only this kind, for example `lift_off`.
 
         Returns:
-            Time [s], kind and name of each.
+            Time [s], kind and name of each; nothing of a kind that did not happen.
+
+        Raises:
+            KeyError: If no recording has events of this kind.
         """
-        return [event for event in self._events if kind is None or event[1] == kind]
+        found = [event for event in self._events if kind is None or event[1] == kind]
+        # Of a version to come a recording may have kinds that are not known here.
+        if not found and kind is not None and kind not in EVENT_KINDS:
+            raise KeyError(f"no kind of event is {kind!r}; they are {', '.join(EVENT_KINDS)}")
+        return found
 
     @cached_property
     def _events(self) -> Sequence[tuple[float, str, str]]:

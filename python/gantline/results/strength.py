@@ -47,11 +47,13 @@ class Lug(FromJson):
         at: Position from the centre of gravity, axes of the body [m].
         main_plate_normal: Unit vector across the main plate, body frame; None if not said.
         capacity: What it may carry [N]; None if not said.
+        plate_is_assumed: Whether the lift file does not say how the main plate stands.
     """
 
     at: Vector
     main_plate_normal: Vector | None = None
     capacity: float | None = None
+    plate_is_assumed: bool = False
 
 
 @dataclass(frozen=True)

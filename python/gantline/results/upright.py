@@ -56,6 +56,8 @@ class TopHeavy:
 def top_heavy(recording: Recording) -> list[TopHeavy]:
     """Loads and spreaders that hang still unstably: the first time of each; none where ropes are not known.
 
+    Nor is there any where a place or tension is no number.
+
     Args:
         recording: Of a run, or of an equilibrium.
     """
@@ -75,6 +77,8 @@ def _at(recording: Recording, sample: int) -> Iterator[TopHeavy]:
     if slings is None:
         return
     stiffness = _stiffness(recording, sample, bodies, slings)
+    if not np.isfinite(stiffness).all():
+        return
     for number, body in enumerate(bodies):
         own = [6 * number + 3, 6 * number + 4]
         rest = [place for place in range(len(stiffness)) if place not in own]

@@ -2,6 +2,7 @@
 
 from gantline.rule_data.presets import (
     FACTORS,
+    LIFT_FILE,
     PRESETS,
     SEVERAL_CRANES,
     SIDE_LOAD,
@@ -15,6 +16,7 @@ from gantline.rule_data.presets import (
 
 __all__ = [
     "FACTORS",
+    "LIFT_FILE",
     "PRESETS",
     "SEVERAL_CRANES",
     "SIDE_LOAD",

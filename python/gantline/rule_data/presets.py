@@ -14,6 +14,7 @@ from typing import Final
 
 __all__ = [
     "FACTORS",
+    "LIFT_FILE",
     "PRESETS",
     "SEVERAL_CRANES",
     "SIDE_LOAD",
@@ -42,6 +43,8 @@ FACTORS: Final[Mapping[str, str]] = MappingProxyType(
     }
 )
 
+#: Source of limits and factors of a lift file that names no rule.
+LIFT_FILE: Final = "lift file"
 _PLAUSIBLE: Final = "plausible, no document"
 #: Superseded by DNV-ST-N001: confirm there. Sections as in revision 11.2 of 8 July 2016.
 _ND: Final = "0027/ND rev 11"

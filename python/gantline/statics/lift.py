@@ -412,8 +412,14 @@ class Statics:
     def times_of(self, step: str) -> tuple[float | None, float | None]:
         """When a step of the plan began and ended on the way to the equilibrium found last [s].
 
-        None where it had not, or there is no such step.
+        None where it had not.
+
+        Raises:
+            ValueError: If the plan has no such step.
         """
+        known = [one.step for one in self.scenario.plan]
+        if step not in known:
+            raise ValueError(f"the plan has no step {step!r}; its steps are {', '.join(known)}")
         return self._core.times_of(step)
 
     def _uncertain(self) -> list[tuple[str, str]]:

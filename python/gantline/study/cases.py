@@ -69,7 +69,13 @@ class CasesResult:
         return tuple(dict.fromkeys(state.case for state in self.states))
 
     def of(self, case: str) -> list[State]:
-        """All states of a case."""
+        """All states of a case; '' is the lift as it is given.
+
+        Raises:
+            KeyError: If there is no such case.
+        """
+        if case not in self.names:
+            raise KeyError(f"there is no case {case!r}; there are {', '.join(map(repr, self.names))}")
         return [state for state in self.states if state.case == case]
 
     @property
@@ -89,7 +95,10 @@ class CasesResult:
 
     @property
     def is_sound(self) -> bool:
-        """Whether every state can start, is stable at rest, what should hang does and no check failed."""
+        """Whether every state can start, is stable at rest, what should hang does and no check failed.
+
+        Of a time at which nothing hangs as given, that says little: `State.not_lifted` tells of it.
+        """
         return all(state.is_sound for state in self.states)
 
     def to_json(self) -> dict[str, Any]:

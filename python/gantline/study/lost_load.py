@@ -49,6 +49,8 @@ _STAYS = math.radians(0.001)
 #: Farthest from rest that arms are looked at, as far as they count by the IS Code, and how far apart [rad].
 _FARTHEST = math.radians(50.0)
 _STEP = math.radians(0.5)
+#: Share of a load that hangs at least where something may part that it hangs by [1].
+_HANGS_FROM = 0.05
 #: Roots of angles are found to this [rad].
 _ANGLE = 1e-10
 
@@ -118,12 +120,14 @@ class LostLoad:
         rest: The equilibrium without it.
         heights: Metacentric heights of the vessels there.
         swings: Of the vessels that it moves.
+        stands: Whether less than 5 % of it hung, so that nothing it hung by could part.
     """
 
     load: str
     rest: Equilibrium
     heights: Mapping[str, MetacentricHeights]
     swings: Sequence[Swing]
+    stands: bool
 
     @property
     def is_sound(self) -> bool:
@@ -136,6 +140,7 @@ class LostLoad:
             "load": self.load,
             "scenario_sha256": digest_of(str(self.rest.recording.attributes["scenario"])),
             "sound": self.is_sound,
+            "stands": self.stands,
             **self.rest.to_json(),
             "metacentric_heights": {
                 name: [height.transverse, height.longitudinal] for name, height in self.heights.items()
@@ -172,6 +177,7 @@ def lose_load(question: Statics, rest: Equilibrium, load: str) -> LostLoad:
     vessels = rest.recording.rig.vessels
     if not vessels:
         raise ValueError("no vessel of this lift floats")
+    hung = float(rest.recording.column("load_transferred", load)[-1]) if _is_told(rest, load) else 1.0
     without = question.lose(load)
     heights = metacentric_heights(question, without)
     swings = []
@@ -181,7 +187,12 @@ def lose_load(question: Statics, rest: Equilibrium, load: str) -> LostLoad:
             hull_of(question, vessel.name), vessel, turn[2], without.recording, heights[vessel.name]
         )
         swings += [swing] if swing is not None else []
-    return LostLoad(load, without, heights, swings)
+    return LostLoad(load, without, heights, swings, stands=hung < _HANGS_FROM)
+
+
+def _is_told(rest: Equilibrium, load: str) -> bool:
+    """Whether the recording tells how much of a load hangs; there may be no such load."""
+    return load in rest.recording.coordinates.get("load", ())
 
 
 def _lie(recording: Recording, vessel: Vessel) -> tuple[Floats, Lie]:

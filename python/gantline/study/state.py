@@ -6,7 +6,16 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from gantline.checks import Check, Verdict, check_recording, governing, has_failed, past_limits, verdict_of
+from gantline.checks import (
+    LOAD_LIFTED,
+    Check,
+    Verdict,
+    check_recording,
+    governing,
+    has_failed,
+    past_limits,
+    verdict_of,
+)
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.saved import LOSSES, QUANTITIES
@@ -92,6 +101,13 @@ class State:
         is_stable = self.rest is not None and self.rest.is_stable
         return is_stable and not self.stands and not has_failed(self.checks)
 
+    @property
+    def not_lifted(self) -> tuple[str, ...]:
+        """Why nothing hangs then, a reason for each load; empty where one of them does."""
+        told = tuple(check.remark for check in self.checks if check.name == LOAD_LIFTED)
+        loads = () if self.rest is None else self.rest.recording.rig.loads
+        return told if len(told) == len(loads) else ()
+
     def to_json(self) -> dict[str, Any]:
         """All of it as a JSON object, SI units."""
         rest, check = self.rest, self.governing
@@ -109,6 +125,7 @@ class State:
             "changes_nothing": self.changes_nothing,
             "in_vain": list(self.in_vain),
             "stands": list(self.stands),
+            "not_lifted": list(self.not_lifted),
             **values_of(self),
             "first_order_sling_tension": dict(self.first_order) or None,
             "failed": list(self.failed),
