@@ -195,9 +195,9 @@ impl Statics {
     /// Names that go with the columns.
     fn names<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let out = name_lists(py, self.inner.names())?;
-        let (kinds, slings): (Vec<_>, Vec<_>) = self.inner.events().into_iter().unzip();
+        let (kinds, names): (Vec<_>, Vec<_>) = self.inner.events().into_iter().unzip();
         out.set_item("event_kind", kinds)?;
-        out.set_item("event_name", slings)?;
+        out.set_item("event_name", names)?;
         Ok(out)
     }
 }

@@ -13,6 +13,7 @@ use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{Event, EventKind, EventLog};
+use crate::plan::Switching;
 use crate::record::Samples;
 use crate::record::columns::Columns;
 use crate::record::named::Named;
@@ -317,24 +318,32 @@ impl StaticLift {
     /// Everything that follows from them.
     pub fn columns(&self) -> Columns {
         let mut log = EventLog::new();
-        self.changed().for_each(|(kind, rope)| log.push(0.0, kind, rope));
+        self.changed().for_each(|event| log.push(event.time, event.kind, event.subject));
         Columns::of(&self.system, &self.samples, &log)
     }
 
-    /// Slings that are on by now and were not at the start, and those that were and are not. Of an equilibrium that is
-    /// so in all samples.
-    fn changed(&self) -> impl Iterator<Item = (EventKind, usize)> {
+    /// Slings and pins that are on by now and were not at the start, and those that were and are not. Of an equilibrium
+    /// that is so in all samples.
+    fn changed(&self) -> impl Iterator<Item = Event> {
         let Self { system, state, .. } = self;
-        system.slings.iter().filter_map(|sling| {
-            let is_on = state.modes[system.rows.first[sling.constraint]] != RowMode::Off;
+        let mode = |one: &Switching| state.modes[system.rows.first[one.constraint]];
+        let event = |one: &Switching, kind| Event { time: 0.0, kind, subject: one.constraint };
+        let slings = system.slings.iter().filter_map(move |sling| {
+            let is_on = mode(sling) != RowMode::Off;
             let kind = if is_on { EventKind::Attached } else { EventKind::Detached };
-            (is_on != sling.starts_on).then_some((kind, sling.constraint))
-        })
+            (is_on != sling.starts_on).then(|| event(sling, kind))
+        });
+        let pins = system.pins.iter().filter_map(move |pin| {
+            let is_in = mode(pin) == RowMode::Acting;
+            let kind = if is_in { EventKind::PinPutIn } else { EventKind::PinPulled };
+            (is_in != pin.starts_on).then(|| event(pin, kind))
+        });
+        slings.chain(pins)
     }
 
     /// Kind and name of the events that say so.
-    pub fn events(&self) -> Vec<(&'static str, &str)> {
-        self.changed().map(|(kind, rope)| (kind.name(), self.system.rope_name(rope))).collect()
+    pub fn events(&self) -> Vec<(&'static str, String)> {
+        self.changed().map(|event| (event.kind.name(), event.subject_name(&self.system))).collect()
     }
 
     /// Names that go with the columns.
