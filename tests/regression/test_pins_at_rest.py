@@ -1,9 +1,10 @@
 """Statics did not know which pins the plan had pulled by then, or put in.
 
-An equilibrium was found with the pins as the plan has them at that time, but its recording had no event of it, so
-checks took them as they are at the start. A lift whose plan pulls its pins was held against the rule's skew load
-factor of 1.25, and nobody told that its slings give it no tilt stiffness: shackles used 87 % in `gantline statics`
-and 70 % in a run that ends in the same place. One whose plan puts pins in was held against no factor at all.
+An equilibrium was found with the pins as the plan has them at that time, but its recording had no event of
+it, so checks took them as they are at the start. A lift whose plan pulls its pins was held against the
+rule's skew load factor of 1.25, and nobody told that its slings give it no tilt stiffness: shackles used 87
+% in `gantline statics` and 70 % in a run that ends in the same place. One whose plan puts pins in was held
+against no factor at all.
 """
 
 from __future__ import annotations
