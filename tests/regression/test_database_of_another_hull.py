@@ -73,7 +73,10 @@ def test_its_own_hull(tmp_path: Path) -> None:
 
 def test_another_hull(tmp_path: Path) -> None:
     """Twice as broad a box: half of its force per metre; and what the file says that it displaces."""
-    broad: dict[str, Any] = {"hull": {"box": [f"{LENGTH} m", f"{2 * BREADTH} m", f"{DEPTH} m"]}, "draft": f"{DRAFT / 2} m"}
+    broad: dict[str, Any] = {
+        "hull": {"box": [f"{LENGTH} m", f"{2 * BREADTH} m", f"{DEPTH} m"]},
+        "draft": f"{DRAFT / 2} m",
+    }
     omega = 2 * math.pi / 25.0
     stiffness = SEA * G * LENGTH * BREADTH
     own, theirs = (one * stiffness - omega**2 * (MASS + ADDED) for one in (2, 1))

@@ -219,7 +219,16 @@ impl Statics {
 
     fn parameter(&self, kind: &str, name: &str) -> PyResult<Parameter> {
         let missing = || value_error(format!("there is no {name} to ask the {kind} of"));
-        let rope = || self.inner.rope(name).ok_or_else(missing);
+        let rope = || {
+            let rope = self.inner.rope(name).ok_or_else(missing)?;
+            let why = "a drum or a sheave feeds it, so that its length is not that of the plan";
+            let is_fed = self.inner.is_fed(rope);
+            if is_fed {
+                Err(value_error(format!("there is no sensitivity to the {kind} of {name}: {why}")))
+            } else {
+                Ok(rope)
+            }
+        };
         let body = || self.inner.body(name).ok_or_else(missing);
         let (what, axis) = kind.split_once('_').unwrap_or((kind, ""));
         let axis = ["x", "y", "z"].iter().position(|known| *known == axis);

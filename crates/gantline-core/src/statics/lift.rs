@@ -263,6 +263,12 @@ impl StaticLift {
     /// Derivatives of the equilibrium that was found last.
     ///
     /// # Errors
+    /// Whether drums, or sheaves with losses or inertia, change the length of a rope.
+    pub fn is_fed(&self, rope: usize) -> bool {
+        let AnyConstraint::Rope(rope) = &self.system.constraints[rope] else { return false };
+        rope.spans.iter().any(|span| !span.feeds.is_empty())
+    }
+
     /// As [`Statics::sensitivities`].
     pub fn sensitivities(&mut self, parameters: &[Parameter]) -> Result<Vec<Sensitivity>, NoEquilibrium> {
         self.statics.sensitivities(&self.system, &self.state, parameters)
