@@ -234,7 +234,7 @@ def test_the_check_of_a_lift_file_says_where_cad_has_the_centre(tmp_path: Path) 
 
 
 def test_what_hangs_on_the_lugs_is_not_of_the_centre_that_is_told(tmp_path: Path) -> None:
-    """A shackle of 3 t at one lug moved what `check` told by 0.14 m; written out, it would have counted twice."""
+    """A shackle of 3 t at one lug moved what `check` told by 0.14 m; written out it counted twice."""
     path = lift(tmp_path)
     heavy = ("wb40: {working_load_limit: 40 t, mass: 0 kg}", "wb40: {working_load_limit: 40 t, mass: 3 t}")
     text = changed(path.read_text(encoding="utf-8"), FROM_CAD, heavy)
