@@ -7,12 +7,14 @@ every picture.
 
 from __future__ import annotations
 
-from matplotlib.colors import Normalize
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize, to_rgba_array
 from matplotlib.figure import Figure
 
 import gantline
 from four_slings import LIFT
-from gantline.plot.drawing import SIDE, draw
+from gantline.plot.drawing import SIDE, SLACK, draw
 from gantline.plot.scene import snapshot
 from gantline.scenario import parse_scenario
 from lift_text import changed
@@ -33,7 +35,9 @@ def test_a_line_that_pulls_is_not_drawn_slack() -> None:
         panel = Figure().add_subplot(xlim=(-40.0, 40.0), ylim=(-1.0, 20.0))
         snap = snapshot(recording, sample)
         draw(panel, snap, SIDE, Normalize(0.0, 108e3))
-        grey = [line for line in panel.lines if line.get_color() == "#8A8A8A"]
+        drawn = [one for one in panel.collections if isinstance(one, LineCollection)]
+        slack = [one for one in drawn if np.array_equal(one.get_edgecolor(), to_rgba_array(SLACK))]
+        grey = [path for one in slack for path in one.get_paths()]
         taut = [rope.name for rope in snap.ropes if rope.tension > 0.0]
         styles.append((len(grey), taut))
     slings = [f"sling.{name}" for name in "ABCD"]

@@ -216,8 +216,12 @@ def test_the_load_is_lifted_and_drawn(tmp_path: Path) -> None:
     assert box.triangles[:, :, 2].min() == pytest.approx(0, abs=0.01)
     figure = system(recording)
     assert figure is not None
-    drawn = [c for axes in figure.axes for c in axes.collections if isinstance(c, PolyCollection)]
-    assert drawn and all(len(c.get_paths()) > 50 for c in drawn)
+    drawn = [
+        [len(c.get_paths()) for c in panel.collections if isinstance(c, PolyCollection)]
+        for panel in figure.axes
+    ]
+    views = [counts for counts in drawn if counts]
+    assert views and all(max(counts) > 50 for counts in views)  # of the mesh; there are fewer sheaves
     figure.savefig(tmp_path / "system.png", dpi=60)
     # Nothing but the recording is needed to draw it again.
     recording.save(tmp_path / "lift.nc")

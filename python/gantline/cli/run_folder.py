@@ -48,11 +48,11 @@ def _left_by_a_run(folder: Path, recording: Recording) -> Iterator[Path]:
 
 def _equalizers_before(folder: Path) -> set[str]:
     """Equalizers of the recording that is there; none of one that cannot be read."""
-    from gantline.results import open_recording
+    from gantline.results.netcdf import load_rig
 
     if not any(folder.glob("equalizer_*.png")):
         return set()
     try:
-        return {one.name for one in open_recording(folder / RECORDING).rig.equalizers}
+        return {one.name for one in load_rig(folder / RECORDING).equalizers}
     except (FileNotFoundError, ValueError):
         return set()

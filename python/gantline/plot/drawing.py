@@ -4,21 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize, to_rgb
-from matplotlib.patches import Polygon
 
 from gantline.plot.panels import EARTH_EDGE, TENSION
-from gantline.plot.scene import Box, RopePath, Snapshot
+from gantline.plot.scene import Box, RopePath, Sheave, Snapshot
 from gantline.plot.style import INK, QUIET
 from gantline.results.variable import FloatArray
 
 _EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line
 _LINES_REACH = 0.05  # of a panel's larger side: more than half the width of any line
 _SLACK_BELOW = 1e-3  # of the largest tension shown, or of that of the rope itself
+_PLAIN = "#DDDDDD"
+#: Colour of ropes that are slack.
+SLACK = "#8A8A8A"
 _FILL = {
     "load": "#C9D6E2",
     "frame": "#8FA3B5",
@@ -63,24 +66,24 @@ def draw(panel: Axes, snap: Snapshot, view: View, norm: Normalize, *, large: boo
         large: Whether sheaves are large enough on paper to show their rims.
     """
     limits = panel.get_xlim(), panel.get_ylim()
-    for box in (*snap.surroundings, *snap.boxes):
-        if _is_seen(view.project(box.faces).reshape(-1, 2), limits):
-            _draw_box(panel, box, view)
+    boxes = (*snap.surroundings, *snap.boxes)
+    seen = [box for box in boxes if _is_seen(view.project(box.faces).reshape(-1, 2), limits)]
+    # One after the other, as they cover each other; those in a row that are drawn alike in one artist.
+    for alike, row in groupby(seen, _drawn_as):
+        if alike == "mesh":
+            for box in row:
+                if box.triangles is not None:
+                    _draw_mesh(panel, box.triangles, view, _FILL.get(box.kind, _PLAIN))
+        else:
+            _draw_boxes(panel, list(row), view, is_frame=alike == "frame")
+    for box in boxes:
         if box.name in snap.frame_origin:
             _draw_hanger(panel, box, snap.frame_origin[box.name], snap.frame_axes[box.name][:, 2], view)
-    for rope in snap.ropes:
-        if _is_seen(view.project(rope.path), limits):
-            _draw_rope(panel, rope, view, norm, 2.0 if large else 1.1)
-    for sheave in snap.sheaves:
-        outline = view.project(sheave.circle)
-        if not _is_seen(outline, limits):
-            continue
-        face, edge = ("white", INK) if sheave.moves else ("#B9C4CE", "#4A5F73")
-        panel.add_artist(
-            Polygon(outline, facecolor=face, edgecolor=edge, linewidth=1.1 if large else 0.6, zorder=3.5)
-        )
-        if large:
-            panel.plot(*outline[:-1].mean(axis=0), "o", color=edge, markersize=2.2, zorder=3.6)
+    ropes = [(rope, view.project(rope.path)) for rope in snap.ropes]
+    seen_ropes = [(rope, path) for rope, path in ropes if _is_seen(path, limits)]
+    _draw_ropes(panel, seen_ropes, norm, 2.0 if large else 1.1)
+    outlines = [(sheave, view.project(sheave.circle)) for sheave in snap.sheaves]
+    _draw_sheaves(panel, [one for one in outlines if _is_seen(one[1], limits)], large=large)
     for name, point in snap.points.items():
         panel.plot(
             *view.project(point), marker="v" if name in snap.hooks else "s", color=INK, markersize=4, zorder=4
@@ -104,22 +107,37 @@ def _is_seen(points: FloatArray, limits: Sequence[tuple[float, float]]) -> bool:
     return bool(np.all(points.max(axis=0) >= least - margin) and np.all(points.min(axis=0) <= most + margin))
 
 
-def _draw_box(panel: Axes, box: Box, view: View) -> None:
-    fill, edge = _FILL.get(box.kind, "#DDDDDD"), _EDGE.get(box.kind, QUIET)
-    is_frame = box.kind == "frame"
+def _drawn_as(box: Box) -> str:
     if box.triangles is not None:
-        _draw_mesh(panel, box.triangles, view, fill)
-        return
-    for face in box.faces:
-        normal = np.cross(face[1] - face[0], face[2] - face[1])
-        if normal @ view.toward > 1e-9 * np.linalg.norm(normal):
-            outline = view.project(face)
-            panel.add_artist(
-                Polygon(outline, facecolor=fill, edgecolor="none", alpha=0.35 if is_frame else 1.0, zorder=1)
-            )
-            panel.add_artist(
-                Polygon(outline, fill=False, edgecolor=edge, linewidth=0.8, zorder=2.5 if is_frame else 1)
-            )
+        return "mesh"
+    return "frame" if box.kind == "frame" else "box"
+
+
+def _draw_boxes(panel: Axes, boxes: Sequence[Box], view: View, *, is_frame: bool) -> None:
+    """The faces of boxes that look at the viewer, the first of them farthest behind."""
+    outlines: list[FloatArray] = []
+    fills: list[str] = []
+    edges: list[str] = []
+    for box in boxes:
+        normals = np.cross(box.faces[:, 1] - box.faces[:, 0], box.faces[:, 2] - box.faces[:, 1])
+        near = box.faces[normals @ view.toward > 1e-9 * np.linalg.norm(normals, axis=1)]
+        outlines += list(view.project(near))
+        fills += [_FILL.get(box.kind, _PLAIN)] * len(near)
+        edges += [_EDGE.get(box.kind, QUIET)] * len(near)
+    if is_frame:
+        # What runs behind its face shows through, and its edges stand before that.
+        panel.add_collection(
+            PolyCollection(outlines, facecolors=fills, edgecolors="none", alpha=0.35, zorder=1)
+        )
+    panel.add_collection(
+        PolyCollection(
+            outlines,
+            facecolors="none" if is_frame else fills,
+            edgecolors=edges,
+            linewidths=0.8,
+            zorder=2.5 if is_frame else 1,
+        )
+    )
 
 
 def _draw_mesh(panel: Axes, triangles: FloatArray, view: View, fill: str) -> None:
@@ -150,17 +168,49 @@ def _draw_hanger(panel: Axes, frame: Box, bearing: FloatArray, upwards: FloatArr
     panel.plot(line[:, 0], line[:, 1], color=_EDGE["frame"], linewidth=2.0, solid_capstyle="butt", zorder=2.4)
 
 
-def _draw_rope(panel: Axes, rope: RopePath, view: View, norm: Normalize, width: float) -> None:
-    path = view.project(rope.path)
-    is_slack = rope.tension <= _SLACK_BELOW * min(float(norm.vmax or 1.0), rope.largest)
-    panel.plot(
-        path[:, 0],
-        path[:, 1],
-        color="#8A8A8A" if is_slack else TENSION(norm(rope.tension)),
-        linewidth=0.7 * width if is_slack else width,
-        linestyle=(0, (3, 1.5)) if is_slack else "-",
-        zorder=3.7 if rope.kind == "equalizing" else 3,
+def _draw_ropes(
+    panel: Axes, ropes: Sequence[tuple[RopePath, FloatArray]], norm: Normalize, width: float
+) -> None:
+    """Ropes with their paths on paper; equalizing ropes before the sheaves, all others behind them."""
+    for place, is_equalizing in ((3.0, False), (3.7, True)):
+        here = [one for one in ropes if (one[0].kind == "equalizing") == is_equalizing]
+        slack = [path for rope, path in here if _is_slack(rope, norm)]
+        panel.add_collection(
+            LineCollection(
+                slack, colors=SLACK, linewidths=0.7 * width, linestyles=[(0, (3, 1.5))], zorder=place
+            )
+        )
+        taut = [(rope, path) for rope, path in here if not _is_slack(rope, norm)]
+        panel.add_collection(
+            LineCollection(
+                [path for _, path in taut],
+                colors=[TENSION(norm(rope.tension)) for rope, _ in taut],
+                linewidths=width,
+                capstyle="round",
+                zorder=place,
+            )
+        )
+
+
+def _is_slack(rope: RopePath, norm: Normalize) -> bool:
+    return rope.tension <= _SLACK_BELOW * min(float(norm.vmax or 1.0), rope.largest)
+
+
+def _draw_sheaves(panel: Axes, sheaves: Sequence[tuple[Sheave, FloatArray]], *, large: bool) -> None:
+    """Sheaves with their outlines on paper, those that move white."""
+    edges = [INK if sheave.moves else "#4A5F73" for sheave, _ in sheaves]
+    panel.add_collection(
+        PolyCollection(
+            [outline for _, outline in sheaves],
+            facecolors=["white" if sheave.moves else "#B9C4CE" for sheave, _ in sheaves],
+            edgecolors=edges,
+            linewidths=1.1 if large else 0.6,
+            zorder=3.5,
+        )
     )
+    if large:
+        for (_, outline), edge in zip(sheaves, edges, strict=True):
+            panel.plot(*outline[:-1].mean(axis=0), "o", color=edge, markersize=2.2, zorder=3.6)
 
 
 def norm_of(shown: Sequence[tuple[str, Snapshot]]) -> Normalize:

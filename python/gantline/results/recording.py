@@ -6,19 +6,21 @@ lists its variables with their dimensions and units.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from gantline.results.rig import Rig
-from gantline.results.variable import FloatArray, Indices, Variable
+from gantline.results.variable import BoolArray, FloatArray, Indices, Variable
 
 if TYPE_CHECKING:
     import xarray
+
+_Array = TypeVar("_Array", FloatArray, BoolArray)
 
 #: Most names that a message lists.
 _MOST_NAMED = 12
@@ -49,6 +51,7 @@ class Recording:
         self._coordinates = MappingProxyType({dim: tuple(labels) for dim, labels in coordinates.items()})
         self._attributes = MappingProxyType(dict(attributes))
         self._sizes = MappingProxyType(_sizes(self._variables, self._coordinates))
+        self._kept: dict[Hashable, Any] = {}
 
     @property
     def variables(self) -> Mapping[str, Variable]:
@@ -186,6 +189,22 @@ class Recording:
         for place, rope in enumerate(self["rope_of_point"].values.tolist()):
             places.setdefault(rope, []).append(place)
         return MappingProxyType({rope: np.array(of_rope) for rope, of_rope in places.items()})
+
+    def kept(self, name: Hashable, make: Callable[[], _Array]) -> _Array:
+        """An array that many ask for, worked out the first time.
+
+        Args:
+            name: What it is, and of what.
+            make: Works it out.
+
+        Returns:
+            The array, which cannot be written to.
+        """
+        found: _Array | None = self._kept.get(name)
+        if found is None:
+            found = self._kept[name] = make()
+            found.flags.writeable = False
+        return found
 
     def metrics(self) -> dict[str, float]:
         """The lift in key numbers, SI units; `gantline.results.metrics` defines each."""

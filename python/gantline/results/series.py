@@ -38,6 +38,10 @@ _STEEPEST = math.radians(80.0)  # x axis of a load over level; beyond it no head
 
 def support_force(recording: Recording, load: Load) -> FloatArray:
     """Force of all supports on a load [N], shape (time,)."""
+    return recording.kept(("support_force", *load.contacts), lambda: _sum_of_contacts(recording, load))
+
+
+def _sum_of_contacts(recording: Recording, load: Load) -> FloatArray:
     total = np.zeros(len(recording.time))
     for contact in load.contacts:
         total += recording.column("contact_force", contact)
@@ -119,6 +123,10 @@ def quiet_windows(recording: Recording) -> list[BoolArray]:
 
     None goes on where a rope parts: what others carry before and after has no mean.
     """
+    return list(recording.kept("quiet_windows", lambda: np.array(_found_quiet(recording), dtype=np.bool_)))
+
+
+def _found_quiet(recording: Recording) -> list[BoolArray]:
     if is_equilibrium(recording):
         return [last_sample(recording)]
     clear = is_clear(recording)
@@ -270,6 +278,12 @@ def sling_direction(recording: Recording, sling: Sling, end: int = 0) -> FloatAr
 
     Zero once it has parted. `end` counts the lower ends of one that runs over an extension sheave, 0 and 1.
     """
+    return recording.kept(
+        ("sling_direction", sling.rope, sling.over, end), lambda: _along_sling(recording, sling, end)
+    )
+
+
+def _along_sling(recording: Recording, sling: Sling, end: int) -> FloatArray:
     first, last = rope_ends(recording, sling.rope)
     upper, lower = first, last
     if sling.over is not None:
