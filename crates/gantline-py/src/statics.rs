@@ -160,8 +160,11 @@ impl Statics {
         py: Python<'py>,
         parameters: Vec<(String, String)>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let wanted: Vec<Parameter> =
-            parameters.iter().map(|(kind, name)| self.parameter(kind, name)).collect::<PyResult<_>>()?;
+        let wanted: Vec<Parameter> = parameters
+            .iter()
+            .map(|(kind, name)| self.inner.parameter(kind, name))
+            .collect::<Result<_, _>>()
+            .map_err(value_error)?;
         let found = py.detach(|| self.inner.sensitivities(&wanted)).map_err(no_equilibrium)?;
         let (ropes, bodies) = (self.inner.system().all_ropes(), self.inner.names().body.len());
         let answers = || found.iter().zip(&wanted);
@@ -215,30 +218,5 @@ impl Statics {
         out.set_item("slides", self.inner.slides())?;
         out.set_item("contacts", self.inner.contact_forces())?;
         Ok(out)
-    }
-
-    fn parameter(&self, kind: &str, name: &str) -> PyResult<Parameter> {
-        let missing = || value_error(format!("there is no {name} to ask the {kind} of"));
-        let rope = || {
-            let rope = self.inner.rope(name).ok_or_else(missing)?;
-            let why = "a drum or a sheave feeds it, so that its length is not that of the plan";
-            let is_fed = self.inner.is_fed(rope);
-            if is_fed {
-                Err(value_error(format!("there is no sensitivity to the {kind} of {name}: {why}")))
-            } else {
-                Ok(rope)
-            }
-        };
-        let body = || self.inner.body(name).ok_or_else(missing);
-        let (what, axis) = kind.split_once('_').unwrap_or((kind, ""));
-        let axis = ["x", "y", "z"].iter().position(|known| *known == axis);
-        Ok(match (what, axis) {
-            ("length", None) => Parameter::Length(rope()?),
-            ("stiffness", None) => Parameter::Stiffness(rope()?),
-            ("mass", None) => Parameter::Mass(body()?),
-            ("centre", Some(axis)) => Parameter::Centre(body()?, axis),
-            ("place", Some(axis)) => Parameter::Place(body()?, axis),
-            _ => return Err(value_error(format!("there is no parameter {kind}"))),
-        })
     }
 }

@@ -263,8 +263,37 @@ impl StaticLift {
     /// Derivatives of the equilibrium that was found last.
     ///
     /// # Errors
+    /// What is asked of a rope or body by a kind, such as `length` or `centre_x`, and its name.
+    ///
+    /// # Errors
+    /// A sentence where there is no such kind, rope or body, or the length of the rope is not that of the plan.
+    pub fn parameter(&self, kind: &str, name: &str) -> Result<Parameter, String> {
+        let missing = || format!("there is no {name} to ask the {kind} of");
+        let rope = || {
+            let rope = self.rope(name).ok_or_else(missing)?;
+            let why = "a drum or a sheave feeds it, so that its length is not that of the plan";
+            let is_fed = self.is_fed(rope);
+            if is_fed {
+                Err(format!("there is no sensitivity to the {kind} of {name}: {why}"))
+            } else {
+                Ok(rope)
+            }
+        };
+        let body = || self.body(name).ok_or_else(missing);
+        let (what, axis) = kind.split_once('_').unwrap_or((kind, ""));
+        let axis = ["x", "y", "z"].iter().position(|known| *known == axis);
+        Ok(match (what, axis) {
+            ("length", None) => Parameter::Length(rope()?),
+            ("stiffness", None) => Parameter::Stiffness(rope()?),
+            ("mass", None) => Parameter::Mass(body()?),
+            ("centre", Some(axis)) => Parameter::Centre(body()?, axis),
+            ("place", Some(axis)) => Parameter::Place(body()?, axis),
+            _ => return Err(format!("there is no parameter {kind}")),
+        })
+    }
+
     /// Whether drums, or sheaves with losses or inertia, change the length of a rope.
-    pub fn is_fed(&self, rope: usize) -> bool {
+    fn is_fed(&self, rope: usize) -> bool {
         let AnyConstraint::Rope(rope) = &self.system.constraints[rope] else { return false };
         rope.spans.iter().any(|span| !span.feeds.is_empty())
     }
@@ -366,7 +395,7 @@ impl StaticLift {
     }
 
     /// Number of a rope.
-    pub fn rope(&self, name: &str) -> Option<usize> {
+    fn rope(&self, name: &str) -> Option<usize> {
         let ropes = &self.system.constraints[..self.system.rope_count];
         ropes.iter().position(|rope| rope.name() == name)
     }
