@@ -76,6 +76,8 @@ def _doubts(
         size: Its length and breadth (2,) [m].
         gravity: g [m/s^2].
     """
+    if hull.volume <= 0.0:  # as an open mesh may have, of which its own warning tells
+        return []
     found = []
     volume = database.displacement
     if volume is not None and abs(volume / hull.volume - 1.0) > _OTHER_HULL:
@@ -90,7 +92,7 @@ def _of_long_waves(
     database: HydrodynamicDatabase, at: Array, hull: Hydrostatics, size: Array, gravity: float
 ) -> Iterator[str]:
     """The same by the longest waves of a database, where it has any that are long enough."""
-    if database.excitation is None or hull.volume <= 0.0:
+    if database.excitation is None:
         return
     omega = database.frequencies[:1]
     depth = database.water_depth
