@@ -191,7 +191,8 @@ def _reel(scenario: Scenario, hook: Hook) -> Reel | None:
     drum, reeving = hook.drum, hook.reeving
     if drum is None or reeving is None or drum.wraps_per_layer is None or drum.wraps_at_start is None:
         return None
-    step = drum.step((scenario.ropes or {})[reeving.rope].diameter)
+    rope = (scenario.ropes or {}).get(reeving.rope)
+    step = 0.0 if rope is None else drum.step(rope.diameter)
     if step == 0.0:
         return None
     return Reel(reeving.parts_each, drum.diameter / 2, step, drum.wraps_per_layer, drum.wraps_at_start)
