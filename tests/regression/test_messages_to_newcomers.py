@@ -16,6 +16,7 @@ from gantline.results import Recording
 from gantline.scenario import parse_scenario
 from gantline.scenario.errors import ScenarioError
 from gantline.units import UnitError, quantity
+from lift_text import BASE, changed
 from module_lift import module_lift
 from sample_lift import ringing_lift
 
@@ -82,3 +83,13 @@ def test_more_than_a_thousand_tonnes_are_written_out() -> None:
     wide = text.replace("box: [4 m, 4 m, 3 m]", "box: [25 m, 25 m, 3 m]")
     warnings = gantline.simulate(parse_scenario(wide)).attributes["warnings"]
     assert [one.rpartition("up to ")[2] for one in warnings if "into the water" in one] == ["1,920 t"]
+
+
+def test_a_pin_that_is_pulled_and_was_not_in() -> None:
+    """The advice was `locked: true`, beside a list of others; and "already" of pins that never were in."""
+    one = ("{step: hold, hold: until_end}", "{step: hold, hold: until_end, pull_pins: e1.2}")
+    beside = ("travel: {up: 1 m", "travel: {locked: [1], up: 1 m")
+    with pytest.raises(ScenarioError) as found:
+        parse_scenario(changed(BASE, one, beside))
+    said = "the pin of 'e1.2' is not in; 'travel: {locked: [1, 2]}' puts it in at the start"
+    assert str(found.value).endswith(said)

@@ -100,6 +100,7 @@ def database(
         "Froude_Krylov_force": (wave_dims, parts),
         "diffraction_force": (wave_dims, 0.0 * parts),
         "rotation_center": (["xyz"], list(reference)),
+        "disp_volume": ([], LENGTH * BREADTH * DRAFT),
     }
     coordinates = {"omega": FREQUENCIES, "wave_direction": DIRECTIONS, "rho": SEA}
     databases.capytaine(folder / "barge.nc", tables=tables, coordinates=coordinates)

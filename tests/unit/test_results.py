@@ -270,6 +270,19 @@ def test_a_failed_save_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> N
         gantline.open_recording(tmp_path)
 
 
+def test_a_folder_in_place_of_a_recording(tmp_path: Path) -> None:
+    """A folder that `statics -o` wrote into too was answered with equilibrium.nc, by its letter."""
+    for name in ("equilibrium.nc", "motion_1.nc"):
+        (tmp_path / name).touch()
+    said = r"is a folder; the recording in it is .*equilibrium\.nc, the first of 2$"
+    with pytest.raises(FileNotFoundError, match=said):
+        gantline.open_recording(tmp_path)
+    (tmp_path / "recording.nc").touch()
+    said = r"is a folder; of the 3 recordings in it that of the run is .*recording\.nc$"
+    with pytest.raises(FileNotFoundError, match=said):
+        gantline.open_recording(tmp_path)
+
+
 def test_what_is_no_recording_is_refused(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match="no such file"):
         gantline.open_recording(tmp_path / "none.nc")

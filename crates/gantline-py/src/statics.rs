@@ -160,8 +160,11 @@ impl Statics {
         py: Python<'py>,
         parameters: Vec<(String, String)>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let wanted: Vec<Parameter> =
-            parameters.iter().map(|(kind, name)| self.parameter(kind, name)).collect::<PyResult<_>>()?;
+        let wanted: Vec<Parameter> = parameters
+            .iter()
+            .map(|(kind, name)| self.inner.parameter(kind, name))
+            .collect::<Result<_, _>>()
+            .map_err(value_error)?;
         let found = py.detach(|| self.inner.sensitivities(&wanted)).map_err(no_equilibrium)?;
         let (ropes, bodies) = (self.inner.system().all_ropes(), self.inner.names().body.len());
         let answers = || found.iter().zip(&wanted);
@@ -195,9 +198,9 @@ impl Statics {
     /// Names that go with the columns.
     fn names<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let out = name_lists(py, self.inner.names())?;
-        let (kinds, slings): (Vec<_>, Vec<_>) = self.inner.events().into_iter().unzip();
+        let (kinds, names): (Vec<_>, Vec<_>) = self.inner.events().into_iter().unzip();
         out.set_item("event_kind", kinds)?;
-        out.set_item("event_name", slings)?;
+        out.set_item("event_name", names)?;
         Ok(out)
     }
 }
@@ -215,21 +218,5 @@ impl Statics {
         out.set_item("slides", self.inner.slides())?;
         out.set_item("contacts", self.inner.contact_forces())?;
         Ok(out)
-    }
-
-    fn parameter(&self, kind: &str, name: &str) -> PyResult<Parameter> {
-        let missing = || value_error(format!("there is no {name} to ask the {kind} of"));
-        let rope = || self.inner.rope(name).ok_or_else(missing);
-        let body = || self.inner.body(name).ok_or_else(missing);
-        let (what, axis) = kind.split_once('_').unwrap_or((kind, ""));
-        let axis = ["x", "y", "z"].iter().position(|known| *known == axis);
-        Ok(match (what, axis) {
-            ("length", None) => Parameter::Length(rope()?),
-            ("stiffness", None) => Parameter::Stiffness(rope()?),
-            ("mass", None) => Parameter::Mass(body()?),
-            ("centre", Some(axis)) => Parameter::Centre(body()?, axis),
-            ("place", Some(axis)) => Parameter::Place(body()?, axis),
-            _ => return Err(value_error(format!("there is no parameter {kind}"))),
-        })
     }
 }

@@ -18,6 +18,7 @@ from gantline.assembly.doubtful_stops import doubtful_stops
 from gantline.assembly.doubtful_waits import doubtful_waits
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
+from gantline.assembly.long_waves import add_doubts_of_hulls
 from gantline.assembly.moorings import add_moorings
 from gantline.assembly.operations import emergency_stop, operations
 from gantline.assembly.parting import add_partings
@@ -96,6 +97,7 @@ def assemble(scenario: Scenario) -> Assembly:
         add_slings(parts, scenario, rigging, lifted.lugs)
     add_mechanics(parts, scenario)
     add_water(parts, scenario)
+    add_doubts_of_hulls(parts, scenario)
     add_streams(parts, scenario, lifted)
     add_waves(parts, scenario)
     add_critical_damping(parts, scenario)

@@ -22,13 +22,13 @@ import numpy as np
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.radiation import memory_of
 from gantline.assembly.spatial import Array, inertia_matrix, point_inertia
-from gantline.assembly.vessels import vessel_hull
+from gantline.assembly.vessels import upright_hydrostatics
 from gantline.assembly.water import frozen
-from gantline.hydro import Attitude, Hull, Hydrostatics, Tank, free_surface_correction, hydrostatics
+from gantline.hydro import Hydrostatics, Tank, free_surface_correction
 from gantline.scenario import Scenario
 from gantline.scenario.tanks import pumped_tanks
 from gantline.scenario.vessel import CriticalDamping, Vessel
-from gantline.scenario.water import MOTIONS, BallastTank, Water
+from gantline.scenario.water import MOTIONS, BallastTank
 
 __all__ = ["add_critical_damping"]
 
@@ -185,10 +185,7 @@ def _hydrostatics(
     scenario: Scenario, name: str, vessel: Vessel, centre: Array
 ) -> tuple[Hydrostatics, tuple[float, float]]:
     """Hydrostatics upright at the draft of the start; GM for heel and trim less free surfaces [m]."""
-    mesh = vessel_hull(scenario, name, vessel)
-    hull = Hull(name, mesh.vertices, mesh.triangles)
-    density = (scenario.water or Water()).density
-    found = hydrostatics(hull, Attitude(vessel.draft, middle=float(np.mean(hull.box[:, 0]))), density)
+    found = upright_hydrostatics(scenario, name, vessel)
     slack = [
         Tank(tank.box[0], tank.box[1], tank.density)
         for tank in (vessel.tanks or {}).values()

@@ -12,6 +12,7 @@ from gantline.assembly.hulls import HullMesh, hull_mesh, hull_shape
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import Array, about_axis, quaternion_product, rotation_matrix
 from gantline.assembly.water import hull_name
+from gantline.hydro import Attitude, Hull, Hydrostatics, hydrostatics
 from gantline.hydro.waves import wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.check_vessels import check_inside
@@ -23,6 +24,7 @@ __all__ = [
     "add_vessels",
     "adrift",
     "misplaced",
+    "upright_hydrostatics",
     "vessel_hull",
     "vessel_hulls",
     "vessel_rig",
@@ -92,6 +94,18 @@ def vessel_hull(scenario: Scenario, name: str, vessel: Vessel) -> HullMesh:
     hull = hull_mesh(scenario, name, vessel)
     assert hull is not None  # a vessel has one
     return hull
+
+
+def upright_hydrostatics(scenario: Scenario, name: str, vessel: Vessel) -> Hydrostatics:
+    """Hydrostatics upright at the draft of the start.
+
+    Raises:
+        ScenarioError: if the file of its hull cannot be read, or holds no hull.
+    """
+    mesh = vessel_hull(scenario, name, vessel)
+    hull = Hull(name, mesh.vertices, mesh.triangles)
+    density = (scenario.water or Water()).density
+    return hydrostatics(hull, Attitude(vessel.draft, middle=float(np.mean(hull.box[:, 0]))), density)
 
 
 def vessel_shape(scenario: Scenario, name: str) -> Json:

@@ -158,8 +158,10 @@ def _centre_from_cad(simulation: Simulation) -> list[str]:
     load = simulation.scenario.load
     if load is None or load.centre_of_gravity.at != "from_cad":
         return []
-    (given,) = simulation.assembly.rig["loads"]
-    place = ", ".join(f"{coordinate:z.3f} m" for coordinate in given["centre_of_gravity_from_datum"])
+    from gantline.assembly.load_body import load_body
+
+    # By itself: with what is lumped on its lugs it would have that twice, once written into the lift file.
+    place = ", ".join(f"{coordinate:z.3f} m" for coordinate in load_body(simulation.scenario, load).centre)
     return [f"Centre of gravity of {load.name} by CAD and outfitting: [{place}] from its datum"]
 
 

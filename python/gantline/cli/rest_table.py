@@ -75,7 +75,9 @@ def ropes(rest: Equilibrium) -> list[str]:
     """What all other ropes carry."""
     slings = {sling.rope for sling in rest.recording.rig.slings}
     names = [name for name in rest.recording.coordinates.get("rope", ()) if name not in slings]
-    rows = [(name, show(rest.tension(name), "kN", 3)) for name in names]
+    tensions = {name: rest.tension(name) for name in names}
+    unit = "kN" if max(tensions.values(), default=0.0) >= 1e3 else "N"
+    rows = [(name, show(tension, unit, 3)) for name, tension in tensions.items()]
     return table(("Rope", "tension"), rows, "lr") if rows else []
 
 

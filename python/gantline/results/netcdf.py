@@ -96,9 +96,7 @@ def _opened(path: Path) -> Iterator[h5netcdf.File]:
     """A recording's file; what goes wrong while it is read is said of the path."""
     try:
         if not path.is_file():
-            inside = sorted(path.glob("*.nc")) if path.is_dir() else []
-            holds = f"is a folder; the recording in it is {inside[0]}" if inside else "no such file"
-            raise FileNotFoundError(f"{path}: {holds}")
+            raise FileNotFoundError(f"{path}: {_in_its_place(path)}")
         with h5netcdf.File(path, "r") as file:
             if "recording_format" not in file.attrs:
                 raise ValueError("another program wrote it: it has no attribute 'recording_format'")
@@ -117,6 +115,17 @@ def _opened(path: Path) -> Iterator[h5netcdf.File]:
     except (OSError, LookupError, RuntimeError, TypeError, AttributeError, ValueError) as problem:
         # What h5py says of a damaged file has many forms.
         raise ValueError(f"{path}: not a recording of gantline ({_reason(str(problem))})") from problem
+
+
+def _in_its_place(path: Path) -> str:
+    """What is said of a path where no file is: which recordings a folder has, that of a run before others."""
+    inside = sorted(path.glob("*.nc"), key=lambda one: (one.name != "recording.nc", one.name))
+    if not inside:
+        return "no such file"
+    if len(inside) > 1 and inside[0].name == "recording.nc":
+        return f"is a folder; of the {len(inside)} recordings in it that of the run is {inside[0]}"
+    more = f", the first of {len(inside)}" if len(inside) > 1 else ""
+    return f"is a folder; the recording in it is {inside[0]}{more}"
 
 
 def _reason(words: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 
 from gantline.scenario.errors import nearest
@@ -51,12 +51,14 @@ def _follow(scenario: Scenario, rigging: Rigging, note: _Note) -> Pins:
         is_in |= {f"{name}.{place}": place in locked for place in _places(equalizer)}
         _check_rope(equalizer, is_in, _locked_path(scenario, equalizer), note)
     pins, moved, start = Pins(), set[str](), dict(is_in)
+    were_in = {sheave for sheave, locked in start.items() if locked}
     for place, step in enumerate(scenario.plan):
         before = dict(is_in)
         for key, wanted in _KEYS.items():
             changed = []
             for word in getattr(step, key):
-                for sheave in _named(word, wanted, before, equalizers, (("plan", place, key), note)):
+                where = ("plan", place, key), note
+                for sheave in _named(word, wanted, (before, were_in), equalizers, where):
                     changed.append(sheave)
                     is_in[sheave] = wanted
             if len(set(changed)) < len(changed):
@@ -66,6 +68,7 @@ def _follow(scenario: Scenario, rigging: Rigging, note: _Note) -> Pins:
                 for equalizer in equalizers.values():
                     _check_rope(equalizer, is_in, ("plan", place, key), note)
             moved |= set(changed)
+            were_in |= set(changed)  # one that is pulled was in
     pins.at_start = {sheave: locked for sheave, locked in start.items() if locked or sheave in moved}
     return pins
 
@@ -108,12 +111,20 @@ def _locked(scenario: Scenario, equalizer: EqualizerRigging, note: _Note) -> tup
 def _named(
     word: str,
     wanted: bool,
-    is_in: Mapping[str, bool],
+    pins: tuple[Mapping[str, bool], Collection[str]],
     equalizers: Mapping[str, EqualizerRigging],
     where: tuple[Path, _Note],
 ) -> list[str]:
-    """Moving sheaves that a word of a step means and whose pins can be moved: one, or all of an equalizer."""
-    path, note = where
+    """Moving sheaves that a word of a step means and whose pins can be moved: one, or all of an equalizer.
+
+    Args:
+        word: Of the step.
+        wanted: Whether it puts them in.
+        pins: Which are in before the step, and which have been in by then.
+        equalizers: All of the lift.
+        where: The path of the word, and what notes a finding.
+    """
+    (path, note), (is_in, were_in) = where, pins
     if word in equalizers:
         if not equalizers[word].has_sheaves:
             note(path, f"'{word}' is approximated: it has no moving sheaves, and no pins")
@@ -121,16 +132,28 @@ def _named(
         free = [f"{word}.{place}" for place in _places(equalizers[word])]
         free = [sheave for sheave in free if is_in[sheave] != wanted]
         if not free:
-            note(path, f"all pins of '{word}' {'are in' if wanted else 'have been pulled'} already")
+            never = not wanted and not any(
+                f"{word}.{place}" in were_in for place in _places(equalizers[word])
+            )
+            if never:
+                note(path, f"no pin of '{word}' is in; 'travel: {{locked: true}}' puts them in at the start")
+            else:
+                note(path, f"all pins of '{word}' {'are in' if wanted else 'have been pulled'} already")
         return free
     if word not in is_in:
         known = [*equalizers, *is_in]
         note(path, f"'{word}' is neither an equalizer nor a moving sheave; {nearest(word, known)}")
         return []
     if is_in[word] == wanted:
-        right = "is not in; 'travel: {locked: true}' puts it in at the start"
         if wanted:
             right = "is in already; let a step before pull it"
+        elif word in were_in:
+            right = "has been pulled already"
+        else:
+            equalizer, _, place = word.rpartition(".")
+            locked = equalizers[equalizer].travel.locked
+            places = sorted({int(place), *(() if isinstance(locked, bool) else locked)})
+            right = f"is not in; 'travel: {{locked: {places}}}' puts it in at the start"
         note(path, f"the pin of '{word}' {right}")
         return []
     return [word]

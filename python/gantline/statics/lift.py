@@ -385,7 +385,7 @@ class Statics:
         Raises:
             NoEquilibriumError: If there is none, or none that answers smoothly.
             TypeError: If the parameters are no pairs.
-            ValueError: If there is no such kind, rope or body.
+            ValueError: If there is no such kind, rope or body, or a drum or a sheave feeds the rope.
         """
         self._of_last()
         wanted = _pairs(parameters) if parameters is not None else self._uncertain()

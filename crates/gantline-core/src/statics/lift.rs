@@ -13,6 +13,7 @@ use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{Event, EventKind, EventLog};
+use crate::plan::Switching;
 use crate::record::Samples;
 use crate::record::columns::Columns;
 use crate::record::named::Named;
@@ -262,6 +263,41 @@ impl StaticLift {
     /// Derivatives of the equilibrium that was found last.
     ///
     /// # Errors
+    /// What is asked of a rope or body by a kind, such as `length` or `centre_x`, and its name.
+    ///
+    /// # Errors
+    /// A sentence where there is no such kind, rope or body, or the length of the rope is not that of the plan.
+    pub fn parameter(&self, kind: &str, name: &str) -> Result<Parameter, String> {
+        let missing = || format!("there is no {name} to ask the {kind} of");
+        let rope = || {
+            let rope = self.rope(name).ok_or_else(missing)?;
+            let why = "a drum or a sheave feeds it, so that its length is not that of the plan";
+            let is_fed = self.is_fed(rope);
+            if is_fed {
+                Err(format!("there is no sensitivity to the {kind} of {name}: {why}"))
+            } else {
+                Ok(rope)
+            }
+        };
+        let body = || self.body(name).ok_or_else(missing);
+        let (what, axis) = kind.split_once('_').unwrap_or((kind, ""));
+        let axis = ["x", "y", "z"].iter().position(|known| *known == axis);
+        Ok(match (what, axis) {
+            ("length", None) => Parameter::Length(rope()?),
+            ("stiffness", None) => Parameter::Stiffness(rope()?),
+            ("mass", None) => Parameter::Mass(body()?),
+            ("centre", Some(axis)) => Parameter::Centre(body()?, axis),
+            ("place", Some(axis)) => Parameter::Place(body()?, axis),
+            _ => return Err(format!("there is no parameter {kind}")),
+        })
+    }
+
+    /// Whether drums, or sheaves with losses or inertia, change the length of a rope.
+    fn is_fed(&self, rope: usize) -> bool {
+        let AnyConstraint::Rope(rope) = &self.system.constraints[rope] else { return false };
+        rope.spans.iter().any(|span| !span.feeds.is_empty())
+    }
+
     /// As [`Statics::sensitivities`].
     pub fn sensitivities(&mut self, parameters: &[Parameter]) -> Result<Vec<Sensitivity>, NoEquilibrium> {
         self.statics.sensitivities(&self.system, &self.state, parameters)
@@ -317,24 +353,32 @@ impl StaticLift {
     /// Everything that follows from them.
     pub fn columns(&self) -> Columns {
         let mut log = EventLog::new();
-        self.changed().for_each(|(kind, rope)| log.push(0.0, kind, rope));
+        self.changed().for_each(|event| log.push(event.time, event.kind, event.subject));
         Columns::of(&self.system, &self.samples, &log)
     }
 
-    /// Slings that are on by now and were not at the start, and those that were and are not. Of an equilibrium that is
-    /// so in all samples.
-    fn changed(&self) -> impl Iterator<Item = (EventKind, usize)> {
+    /// Slings and pins that are on by now and were not at the start, and those that were and are not. Of an equilibrium
+    /// that is so in all samples.
+    fn changed(&self) -> impl Iterator<Item = Event> {
         let Self { system, state, .. } = self;
-        system.slings.iter().filter_map(|sling| {
-            let is_on = state.modes[system.rows.first[sling.constraint]] != RowMode::Off;
+        let mode = |one: &Switching| state.modes[system.rows.first[one.constraint]];
+        let event = |one: &Switching, kind| Event { time: 0.0, kind, subject: one.constraint };
+        let slings = system.slings.iter().filter_map(move |sling| {
+            let is_on = mode(sling) != RowMode::Off;
             let kind = if is_on { EventKind::Attached } else { EventKind::Detached };
-            (is_on != sling.starts_on).then_some((kind, sling.constraint))
-        })
+            (is_on != sling.starts_on).then(|| event(sling, kind))
+        });
+        let pins = system.pins.iter().filter_map(move |pin| {
+            let is_in = mode(pin) == RowMode::Acting;
+            let kind = if is_in { EventKind::PinPutIn } else { EventKind::PinPulled };
+            (is_in != pin.starts_on).then(|| event(pin, kind))
+        });
+        slings.chain(pins)
     }
 
     /// Kind and name of the events that say so.
-    pub fn events(&self) -> Vec<(&'static str, &str)> {
-        self.changed().map(|(kind, rope)| (kind.name(), self.system.rope_name(rope))).collect()
+    pub fn events(&self) -> Vec<(&'static str, String)> {
+        self.changed().map(|event| (event.kind.name(), event.subject_name(&self.system))).collect()
     }
 
     /// Names that go with the columns.
@@ -351,7 +395,7 @@ impl StaticLift {
     }
 
     /// Number of a rope.
-    pub fn rope(&self, name: &str) -> Option<usize> {
+    fn rope(&self, name: &str) -> Option<usize> {
         let ropes = &self.system.constraints[..self.system.rope_count];
         ropes.iter().position(|rope| rope.name() == name)
     }

@@ -102,7 +102,7 @@ impl Statics {
             if let Parameter::Place(body, axis) = *parameter {
                 self.shift_joint(system, state, (body, axis), (&mut force, &mut right));
             } else {
-                self.right_side(system, *parameter, &mut force, &mut right)?;
+                self.right_side(system, *parameter, &mut force, &mut right);
             }
             all.push(self.answer(system, state, &force, &right));
         }
@@ -215,21 +215,11 @@ impl Statics {
         }
     }
 
-    fn right_side(
-        &self,
-        system: &System,
-        parameter: Parameter,
-        force: &mut [f64],
-        right: &mut [f64],
-    ) -> Result<(), NoEquilibrium> {
+    fn right_side(&self, system: &System, parameter: Parameter, force: &mut [f64], right: &mut [f64]) {
         let kinematics = &self.search.here.frame.kinematics;
         match parameter {
             Parameter::Length(rope) | Parameter::Stiffness(rope) => {
-                let AnyConstraint::Rope(constraint) = &system.constraints[rope] else { return Ok(()) };
-                if constraint.spans.iter().any(|span| !span.feeds.is_empty()) {
-                    let cause = "its length is not that of the plan: a drum or a sheave feeds it".to_owned();
-                    return Err(NoEquilibrium { element: constraint.name.clone(), cause });
-                }
+                let AnyConstraint::Rope(constraint) = &system.constraints[rope] else { return };
                 let row = system.rows.first[rope];
                 if self.search.here.follows[row] {
                     // e − ε T with e = ℓ − L and ε = L/EA.
@@ -259,6 +249,5 @@ impl Statics {
             }
             Parameter::Place(..) => {}
         }
-        Ok(())
     }
 }

@@ -1,0 +1,122 @@
+"""Whether a hydrodynamic database is of the hull that a lift gives it to, by the longest of its waves.
+
+In waves much longer than a hull the water goes up and down with it. Then heave, pitch and roll per metre
+follow from its waterplane A, the middle (x, y) of that from the reference point, and its volume V,
+
+    X₃ = ρ g A − ω² (ρ V + A₃₃),    X₅ = −x X₃,    X₄ = y X₃,
+
+but for what the slope of the waves adds to both moments, a quarter of a period late (Newman 1977, chapter
+6).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from gantline.assembly.databases import from_database
+from gantline.assembly.hulls import afloat_path
+from gantline.assembly.parts import Parts
+from gantline.assembly.spatial import Array
+from gantline.assembly.vessels import upright_hydrostatics, vessel_hull
+from gantline.hydro import Hydrostatics
+from gantline.hydro.database import HydrodynamicDatabase
+from gantline.hydro.waves import wave_number
+from gantline.scenario import Scenario
+
+__all__ = ["add_doubts_of_hulls"]
+
+#: Waves are long up to this wave number times the length of the hull. Of a barge of 90 × 30 × 3 m that is
+#: right there to 4 % of the force and a fiftieth of the length.
+_LONG = 1.2
+#: What is left of its stiffness, at least: near resonance long waves push with nothing.
+_STIFF = 0.5
+#: Heave forces and volumes that differ by more than this share are of another hull. Files of wave programs
+#: are within 1 % of the hulls that they were made from; boxes that stand for ships have a tenth more.
+_OTHER_HULL = 0.25
+#: Middles of the waterplane further apart than this share of length or breadth are of another place aboard.
+_OTHER_PLACE = 0.05
+
+
+def add_doubts_of_hulls(parts: Parts, scenario: Scenario) -> None:
+    """Warn of hydrodynamic databases of another hull than their vessel's, or for another place aboard.
+
+    Raises:
+        ScenarioError: if a database or the file of a hull cannot be used.
+    """
+    for name, vessel in (scenario.vessels or {}).items():
+        told: set[str] = set()
+        for key in ("wave_forces", "radiation", "added_mass", "water_damping"):
+            given = getattr(vessel, key)
+            if getattr(given, "database", None) is None:
+                continue
+            hull = upright_hydrostatics(scenario, name, vessel)
+            size = np.ptp(vessel_hull(scenario, name, vessel).box[:, :2], axis=0)
+            doubts = partial(
+                _doubts, at=np.array(given.at), hull=hull, size=size, gravity=scenario.simulation.gravity
+            )
+            path = (*afloat_path(scenario, name), key)
+            found = from_database(scenario, path, (given.database, given.body), doubts)
+            parts.warnings += [f"{key} of {name}: {doubt}" for doubt in found if doubt not in told]
+            told.update(found)
+
+
+def _doubts(
+    database: HydrodynamicDatabase, at: Array, hull: Hydrostatics, size: Array, gravity: float
+) -> list[str]:
+    """Sentences on what a database has of a hull and the lift otherwise.
+
+    Args:
+        database: Any.
+        at: Where its reference point is aboard (3,) [m].
+        hull: The hull upright at the draft of the start.
+        size: Its length and breadth (2,) [m].
+        gravity: g [m/s^2].
+    """
+    if hull.volume <= 0.0:  # as an open mesh may have, of which its own warning tells
+        return []
+    found = []
+    volume = database.displacement
+    if volume is not None and abs(volume / hull.volume - 1.0) > _OTHER_HULL:
+        found.append(
+            f"{database.source} is of a hull that displaces {volume:.4g} m^3, the vessel's displaces "
+            f"{hull.volume:.4g} m^3 at its draft of the lift file"
+        )
+    return found + list(_of_long_waves(database, at, hull, size, gravity))
+
+
+def _of_long_waves(
+    database: HydrodynamicDatabase, at: Array, hull: Hydrostatics, size: Array, gravity: float
+) -> Iterator[str]:
+    """The same by the longest waves of a database, where it has any that are long enough."""
+    if database.excitation is None:
+        return
+    omega = database.frequencies[:1]
+    depth = database.water_depth
+    number = float(wave_number(omega, gravity, None if depth is None or math.isinf(depth) else depth)[0])
+    denser = 1.0 if database.density is None else hull.density / database.density
+    stiffness = hull.density * gravity * hull.waterplane_area
+    moved = hull.density * hull.volume + denser * float(database.added_mass[0, 2, 2])
+    expected = stiffness - float(omega[0]) ** 2 * moved
+    if number * size[0] > _LONG or expected < _STIFF * stiffness:
+        return
+    forces = denser * database.excitation[0]
+    heave = float(np.abs(forces[:, 2]).max())
+    waves = f"waves of {2 * math.pi / float(omega[0]):.4g} s"
+    if abs(heave / expected - 1.0) > _OTHER_HULL:
+        shown = f"{heave / 1e6:.3g} MN per metre, the vessel's hull at its draft {expected / 1e6:.3g} MN"
+        yield f"{database.source} is of another hull, draft or scale: {waves} lift it with {shown}"
+        return  # where a hull has its middle that is not this one is nothing to go by
+    forces = forces[np.abs(forces[:, 2]) > _STIFF * heave]
+    levers = np.stack([-forces[:, 4], forces[:, 3]]) / forces[:, 2]
+    least = np.abs(levers.imag).argmin(axis=1)  # the direction in which the slope of the waves counts least
+    middle, wanted = levers.real[[0, 1], least] + at[:2], hull.centre_of_flotation[:2]
+    if (np.abs(middle - wanted) > _OTHER_PLACE * size).any():
+        by_file, by_hull = (f"({x + 0.0:.1f}, {y + 0.0:.1f}) m" for x, y in np.round([middle, wanted], 1))
+        yield (
+            f"with its reference point 'at' {database.source} has the middle of the waterplane at {by_file} "
+            f"of the vessel, its hull at {by_hull}"
+        )
