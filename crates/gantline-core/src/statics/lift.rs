@@ -260,9 +260,6 @@ impl StaticLift {
         self.statics.search.matrix.layout.free.iter().filter_map(name).collect()
     }
 
-    /// Derivatives of the equilibrium that was found last.
-    ///
-    /// # Errors
     /// What is asked of a rope or body by a kind, such as `length` or `centre_x`, and its name.
     ///
     /// # Errors
@@ -272,8 +269,7 @@ impl StaticLift {
         let rope = || {
             let rope = self.rope(name).ok_or_else(missing)?;
             let why = "a drum or a sheave feeds it, so that its length is not that of the plan";
-            let is_fed = self.is_fed(rope);
-            if is_fed {
+            if self.is_fed(rope) {
                 Err(format!("there is no sensitivity to the {kind} of {name}: {why}"))
             } else {
                 Ok(rope)
@@ -298,6 +294,9 @@ impl StaticLift {
         rope.spans.iter().any(|span| !span.feeds.is_empty())
     }
 
+    /// Derivatives of the equilibrium that was found last.
+    ///
+    /// # Errors
     /// As [`Statics::sensitivities`].
     pub fn sensitivities(&mut self, parameters: &[Parameter]) -> Result<Vec<Sensitivity>, NoEquilibrium> {
         self.statics.sensitivities(&self.system, &self.state, parameters)
