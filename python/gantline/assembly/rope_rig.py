@@ -52,6 +52,7 @@ def rope_kinds(scenario: Scenario, rigging: Rigging) -> dict[str, tuple[RopeMate
 def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
     """Every rope of the lift with what is known of it."""
     parting = partings(scenario)
+    over_eyes = _over_eyes(scenario, parts)
     return [
         {
             "name": name,
@@ -66,10 +67,23 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
             "mass_on_world": on_world,
             "nodes": weight.nodes,
             "end_mass": end_mass(mass, weight.nodes) if weight.nodes else None,
+            **({"over_eyes": True} if name in over_eyes else {}),
         }
         for name, (kind, weight) in rope_kinds(scenario, rigging).items()
         for mass, on_world in [parts.rope_mass.get(name, (0.0, 0.0))]
     ]
+
+
+def _over_eyes(scenario: Scenario, parts: Parts) -> set[str]:
+    """Ropes that bend about eyes of whose diameter nothing is said, luffing tackles among them."""
+    known = {
+        rope
+        for placed in scenario.booms.values()
+        if placed.tackles is not None and placed.tackles.sheave_diameter is not None
+        for rope in placed.ropes
+    }
+    over = {rope["name"] for rope in parts.ropes if any(on["type"] == "eye" for on in rope["route"])}
+    return over - known
 
 
 def sheaves_with_flow(parts: Parts) -> list[Json]:

@@ -183,7 +183,10 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if found.worst is None:
         is_asked = given is not None and key not in rig.assumed_limits
         missing = found.missing or _never_clear(recording, measure)
-        return _without_value(recording, check, missing, _NOTHING, is_asked=is_asked)
+        check = _without_value(recording, check, missing, _NOTHING, is_asked=is_asked)
+        if not found.cautions:
+            return check
+        return replace(check, verdict=Verdict.WARNING, remark=_joined([check.remark, found.cautions]))
     check = _with_value(check, found.worst)
     remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
     if given is None and measure.alarm is not None:

@@ -214,6 +214,7 @@ class Rope(FromJson):
         mass_on_world: What of it the world bears, so that it is on no body [kg].
         nodes: Number of nodes if it is distributed, else 0.
         end_mass: What each end carries of the mass [kg], if there are nodes.
+        over_eyes: Whether it bends about eyes, or sheaves of luffing tackles, whose diameter nobody says.
     """
 
     name: str
@@ -228,6 +229,7 @@ class Rope(FromJson):
     mass_on_world: float = 0.0
     nodes: int = 0
     end_mass: float | None = None
+    over_eyes: bool = False
 
 
 @dataclass(frozen=True)
