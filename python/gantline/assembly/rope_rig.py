@@ -131,16 +131,28 @@ def drum_rig(scenario: Scenario) -> list[Json]:
     plain = scenario.mechanics.drums if scenario.mechanics is not None else None
     ropes = scenario.ropes or {}
     on_drums = {
-        guide.drum: ropes[rope.rope].diameter
+        (guide.drum, guide.wound or "with"): ropes[rope.rope].diameter
         for rope in ((scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}).values()
         for guide in rope.route
         if isinstance(guide, RopeEnd) and guide.drum is not None
     }
-    drums = [_drum(name, drum, 1.0, on_drums.get(name)) for name, drum in (plain or {}).items()]
+    drums = []
+    for name, drum in (plain or {}).items():
+        own, against = _drum(name, drum, 1.0, on_drums.get((name, "with"))), (name, "against")
+        drums.append(own)
+        if against in on_drums:  # it pays out what the others haul in, and has turns of its own
+            drums.append(_drum(_wound_against(name), drum, -1.0, on_drums[against]) | {"flow": name})
+            if (name, "with") not in on_drums:
+                own |= {"wraps_at_start": None, "asks_for_turns": False}
     for hook in reeved_hooks(scenario):
         paid_out = -float(hook.reeving.parts_each)
         drums.append(_drum(hoist_drum(hook.name), hook.drum, paid_out, ropes[hook.reeving.rope].diameter))
     return drums
+
+
+def _wound_against(drum: str) -> str:
+    """Name of what lies on a drum the other way round; with a stroke, which no name of a lift file has."""
+    return f"{drum}/against"
 
 
 def _drum(name: str, drum: Drum | HoistDrum, paid_out: float, rope_diameter: float | None) -> Json:

@@ -284,7 +284,8 @@ class Drum(FromJson):
     """A drum, of `mechanics` or of a hook with reeving.
 
     Attributes:
-        name: Its name, also that of its flow.
+        name: Its name.
+        flow: Name of its flow; its own if not given. Rope that is wound against the rest has turns of its own.
         diameter: Pitch diameter on which its rope is counted [m]; of the first layer.
         paid_out: Rope paid out in the first layer per unit of its flow; of a hook's drum, which counts what
             the hook rises, less than 0.
@@ -305,3 +306,9 @@ class Drum(FromJson):
     layer_step: float = 0.0
     spare_turns: float | None = None
     asks_for_turns: bool = False
+    flow: str = ""
+
+    @property
+    def joint(self) -> str:
+        """The joint of a recording that says how far it has turned."""
+        return self.flow or self.name
