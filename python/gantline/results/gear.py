@@ -285,7 +285,7 @@ class Drum(FromJson):
 
     Attributes:
         name: Its name.
-        flow: Name of its flow; its own if not given. Rope that is wound against the rest has turns of its own.
+        flow: Name of its flow; its own if not given, as of rope that is wound against the rest.
         diameter: Pitch diameter on which its rope is counted [m]; of the first layer.
         paid_out: Rope paid out in the first layer per unit of its flow; of a hook's drum, which counts what
             the hook rises, less than 0.
