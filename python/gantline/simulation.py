@@ -24,6 +24,7 @@ from gantline.results.derive import present_of, recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.grounding import grounding_warnings
 from gantline.results.immersion import dry_areas, immersion_warnings
+from gantline.results.longer_falls import longer_falls
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
@@ -326,7 +327,7 @@ class Simulation:
         warnings += contact_warnings(rig, columns, names)
         warnings += missed_peaks(rig, columns, names) + missed_bumps(rig, columns, names)
         warnings += missed_crests(rig, columns)
-        warnings += drum_warnings(rig, columns, names)
+        warnings += drum_warnings(rig, columns, names) + longer_falls(rig, columns, names)
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)
         if len(columns["time"]):

@@ -169,6 +169,9 @@ def bends(scenario: Scenario, parts: Parts) -> list[Json]:
         drums[hoist_drum(hook.name)] = hook.drum.diameter / hook.reeving.parts_each
         diameter = hook.reeving.diameter((scenario.ropes or {})[hook.reeving.rope].diameter)
         sheaves |= dict.fromkeys(hook.ropes, diameter)
+    for placed in scenario.booms.values():
+        if placed.tackles is not None and placed.tackles.sheave_diameter is not None:
+            sheaves |= dict.fromkeys(placed.ropes, placed.tackles.sheave_diameter)
     found = []
     for rope in parts.ropes:
         over = [
@@ -186,10 +189,13 @@ def bends(scenario: Scenario, parts: Parts) -> list[Json]:
 def _bend(
     sheave: str, guide: Json, drums: Mapping[str, float], diameter: float | None
 ) -> tuple[float, str] | None:
-    """Pitch diameter [m] and name of what a guide bends the rope about; None for eyes and dead ends.
+    """Pitch diameter [m] and name of what a guide bends the rope about; None of dead ends and plain eyes.
 
-    `diameter` is that of half turns where they lead aside, from row to row of a hoist.
+    `diameter` is that of half turns where they lead aside, from row to row of a hoist, and of the eyes that
+    stand for the sheaves of luffing tackles.
     """
+    if guide["type"] == "eye":
+        return None if diameter is None else (diameter, sheave)
     if guide["type"] == "half_turn":
         return diameter or math.dist(guide["enter"], guide["leave"]), guide.get("flow", sheave)
     if guide["type"] == "sheave" and guide["radius"] > 0.0:

@@ -52,6 +52,7 @@ def rope_kinds(scenario: Scenario, rigging: Rigging) -> dict[str, tuple[RopeMate
 def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
     """Every rope of the lift with what is known of it."""
     parting = partings(scenario)
+    over_eyes = _over_eyes(scenario, parts)
     return [
         {
             "name": name,
@@ -66,10 +67,23 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
             "mass_on_world": on_world,
             "nodes": weight.nodes,
             "end_mass": end_mass(mass, weight.nodes) if weight.nodes else None,
+            **({"over_eyes": True} if name in over_eyes else {}),
         }
         for name, (kind, weight) in rope_kinds(scenario, rigging).items()
         for mass, on_world in [parts.rope_mass.get(name, (0.0, 0.0))]
     ]
+
+
+def _over_eyes(scenario: Scenario, parts: Parts) -> set[str]:
+    """Ropes that bend about eyes of whose diameter nothing is said, luffing tackles among them."""
+    known = {
+        rope
+        for placed in scenario.booms.values()
+        if placed.tackles is not None and placed.tackles.sheave_diameter is not None
+        for rope in placed.ropes
+    }
+    over = {rope["name"] for rope in parts.ropes if any(on["type"] == "eye" for on in rope["route"])}
+    return over - known
 
 
 def sheaves_with_flow(parts: Parts) -> list[Json]:
@@ -117,16 +131,28 @@ def drum_rig(scenario: Scenario) -> list[Json]:
     plain = scenario.mechanics.drums if scenario.mechanics is not None else None
     ropes = scenario.ropes or {}
     on_drums = {
-        guide.drum: ropes[rope.rope].diameter
+        (guide.drum, guide.wound or "with"): ropes[rope.rope].diameter
         for rope in ((scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}).values()
         for guide in rope.route
         if isinstance(guide, RopeEnd) and guide.drum is not None
     }
-    drums = [_drum(name, drum, 1.0, on_drums.get(name)) for name, drum in (plain or {}).items()]
+    drums = []
+    for name, drum in (plain or {}).items():
+        own, against = _drum(name, drum, 1.0, on_drums.get((name, "with"))), (name, "against")
+        drums.append(own)
+        if against in on_drums:  # it pays out what the others haul in, and has turns of its own
+            drums.append(_drum(_wound_against(name), drum, -1.0, on_drums[against]) | {"flow": name})
+            if (name, "with") not in on_drums:
+                own |= {"wraps_at_start": None, "asks_for_turns": False}
     for hook in reeved_hooks(scenario):
         paid_out = -float(hook.reeving.parts_each)
         drums.append(_drum(hoist_drum(hook.name), hook.drum, paid_out, ropes[hook.reeving.rope].diameter))
     return drums
+
+
+def _wound_against(drum: str) -> str:
+    """Name of what lies on a drum the other way round; with a stroke, which no name of a lift file has."""
+    return f"{drum}/against"
 
 
 def _drum(name: str, drum: Drum | HoistDrum, paid_out: float, rope_diameter: float | None) -> Json:

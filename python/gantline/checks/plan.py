@@ -141,7 +141,7 @@ def fell_behind(recording: Recording) -> list[Check]:
     return [
         check
         for drum in recording.rig.drums
-        if drum.paid_out < 0.0 and (check := _slipped(recording, drum)) is not None
+        if drum.paid_out < 0.0 and not drum.flow and (check := _slipped(recording, drum)) is not None
     ]
 
 

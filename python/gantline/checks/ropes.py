@@ -17,6 +17,11 @@ _NO_SAFETY = (
     "neither limits nor rules say how far below its breaking force a sling has to stay: "
     "write 'sling_factor_on_breaking_force' under 'limits'"
 )
+_OVER_EYES = "bends about eyes or luffing sheaves, whose diameter is not known"
+_EYES_TAKE = (
+    "bending about its own diameter takes half of a rope's strength; "
+    "a guide of 'type: sheave' has a diameter, luffing tackles a 'sheave_diameter'"
+)
 _FACTORS = ("sling_factor_on_breaking_force", "rope_factor_on_breaking_force")
 _NEEDED = ("load_factor", "consequence_factor", "material_factor", "termination_factor")
 _MAY_BE = ("least_safety_factor", "wear_factor")
@@ -82,6 +87,8 @@ def load_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[
             yield from _load(recording, rope, forces[slings[rope.name].name])
         else:
             yield from _load(recording, rope, rope_force(recording, rope.name, during))
+    if not absent and any(rope.over_eyes and rope.minimum_breaking_force for rope in recording.rig.ropes):
+        yield Caution(_EYES_TAKE)
 
 
 def _load(recording: Recording, rope: Rope, force: Force) -> Iterator[Finding]:
@@ -125,6 +132,8 @@ def _bending(recording: Recording, rope: Rope) -> float | str | None:
         if isinstance(found, str):
             return found
         diameter = found[0]
+    elif rope.over_eyes:
+        return _OVER_EYES
     if diameter is None:
         return 1.0
     if not rope.diameter:

@@ -197,9 +197,12 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         missing = found.missing or _never_clear(recording, measure)
         # A preset is for every lift; its limits have other sources than those of the lift file.
         is_own = rig.limit_sources.get(key, LIFT_FILE) in (LIFT_FILE, rig.limits.get("rule"))
-        is_vain = is_own and given is not None and not missing
+        is_vain = is_own and given is not None and not missing and not found.cautions
         check = replace(check, is_vain=is_vain)
-        return _without_value(recording, check, missing, _NOTHING, is_asked=is_asked)
+        check = _without_value(recording, check, missing, _NOTHING, is_asked=is_asked)
+        if not found.cautions:
+            return check
+        return replace(check, verdict=Verdict.WARNING, remark=_joined([check.remark, found.cautions]))
     check = _with_value(check, found.worst)
     remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
     if given is None and measure.alarm is not None:

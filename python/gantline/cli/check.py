@@ -130,11 +130,12 @@ def _look_over(simulation: Simulation) -> None:
         warn(warning)
     _warn_of_time(simulation)
     nodes = sum(rope.nodes for rope in rig.ropes)
+    drums = sum(not drum.flow for drum in rig.drums)
     numbers = {
-        ("body", "bodies"): len(document["bodies"]) - nodes - len(rig.sheaves) - len(rig.drums),
+        ("body", "bodies"): len(document["bodies"]) - nodes - len(rig.sheaves) - drums,
         ("rope", "ropes"): len(rig.ropes),
         ("node of a rope", "nodes of ropes"): nodes,
-        ("drum", "drums"): len(rig.drums),
+        ("drum", "drums"): drums,
         ("contact", "contacts"): len(document["contacts"]),
     }
     counts = ", ".join(f"{number} {what[number > 1]}" for what, number in numbers.items() if number)

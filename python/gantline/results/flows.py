@@ -60,7 +60,7 @@ def rope_flows(columns: Columns, names: Names, rig: Rig) -> Derived:
         )
     if rig.drums:
         labels["drum"] = [drum.name for drum in rig.drums]
-        at = [joints.index(drum.name) for drum in rig.drums]
+        at = [joints.index(drum.joint) for drum in rig.drums]
         variables["rope_paid_out"] = Variable(
             ("time", "drum"),
             np.stack(
@@ -89,7 +89,7 @@ def rope_flows(columns: Columns, names: Names, rig: Rig) -> Derived:
 
 def drum_wraps(drum: Drum, columns: Columns, names: Names) -> FloatArray:
     """Turns of rope on a drum whose turns at the start are known [1], shape (time,)."""
-    turned = columns["joint_position"][:, list(names["joint"]).index(drum.name)] * -drum.paid_out
+    turned = columns["joint_position"][:, list(names["joint"]).index(drum.joint)] * -drum.paid_out
     wraps: FloatArray = (drum.wraps_at_start or 0.0) + turned / (math.pi * drum.diameter)
     return wraps
 

@@ -214,6 +214,7 @@ class Rope(FromJson):
         mass_on_world: What of it the world bears, so that it is on no body [kg].
         nodes: Number of nodes if it is distributed, else 0.
         end_mass: What each end carries of the mass [kg], if there are nodes.
+        over_eyes: Whether it bends about eyes, or sheaves of luffing tackles, whose diameter nobody says.
     """
 
     name: str
@@ -228,6 +229,7 @@ class Rope(FromJson):
     mass_on_world: float = 0.0
     nodes: int = 0
     end_mass: float | None = None
+    over_eyes: bool = False
 
 
 @dataclass(frozen=True)
@@ -282,7 +284,8 @@ class Drum(FromJson):
     """A drum, of `mechanics` or of a hook with reeving.
 
     Attributes:
-        name: Its name, also that of its flow.
+        name: Its name.
+        flow: Name of its flow; its own if not given, as of rope that is wound against the rest.
         diameter: Pitch diameter on which its rope is counted [m]; of the first layer.
         paid_out: Rope paid out in the first layer per unit of its flow; of a hook's drum, which counts what
             the hook rises, less than 0.
@@ -303,3 +306,9 @@ class Drum(FromJson):
     layer_step: float = 0.0
     spare_turns: float | None = None
     asks_for_turns: bool = False
+    flow: str = ""
+
+    @property
+    def joint(self) -> str:
+        """The joint of a recording that says how far it has turned."""
+        return self.flow or self.name

@@ -45,6 +45,9 @@ class Tackles(Element):
         "are even, at the head where they are odd."
     )
     rope: Name = Field(description="Kind of rope, a name of 'ropes'.")
+    sheave_diameter: PositiveLength | None = Field(
+        None, description="Pitch diameter of the smallest sheave that they bend about, for checks alone."
+    )
     from_: Position = Field(
         alias="from",
         description="Top from which they pull, in the axes of the vessel or of the crane's base; its y is "
