@@ -97,7 +97,8 @@ def _check_counts(add: _Add, equalizer: EqualizerRigging) -> None:
     ends = len(equalizer.rope_ends.along)
     fixed, moving = len(equalizer.fixed_sheaves.along), len(equalizer.moving_sheaves.along)
     if ends != 2:
-        add("rope_ends.along", f"found {ends} rope ends; an equalizing rope has 2")
+        what = "end" if ends == 1 else "ends"
+        add("rope_ends.along", f"found {ends} rope {what}; an equalizing rope has 2")
     if fixed != moving - 1:
         sentence = f"found {fixed} fixed and {moving} moving sheaves"
         add("fixed_sheaves.along", f"{sentence}; right is one fixed sheave fewer than moving ones")
