@@ -364,23 +364,21 @@ def _parted(parting: Parting) -> Check:
 def _told(recording: Recording) -> list[Check]:
     """A warning where the recording has any: a verdict does not pass over them."""
     warnings = recording.attributes.get("warnings") or []
-    if not warnings:
-        return []
-    count = len(warnings) - 1
-    more = f"; and {count} more {'warning' if count == 1 else 'warnings'}" if count else ""
-    meaning = "lift file and run give no warning"
-    return [Check(NO_WARNINGS, Verdict.WARNING, meaning, remark=f"{warnings[0]}{more}")]
+    more = "more warning" if len(warnings) == 2 else "more warnings"
+    return _first_of(NO_WARNINGS, "lift file and run give no warning", warnings, more)
 
 
 def _unknown(recording: Recording) -> list[Check]:
     """A warning where values are no numbers, which no run leaves: what follows from them is not known."""
-    sentences = gaps(recording)
+    return _first_of(ALL_KNOWN, "every value of a recording is a number", gaps(recording), "more")
+
+
+def _first_of(name: str, meaning: str, sentences: Sequence[str], more: str) -> list[Check]:
+    """A warning that tells the first of some sentences and how many more there are; nothing of none."""
     if not sentences:
         return []
-    count = len(sentences) - 1
-    more = f"; and {count} more" if count else ""
-    meaning = "every value of a recording is a number"
-    return [Check(ALL_KNOWN, Verdict.WARNING, meaning, remark=f"{sentences[0]}{more}")]
+    others = f"; and {len(sentences) - 1} {more}" if len(sentences) > 1 else ""
+    return [Check(name, Verdict.WARNING, meaning, remark=f"{sentences[0]}{others}")]
 
 
 def _verdict(measure: Measure, value: float, limit: float) -> Verdict:
