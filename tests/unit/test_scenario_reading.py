@@ -131,7 +131,7 @@ def test_a_problem_of_a_type_is_shown_at_the_type() -> None:
     parts = BASE[start:end].replace("along: [-1.2 m, 1.2 m]", "along: [-1.2 m]")
     text = BASE[:start] + "    type: EQ2\n" + BASE[end:]
     text = text.replace("equalizers:\n", f"equalizer_types:\n  EQ2:\n{parts}equalizers:\n")
-    with pytest.raises(ScenarioError, match=r"equalizer_types\.EQ2\.rope_ends\.along: found 1 rope ends"):
+    with pytest.raises(ScenarioError, match=r"equalizer_types\.EQ2\.rope_ends\.along: found 1 rope end;"):
         parse_scenario(text)
 
 
