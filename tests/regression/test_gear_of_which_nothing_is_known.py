@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import pytest
 
-from gantline.checks import Outcome, check_recording, outcome_of, verdict_of
+from gantline.checks import LIMITS, Outcome, check_recording, outcome_of, verdict_of
+from gantline.checks.check import _STRENGTHS
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from gantline.statics import Statics
@@ -70,3 +71,8 @@ def test_the_first_strength_that_is_known_counts(known: str, unknown: str) -> No
     """What is not known of the rest is told, as ever."""
     checks = check_recording(simulate(parse_scenario(changed(_LIFT, (unknown, known)), "lift.yaml")))
     assert outcome_of(checks) is Outcome.GO_WITH_WARNINGS
+
+
+def test_strengths_are_checks_that_there_are() -> None:
+    """One that is renamed would count for nothing, and its lifts have no verdict."""
+    assert set(LIMITS) >= _STRENGTHS

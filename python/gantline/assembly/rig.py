@@ -156,13 +156,11 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
 
 
 def _lug(scenario: Scenario, lug: Lug, at: Sequence[float]) -> Json:
-    given = (scenario.lug_types or {}).get(lug.type or "")
-    kind = lug.or_of(given)
-    is_assumed = lug.main_plate is None and (given is None or given.main_plate is None)
+    kind = lug.or_of((scenario.lug_types or {}).get(lug.type or ""))
     return {
         "at": list(at),
         "main_plate_normal": list(kind.main_plate_normal),
-        **({"plate_is_assumed": True} if is_assumed else {}),
+        **({"plate_is_assumed": True} if kind.main_plate is None else {}),
         "capacity": _force(scenario, kind.capacity),
     }
 

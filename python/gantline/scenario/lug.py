@@ -92,7 +92,7 @@ class LugType(Element):
         capacity = self.capacity
         if capacity is None and kind is not None:
             capacity = kind.capacity
-        return LugType.model_construct(main_plate=plate or "xz", capacity=capacity)
+        return LugType.model_construct(main_plate=plate, capacity=capacity)
 
     @property
     def main_plate_normal(self) -> tuple[float, float, float]:
