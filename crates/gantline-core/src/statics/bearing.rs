@@ -12,8 +12,10 @@ use crate::system::System;
 const SOFTNESS: f64 = 0.03;
 /// What is left of it in each search that follows.
 const STIFFER: f64 = 0.1;
-/// And what is left of it at least.
+/// And what is left of it at least, unless what it holds is as stiff.
 const LEAST_SHARE: f64 = 2e-3;
+/// The most that εk may be of a row that holds, where 40 searches have to do: then each leaves a fifth of what it lacks.
+const BESIDE: f64 = 0.25;
 
 /// How a row takes part in statics.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,10 +77,13 @@ pub struct Bearing {
 }
 
 impl Bearing {
-    /// Once its multiplier is about right, a row without compliance can be stiffer: the next one is closer.
-    pub fn stiffen(&mut self) {
+    /// Once its multiplier is about right, a row without compliance can be stiffer: the next one is closer. One that holds
+    /// against ropes of the stiffness k, `beside` [N/m], leaves εk/(1 + εk) of what it lacks: it has to be stiffer than they.
+    pub fn stiffen(&mut self, beside: f64) {
         if self.compliance > LEAST_SHARE * self.first_compliance {
             self.compliance *= STIFFER;
+        } else if self.compliance * beside > BESIDE {
+            self.compliance = BESIDE / beside;
         }
     }
 

@@ -182,7 +182,8 @@ impl Statics {
             let descended = self.search.descend(system, state, &mut self.bearings);
             descended.map_err(|stuck| self.explain(system, stuck, losses))?;
             let stays = self.search.effort.steps == steps;
-            let has_lengths = self.move_multipliers() <= LENGTH_LEFT;
+            let (row, length) = self.move_multipliers(system);
+            let has_lengths = length <= LENGTH_LEFT;
             // Friction that is set anew moves what has found its length.
             unsettled = if has_lengths { 0 } else { unsettled + 1 };
             let drums = self.follow_drums(system, state);
@@ -191,8 +192,7 @@ impl Statics {
             }
             let (element, cause) = if unsettled == ROUNDS {
                 // Friction is a share of other forces: it contracts, lengths may not.
-                let rigid = self.bearings.iter().position(|bearing| bearing.is_rigid).unwrap_or(0);
-                (rigid, "lengths that cannot change contradict one another")
+                (row, "lengths that cannot change contradict one another")
             } else if round == last {
                 let row = system.friction.get(self.pace.worst()).copied().unwrap_or(0);
                 if losses.contacts == Contacts::Held && self.let_slide(system, row) {
@@ -224,22 +224,25 @@ impl Statics {
         Ok(())
     }
 
-    /// T̂ = T of rows without compliance, unless all their lengths are right: forces are those that balance then. By how
-    /// much the largest length was wrong [m].
-    fn move_multipliers(&mut self) -> f64 {
-        let rows = self.bearings.iter().zip(&self.search.here.tension);
-        let rigid = rows.filter(|(bearing, _)| bearing.is_rigid && bearing.part != Part::Off);
-        let wrong = rigid.map(|(bearing, tension)| (tension - bearing.offset).abs() * bearing.compliance);
-        let most = wrong.fold(0.0, f64::max);
-        if most > LENGTH_LEFT {
-            for (bearing, &tension) in self.bearings.iter_mut().zip(&self.search.here.tension) {
-                if bearing.is_rigid && bearing.part != Part::Off {
-                    bearing.offset = tension;
-                    bearing.stiffen();
-                }
+    /// T̂ = T of rows without compliance, unless all their lengths are right: forces are those that balance then. The row
+    /// whose length is the farthest wrong, and by how much [m].
+    fn move_multipliers(&mut self, system: &System) -> (usize, f64) {
+        let here = &self.search.here;
+        let is_rigid = |bearing: &Bearing| bearing.is_rigid && bearing.part != Part::Off;
+        let rows = self.bearings.iter().zip(&here.tension).enumerate();
+        let rigid = rows.filter(|(_, (bearing, _))| is_rigid(bearing));
+        let wrong = rigid
+            .map(|(row, (bearing, tension))| (row, (tension - bearing.offset).abs() * bearing.compliance));
+        let worst = wrong.fold((0, 0.0), |most: (usize, f64), one| if one.1 > most.1 { one } else { most });
+        if worst.1 > LENGTH_LEFT {
+            let stiffness = here.stiffness_beside(system, &self.bearings);
+            for (row, bearing) in self.bearings.iter_mut().enumerate().filter(|(_, one)| is_rigid(one)) {
+                bearing.offset = here.tension[row];
+                let dofs = system.rows.entries(&here.frame.gradient, row).map(|(dof, _)| stiffness[dof]);
+                bearing.stiffen(if bearing.held.is_some() { dofs.fold(0.0, f64::max) } else { 0.0 });
             }
         }
-        most
+        worst
     }
 
     /// How many motions have ω² below and about zero, by the signs of pivots at two shifts.

@@ -199,6 +199,18 @@ impl Potential {
         }
     }
 
+    /// What ropes, contacts and stops that follow pull back at each degree of freedom by itself [N/m, N m].
+    pub fn stiffness_beside(&self, system: &System, bearings: &[Bearing]) -> Vec<f64> {
+        let mut stiffness = vec![0.0; self.slope.len()];
+        let elastic = |row: &usize| self.follows[*row] && !bearings[*row].is_rigid;
+        for row in (0..bearings.len()).filter(elastic) {
+            for (dof, entry) in system.rows.entries(&self.frame.gradient, row) {
+                stiffness[dof] += entry * entry / bearings[row].compliance;
+            }
+        }
+        stiffness
+    }
+
     /// The mass matrix at the poses of the last update; here it measures ways, so what has no mass gets some.
     pub fn update_mass(&mut self, system: &System) {
         self.frame.mass.update(&system.tree, &self.frame.kinematics);
