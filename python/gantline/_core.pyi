@@ -144,7 +144,8 @@ class Statics:
         """Derivatives over pairs of a kind and a name, by kind of answer.
 
         `rope_tension`, shape (parameters, ropes), and `body_motion`, of centre of gravity and rotation vector
-        in world axes, shape (parameters, bodies, 6).
+        in world axes, shape (parameters, bodies, 6); `held`, shape (parameters,), 0 where the parameter sets
+        something going that nothing holds, else 1.
         """
 
     def columns(self) -> dict[str, npt.NDArray[np.float64]]:

@@ -16,7 +16,7 @@ from gantline.scenario import Scenario, parse_scenario
 from gantline.scenario.variants import with_value
 from gantline.statics import Equilibrium, Losses, Statics
 from hooked_lift import TWO_HOOKS, two_hooks
-from mechanics import Floats, Json
+from mechanics import Floats, G, Json, body, document, end, free, half_turn, rope, slider
 from resting import at_rest, four_slings, one_equalizer
 
 STEPS = {
@@ -95,6 +95,35 @@ def test_asking_for_what_is_not_there() -> None:
         core.sensitivities([("length", "s9")])
     with pytest.raises(ValueError, match="there is no parameter colour"):
         core.sensitivities([("colour", "s0")])
+
+
+def test_what_nothing_holds_has_none() -> None:
+    """Two equal weights over a sheave are in balance anywhere, and so is a load tilted about level lugs.
+
+    A change of either weight sets both going: dT/dm = g/2 would be that of weights that gather speed. A
+    longer rope does not. A load on two plumb slings whose lugs are level with its centre of gravity rolls
+    where that is shifted across them; shifted along them it does not, T = W (1/2 ∓ x/2a).
+    """
+    weights = [body(name, slider(), 3000.0, position=(x, 0, 5)) for name, x in (("l", -0.5), ("r", 0.5))]
+    over = half_turn(None, (0, 0, 10), 0.5, over=True)
+    sling = rope("s", None, [end("l"), over, end("r")], 1e7)
+    core = _core.Statics(json.dumps(document(weights, ropes=[sling])))
+    assert core.settle()["neutral"] == 1
+    found = core.sensitivities([("mass", "l"), ("length", "s"), ("mass", "r"), ("stiffness", "s")])
+    assert found["held"].tolist() == [0, 1, 0, 1]
+
+    half, length, mass = 4.0, 10.0, 60e3
+    load = body("load", free((0, 0, 0)), mass, inertia=(2e5, 4e5, 4e5))
+    slings = [
+        rope(name, length, [end(None, (x, 0, length)), end("load", (x, 0, 0))], 1e9)
+        for name, x in (("a", -half), ("b", half))
+    ]
+    core = _core.Statics(json.dumps(document([load], ropes=slings)))
+    core.settle()
+    found = core.sensitivities([("centre_x", "load"), ("centre_y", "load"), ("mass", "load")])
+    assert found["held"].tolist() == [1, 0, 1]
+    # The slings stretch by 3e-4 of their length, and tilt the load as the centre goes along.
+    assert found["rope_tension"][0] == pytest.approx(mass * G / (2 * half) * np.array([-1, 1]), rel=1e-3)
 
 
 def resolved(

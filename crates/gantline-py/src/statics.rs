@@ -154,7 +154,8 @@ impl Statics {
     }
 
     /// Derivatives of the tension of every rope [N] and of the motion of every body over parameters: pairs of a kind
-    /// (`length`, `stiffness`, `mass`, `centre_x`, `place_x` and so on) and the name of a rope or body.
+    /// (`length`, `stiffness`, `mass`, `centre_x`, `place_x` and so on) and the name of a rope or body. `held` is 1 where
+    /// there is one, 0 where the parameter sets something going that nothing holds.
     fn sensitivities<'py>(
         &mut self,
         py: Python<'py>,
@@ -170,7 +171,9 @@ impl Statics {
         let answers = || found.iter().zip(&wanted);
         let values = answers().flat_map(|(one, parameter)| self.inner.tension_change(*parameter, one));
         let motion = answers().flat_map(|(one, parameter)| self.inner.body_change(*parameter, &one.motion));
+        let held = found.iter().map(|one| f64::from(u8::from(one.is_held)));
         let out = PyDict::new(py);
+        out.set_item("held", array(py, held.collect(), &[wanted.len()])?)?;
         out.set_item("rope_tension", array(py, values.collect(), &[wanted.len(), ropes])?)?;
         out.set_item("body_motion", array(py, motion.collect(), &[wanted.len(), bodies, 6])?)?;
         Ok(out)

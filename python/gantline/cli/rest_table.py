@@ -150,6 +150,11 @@ def changes(rest: Equilibrium, all_of_them: list[Sensitivity]) -> list[list[str]
         if one.kind == "stiffness":
             size = 0.01 * stiffness.get(one.name, 0.0)
         name = f"{one.name} {words}"
+        if not one.is_held:
+            name += " sets going what nothing holds"
+            pulls.append((name, *(ABSENT for _ in rig.slings)))
+            turns.append((name, *(ABSENT for _ in rig.loads for _ in "xyz")))
+            continue
         pulls.append((name, *(show(one.of(sling.rope) * size, "kN", 3) for sling in rig.slings)))
         angles = (size * angle for load in rig.loads for angle in one.of_body(load.body)[3:])
         turns.append((name, *(show(angle, "deg", 3) for angle in angles)))
@@ -208,6 +213,7 @@ def statics_json(
             {
                 "kind": one.kind,
                 "of": one.name,
+                "is_held": one.is_held,
                 "rope_tension": dict(zip(one.ropes, map(float, one.tension), strict=True)),
             }
             for one in sensitivities

@@ -215,6 +215,9 @@ class Sensitivity:
             [rad], world axes, shape (body, 6), in the order of `bodies`. Of a body whose centre of gravity is
             asked about, the point of the body that is there counts: the shift itself is left out.
         bodies: Their names.
+        is_held: False where the quantity sets something going that nothing holds, such as the mass on one
+            side of two that balance over a sheave: there is no derivative then. `tension` is that of a lift
+            that gathers speed, and `motion` no more than a direction.
     """
 
     kind: str
@@ -223,8 +226,11 @@ class Sensitivity:
     ropes: tuple[str, ...]
     motion: Floats
     bodies: tuple[str, ...]
+    is_held: bool
 
     def __repr__(self) -> str:
+        if not self.is_held:
+            return f"<Sensitivity to {self.kind} of {self.name}: none, nothing holds what it sets going>"
         most = int(np.argmax(np.abs(self.tension))) if self.ropes else None
         answer = "" if most is None else f"; most in {self.ropes[most]}: {self.tension[most]:.4g}"
         return f"<Sensitivity to {self.kind} of {self.name}: {len(self.ropes)} ropes{answer}>"

@@ -401,7 +401,7 @@ class Statics:
             found = self._core.sensitivities([one for each in asked for one in each])
         except RuntimeError as problem:
             raise NoEquilibriumError(self._core.time(), *problem.args) from None
-        parts = zip(found["rope_tension"], found["body_motion"], strict=True)
+        parts = zip(found["rope_tension"], found["body_motion"], found["held"], strict=True)
         loads = self._core.columns()["rope_tension"][-1]
         return [
             names.answer(kind, name, list(islice(parts, len(each))), loads)

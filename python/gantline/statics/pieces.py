@@ -38,7 +38,7 @@ class Pieces:
         return [(kind, piece) for piece in self._of.get(name, [name])]
 
     def answer(
-        self, kind: str, name: str, parts: Sequence[tuple[Floats, Floats]], loads: Floats
+        self, kind: str, name: str, parts: Sequence[tuple[Floats, Floats, float]], loads: Floats
     ) -> Sensitivity:
         """One answer, of those of the core to all of `asked`.
 
@@ -46,10 +46,11 @@ class Pieces:
         The tension of a rope with nodes is that of its piece that carries most, by `loads` [N] at rest.
         """
         share = 1.0 / len(parts) if kind == "length" else 1.0
-        tension: Any = share * sum(tension for tension, _ in parts)
-        motion: Any = share * sum(motion for _, motion in parts)
+        tension: Any = share * sum(tension for tension, _, _ in parts)
+        motion: Any = share * sum(motion for _, motion, _ in parts)
+        is_held = all(held > 0.0 for _, _, held in parts)
         places = [self._most_loaded(rope, loads) for rope in self.ropes]
-        return Sensitivity(kind, name, tension[places], self.ropes, motion[self._kept], self.bodies)
+        return Sensitivity(kind, name, tension[places], self.ropes, motion[self._kept], self.bodies, is_held)
 
     def _most_loaded(self, rope: str, loads: Floats) -> int:
         places = [self._core_ropes.index(piece) for piece in self._of.get(rope, [rope])]

@@ -64,6 +64,9 @@ class Hanging:
         if parameters and nodes:
             raise ValueError(f"{', '.join(nodes)} with distributed weight")
         self._answers: list[Sensitivity] = question.sensitivities(parameters) if parameters else []
+        for one in self._answers:
+            if not one.is_held:
+                raise RuntimeError(f"nothing holds what {one.kind} of {one.name} sets going")
         self._ends = {
             sling.rope: (routes[sling.rope][0]["body"], routes[sling.rope][-1]["body"])
             for sling in self.slings

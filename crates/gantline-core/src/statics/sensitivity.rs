@@ -12,6 +12,9 @@
 //! matrix unsymmetric: losses are a share of tensions, so that converges. What wind and current push with does as well, and
 //! as much as it likes: its other half ([`super::stream`]) is in the factors.
 //!
+//! What λM holds back falls from one solution to the next, but for a motion that nothing else holds. A parameter that sets
+//! such a motion going, as the mass on one side of two that are in balance over a sheave, has no derivative, and says so.
+//!
 //! Where a body's joint sits, ∂/∂p of the right side is the difference of values and gradients, which are exact, over
 //! four places of the joint with coordinates and forces as they are.
 
@@ -27,10 +30,13 @@ use crate::state::State;
 use crate::stepper::frame::Remembered;
 use crate::system::System;
 
-/// Solutions with λM moved to the right side, each of which leaves λ/ω² of the error.
+/// Solutions with λM moved to the right side, each of which leaves λ/ω² of the error, at least and at most.
 const REPEATS: usize = 3;
-/// The same where sheaves slip, at most.
 const MOST_REPEATS: usize = 200;
+/// What λM may hold back in the end, as a share of the forces that change; of motions that nothing drives 1e-13 is left.
+const HELD_BACK: f64 = 1e-9;
+/// Nothing but λM holds what it holds back by this much of what it was a solution before: 0.99 would be ω² = 1e-8/s².
+const NEVER_LESS: f64 = 0.99;
 /// Change of the resistance of sheaves from one solution to the next, relative to the largest.
 const LOSS_LEFT: f64 = 1e-13;
 /// Between the places of a joint that are compared [m].
@@ -63,6 +69,9 @@ pub struct Sensitivity {
     pub motion: Vec<f64>,
     /// Of the force of every row [N].
     pub tension: Vec<f64>,
+    /// False where the parameter sets something going that nothing holds: then there is no derivative, and these are the
+    /// forces with which it gathers speed.
+    pub is_held: bool,
 }
 
 impl Statics {
@@ -115,9 +124,11 @@ impl Statics {
         let mut tension = vec![0.0; right.len()];
         let mut resistance = vec![0.0; right.len()];
         let mut inertia = force.to_vec();
+        let (mut before, mut held_back) = (motion.clone(), 0.0);
         for round in 1..=MOST_REPEATS {
             let search = &mut self.search;
             search.here.frame.mass.multiply(&motion, &mut inertia);
+            before.copy_from_slice(&motion);
             for (inertia, force) in inertia.iter_mut().zip(force) {
                 *inertia = LEAST * *inertia + force;
             }
@@ -128,14 +139,45 @@ impl Statics {
             }
             search.matrix.solve_whole(&inertia, right, &mut motion, &mut tension);
             let is_settled = self.follow_resistance(system, state, &motion, &tension, &mut resistance);
-            if round >= REPEATS && is_settled {
+            let last = held_back;
+            held_back = self.held_back(system, (&before, &motion), (force, right), &tension);
+            let is_done = held_back <= HELD_BACK || held_back > NEVER_LESS * last;
+            if round >= REPEATS && is_settled && is_done {
                 break;
             }
         }
         for (tension, change) in tension.iter_mut().zip(&resistance).filter(|(_, change)| **change != 0.0) {
             *tension = *change;
         }
-        Sensitivity { motion, tension }
+        Sensitivity { motion, tension, is_held: held_back <= HELD_BACK }
+    }
+
+    /// What λM held back in the last solution, relative to the forces that change and those that would if nothing moved: the
+    /// largest of either over the root of its degree of freedom's mass, so that forces and moments compare.
+    fn held_back(
+        &self,
+        system: &System,
+        (before, motion): (&[f64], &[f64]),
+        (force, right): (&[f64], &[f64]),
+        tension: &[f64],
+    ) -> f64 {
+        let frame = &self.search.here.frame;
+        let moved: Vec<f64> = motion.iter().zip(before).map(|(now, before)| now - before).collect();
+        let mut inertia = vec![0.0; moved.len()];
+        frame.mass.multiply(&moved, &mut inertia);
+        let mut changes: Vec<f64> = force.iter().map(|force| force.abs()).collect();
+        for (row, (change, right)) in tension.iter().zip(right).enumerate() {
+            let change = change.abs() + right.abs() / self.bearings[row].compliance;
+            for (dof, entry) in system.rows.entries(&frame.gradient, row) {
+                changes[dof] += entry.abs() * change;
+            }
+        }
+        let largest = |of: &[f64]| {
+            let free = self.search.matrix.layout.free.iter();
+            free.map(|&dof| of[dof].abs() / frame.mass.diagonal(dof).sqrt()).fold(0.0, f64::max)
+        };
+        let all = largest(&changes);
+        if all > 0.0 { LEAST * largest(&inertia) / all } else { 0.0 }
     }
 
     /// What changes of the degrees of freedom and of the forces of rows do to the tension of every rope [N], as it is
