@@ -125,6 +125,8 @@ def _check_force(findings: Findings, path: Path, rope: str | None, said: BreaksA
 
 def _check_time(findings: Findings, path: Path, time: float | None) -> None:
     duration = findings.scenario.duration
-    if time is not None and time > duration:
-        sentence = f"{time:g} s is after the end of the lift at {duration:g} s"
+    # A cut at the end is none: nothing comes after it.
+    if time is not None and time >= duration:
+        end = f"after the end of the lift at {duration:g} s" if time > duration else "the end of the lift"
+        sentence = f"{time:g} s is {end}"
         findings.add(path, f"{sentence}; make 'duration' longer or this time earlier")
