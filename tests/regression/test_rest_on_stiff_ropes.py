@@ -3,8 +3,8 @@
 Statics holds a drum by a compliance ε of its own, and moves its force until the drum is where it is held:
 each search leaves the share εk/(1 + εk) of what it lacks, k what the ropes pull back with. A drum that counts
 the way of its hook feeds as many metres as there are parts, so k has their square: 256 EA/5 m for the lead
-line of 16 parts. From 3000 MN on 40 searches did not do, and the lift was refused, "lengths that cannot change
-contradict one another". With 200 MN it always started.
+line of 16 parts. From 3000 MN on 40 searches did not do, and the lift was refused: "lengths that cannot
+change contradict one another". With 200 MN it always started.
 """
 
 from __future__ import annotations

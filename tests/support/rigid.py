@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
-from mechanics import Floats, Xyz
+from mechanics import Floats, G, Xyz
 
 
 def axes(attitude: Floats) -> Floats:
@@ -37,3 +39,32 @@ def across(vector: Xyz) -> Floats:
 def about(mass: float, place: Floats) -> Floats:
     """Inertia of a mass at a place, about the origin, shape (3, 3) [kg m²]."""
     return mass * (place @ place * np.eye(3) - np.outer(place, place))
+
+
+def point_of(body: Floats, place: Floats) -> tuple[Floats, Floats]:
+    """Where a point of a body is [m] and how fast it moves [m/s], in the world.
+
+    Args:
+        body: Centre of gravity [m], attitude, velocity [m/s], spin in its own axes [rad/s], shape (13,).
+        place: Of the point, from the centre of gravity, in the body's axes [m].
+    """
+    turned = axes(body[3:7])
+    return body[:3] + turned @ place, body[7:10] + turned @ np.cross(body[10:13], place)
+
+
+def rates_of(body: Floats, mass: float, inertia: Floats, pulls: Iterable[tuple[Floats, Floats]]) -> Floats:
+    """Rates of a body, as `point_of` has it, by Newton and Euler: its weight and pulls [N] at points [m].
+
+    Args:
+        body: As `point_of` has it.
+        mass: [kg].
+        inertia: About the centre of gravity, shape (3, 3) [kg m²].
+        pulls: In the world, with the points where they act.
+    """
+    force, moment = np.array([0.0, 0.0, -mass * G]), np.zeros(3)
+    for pull, point in pulls:
+        force = force + pull
+        moment = moment + np.cross(point - body[:3], pull)
+    spin = body[10:13]
+    own = axes(body[3:7]).T @ moment - np.cross(spin, inertia @ spin)
+    return np.concatenate([body[7:10], turning(body[3:7], spin), force / mass, np.linalg.solve(inertia, own)])
