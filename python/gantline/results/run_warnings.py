@@ -12,7 +12,14 @@ from gantline.results.rig import Rig
 from gantline.results.variable import Columns, Names
 from gantline.units import format_quantity
 
-__all__ = ["command_warnings", "missed_bumps", "missed_crests", "missed_peaks", "sheave_warnings"]
+__all__ = [
+    "command_warnings",
+    "missed_bumps",
+    "missed_crests",
+    "missed_cuts",
+    "missed_peaks",
+    "sheave_warnings",
+]
 
 #: Share by which the peak of a rope over all steps may be more than that of samples without a word.
 _MISSED = 0.02
@@ -23,6 +30,21 @@ _LITTLE = 0.1
 _UNSEEN, _OF_PERIOD = 0.05, 0.1
 #: Of the largest sample of a bump both beside it have at least this share where no more than 5 % is missed.
 _BESIDE = 0.8
+
+
+def missed_cuts(document: Mapping[str, Any], duration: float) -> list[str]:
+    """A warning of ropes and lines that the lift file cuts after a run that is shorter than the lift.
+
+    Args:
+        document: What has been assembled of the lift.
+        duration: Of the run [s].
+    """
+    held = [*document.get("ropes", ()), *document.get("forces", ())]
+    times = {one["name"]: time for one in held if (time := one.get("cut_at")) is not None}
+    late = [f"{name} at {time:g} s" for name, time in times.items() if time >= duration]
+    if not late:
+        return []
+    return [f"the run ends at {duration:g} s, and what is cut after that is not seen: {', '.join(late)}"]
 
 
 def missed_peaks(rig: Rig, columns: Columns, names: Names) -> list[str]:
