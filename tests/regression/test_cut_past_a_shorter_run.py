@@ -1,4 +1,4 @@
-"""A sling that is to be cut at 30 s: with `--duration '20 s'` the lift was GO, and nothing was said of the cut.
+"""A sling that is to be cut at 30 s: with `--duration 20 s` the lift was GO, and nothing was said of the cut.
 
 In a file whose own duration ends before a cut, or with it, that is an error.
 """
