@@ -1,4 +1,4 @@
-"""A `tension_tolerance` of 3 kN in a lift whose slings bear 98 kN each: as its hook starts in 50 ms the dynamic
+"""A `tension_tolerance` of 3 kN where slings bear 98 kN each: as the hook starts in 50 ms the dynamic
 factor was 1.08 in place of 1.12, the energy balance closed, and nothing was said.
 """
 
