@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import NO_WARNINGS, Check, Verdict, check_recording
 from gantline.results import series
 from gantline.results.comparison import compare
 from gantline.results.lift_off import lift_off_time
@@ -88,7 +88,7 @@ def _refinement(recording: Recording, finer: Recording) -> Refinement:
             if one is not None and other is not None and one.value is not None and other.value is not None
             if np.isfinite([one.value, other.value]).all()
         ],
-        verdicts=[_otherwise(one, other) for one, other in paired if _outcome(one) != _outcome(other)],
+        verdicts=[_otherwise(one, other) for one, other in paired if _differ(one, other)],
         tension=_tension(recording, finer),
         lift_off=None if clear[0] is None or clear[1] is None else clear[1] - clear[0],
     )
@@ -115,6 +115,12 @@ def _pairs(before: Sequence[Check], after: Sequence[Check]) -> Iterator[tuple[Ch
 def _outcome(check: Check | None) -> Verdict:
     """A check that is not made has nothing to complain of."""
     return Verdict.OK if check is None or check.verdict is Verdict.NOT_CHECKED else check.verdict
+
+
+def _differ(one: Check | None, other: Check | None) -> bool:
+    """Whether a check comes out otherwise. Warnings of long steps and wide tolerances are gone with these."""
+    are_gone = one is not None and one.name == NO_WARNINGS and _outcome(other) is Verdict.OK
+    return _outcome(one) != _outcome(other) and not are_gone
 
 
 def _otherwise(one: Check | None, other: Check | None) -> str:
