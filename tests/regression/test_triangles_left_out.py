@@ -84,3 +84,14 @@ def test_a_solid_that_two_objects_have_is_told(tmp_path: Path) -> None:
     path.write_text(text, encoding="utf-8")
     found = [*doubts_of_the_whole(read(path, Assumptions(unit="m"), keep=False))]
     assert found == ["counted twice, since others just like them are in the same place: B"]
+
+
+def test_a_surface_that_runs_through_itself_has_no_weight() -> None:
+    """Closed, but with one corner drawn through the rest of it: no body has such moments."""
+    whole = box((2.0, 1.0, 1.0))
+    vertices = whole.vertices.copy()
+    vertices[6] = (2.0, 0.0, -3.0)
+    mesh = TriangleMesh(vertices, whole.triangles)
+    (part,) = parts_of_mesh("tank", mesh, mesh.size, Assumptions(unit="m"))
+    assert part.properties is None
+    assert part.doubts[-1] == "its surface runs through itself, so it has no weight"

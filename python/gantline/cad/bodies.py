@@ -24,6 +24,7 @@ _MOST_COMPARED = 5000
 #: Vertices of a piece that tell whether it lies within another one.
 _SOME = 12
 NO_THICKNESS = "its surface is open and no plate thickness is given, so it has no weight"
+RUNS_THROUGH_ITSELF = "its surface runs through itself, so it has no weight"
 NO_WEIGHT = "it encloses next to nothing, so it has no weight"
 
 
@@ -158,7 +159,10 @@ def _solid(body: TriangleMesh, cavities: list[TriangleMesh], given: Assumptions,
     if within:
         doubts.append("it lies within another solid, and both weigh; a cavity has to face inwards")
     mesh = TriangleMesh.combined([mesh, *cavities])
-    return PartKind.SOLID, MassProperties.of_closed_mesh(mesh, given.density), mesh, doubts
+    try:
+        return PartKind.SOLID, MassProperties.of_closed_mesh(mesh, given.density), mesh, doubts
+    except ValueError:  # of closed meshes that run through themselves
+        return PartKind.SHELL, None, mesh, [*doubts, RUNS_THROUGH_ITSELF]
 
 
 def _surface(opened: list[TriangleMesh], given: Assumptions) -> _Found:
