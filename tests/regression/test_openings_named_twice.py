@@ -15,7 +15,7 @@ from gantline.cad.ocx.reader import read_ocx
 from ocx_files import SQUARE, Writer
 
 W = Writer()
-HOLE = {"holes": W.hole("round", "ParametricCircle", {"Diameter": 0.5})}
+HOLE = W.hole("round", "ParametricCircle", {"Diameter": 0.5})
 ROUND = math.pi / 16
 AREAL = 78.5  # kg/m², 10 mm of steel
 
@@ -24,7 +24,7 @@ def read(*openings: str, of_plate: str = "") -> tuple[float, tuple[str, ...]]:
     """Area of a plate [m²] whose panel, and itself, name openings; and its doubts."""
     cut = f"<ocx:CutBy>{''.join(openings)}</ocx:CutBy>"
     panel = W.panel("deck", W.plate("P1", W.polygon(SQUARE), more=of_plate), more=cut)
-    (part,) = read_ocx(W.file(panel, **HOLE), "file").parts
+    (part,) = read_ocx(W.file(panel, holes=HOLE), "file").parts
     assert part.properties is not None
     return part.properties.mass / AREAL, part.doubts
 
@@ -90,6 +90,6 @@ def test_openings_without_end_are_refused() -> None:
     """Time to sort them out grows with each that overlaps the others: the declared weight counts."""
     cut = f"<ocx:CutBy>{''.join(at(1 + 0.01 * k, 1) for k in range(9))}</ocx:CutBy>"
     plate = W.plate("P1", W.polygon(SQUARE), declared=290.0, centre=(1.0, 1.0, 0.0))
-    (part,) = read_ocx(W.file(W.panel("deck", plate, more=cut), **HOLE), "file").parts
+    (part,) = read_ocx(W.file(W.panel("deck", plate, more=cut), holes=HOLE), "file").parts
     assert part.properties is None and part.counted is not None and part.counted.mass == 290.0
     assert "one of its openings overlaps" in part.doubts[0]
