@@ -1,4 +1,4 @@
-"""Databases with wave forces and with periods longer than 126 s could not be used for `radiation` with memory.
+"""Databases with wave forces and periods above 126 s could not be used for `radiation` with memory.
 
 The longest periods are left out of the fit, and the wave forces were then held against fewer frequencies
 than they have: "its wave forces are 28 × 9 × 6; 25 frequencies need 25 × 9 × 6". Three of three real files
