@@ -92,6 +92,5 @@ def test_so_does_the_console(subject: Subject) -> None:
 
 def test_the_rated_capacity_in_the_plot_is_what_it_is(subject: Subject) -> None:
     """2.5 kN were `2 kN`."""
-    held = HookLoads().content(subject)["plots"]
-    labels = [line["label"] for plot in held for line in plot.get("limits", ())]
+    labels = [line["label"] for plot in HookLoads().plots(subject) for line in plot.get("limits", ())]
     assert labels == ["rated capacity 2.45 kN"]

@@ -25,7 +25,7 @@ from gantline.results.surroundings import ground_of, structures_of, water_level
 from gantline.results.variable import FloatArray
 from gantline.viewer.arrays import Arrays
 from gantline.viewer.curves import curves
-from gantline.viewer.decimate import Places, frames, peaks
+from gantline.viewer.decimate import Places, faithful, frames, peaks
 from gantline.viewer.shapes import packed_shape, vector
 from gantline.viewer.turning import natural_lengths, sheave_angles
 
@@ -33,6 +33,9 @@ from gantline.viewer.turning import natural_lengths, sheave_angles
 _FRAME_NUMBERS = 4_000_000
 _CURVE_POINTS = 400_000
 _MOST_FRAMES = 1500
+#: How far a curve may be off, of its range, where a page reads it between samples that it has [1]: a quarter
+#: of a pixel of a plot of 1000. Where that takes too many points, it is twice that, and so on.
+_CURVE_OFF = 2.5e-4
 _MICROMETRE = 1e-6
 _TURN = 1e-7
 
@@ -285,8 +288,12 @@ def _curves(recording: Recording, since: int, arrays: Arrays) -> list[dict[str, 
     every = list(curves(recording))
     buckets = int(np.clip(_CURVE_POINTS // (4 * max(len(every), 1)), 100, 500))
     values = [curve.values[since:] for curve in every]
+    time, off = recording.time[since:], _CURVE_OFF
     # A distance ends where the ropes that it is about have parted.
-    places = [at[np.isfinite(one[at])] for one in values for at in [peaks(one, buckets)]]
+    places = [faithful(time, one, peaks(one, buckets), off) for one in values]
+    while sum(map(len, places)) > _CURVE_POINTS and off < 1.0:
+        off *= 2.0
+        places = [faithful(time, one, peaks(one, buckets), off) for one in values]
     bounds = np.concatenate([[0], np.cumsum([len(one) for one in places])])
     arrays.plain("curve_sample", np.concatenate(places) if places else [], "u4")
     kept = [one[at] * curve.factor for curve, one, at in zip(every, values, places, strict=True)]
