@@ -2,9 +2,8 @@
 
 Curves of a page are decimated: of each of some hundred stretches it had the first, the least, the largest and
 the last sample. Drawn at one stretch for each pixel that is the same picture. But at a moment of a rope that
-rings the legend, the tip, the label and the colour of the rope read a straight line between two of them, up to
-1.5 MN off in `equalizer_sling_cut`, and a plot into which somebody zoomed had corners that the recording has
-not.
+rings legend, tip, label and colour of the rope read a straight line between two of them, up to 1.5 MN off in
+`equalizer_sling_cut`, and a plot into which somebody zoomed had corners that the recording has not.
 """
 
 from __future__ import annotations
