@@ -68,6 +68,8 @@ def test_curves_that_are_one_on_paper_are_dashes_of_all_their_colours() -> None:
     lines = panel.get_lines()
     assert [line.is_dashed() for line in lines] == [False, True, False, False]
     assert lines[1].get_linewidth() == lines[0].get_linewidth() > lines[2].get_linewidth()
+    # Wide dashes lie below what is narrower: they hid all of it.
+    assert lines[0].get_zorder() <= lines[1].get_zorder() < lines[2].get_zorder()
     assert len({line.get_color() for line in lines}) == 4
 
 

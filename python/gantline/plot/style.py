@@ -152,14 +152,18 @@ def curves(panel: Axes, time: FloatArray, values: dict[str, FloatArray]) -> None
     """Draw curves that may lie upon each other: the first is the widest, so that each can be seen.
 
     Of those that are one on paper the first is drawn whole and the others as dashes upon it: a thin line upon
-    one that is hardly wider would look like a line of a third colour.
+    one that is hardly wider would look like a line of a third colour. They lie below all that is narrower.
     """
-    widths = np.linspace(3.0, 1.0, len(values)) if len(values) > 1 else [1.6]
     groups = _alike(list(values.values()))
+    firsts = list(dict.fromkeys(groups))
+    widths = (
+        dict(zip(firsts, np.linspace(3.0, 1.0, len(firsts)), strict=True)) if len(values) > 1 else {0: 1.6}
+    )
     for index, ((name, curve), group) in enumerate(zip(values.items(), groups, strict=True)):
         members = [other for other, its in enumerate(groups) if its == group]
         place, behind = members.index(index), len(members) - 1
-        (line,) = panel.plot(time, curve, color=colour(index), linewidth=float(widths[group]), label=name)
+        width, order = float(widths[group]), 2.0 + 0.5 * group / len(values)
+        (line,) = panel.plot(time, curve, color=colour(index), linewidth=width, label=name, zorder=order)
         if place:
             line.set_linestyle((-_DASH * place, (_DASH, _DASH * behind)))
             line.set_dash_capstyle("butt")
