@@ -135,7 +135,7 @@ function smallUnpacked(tension: number[]): Unpacked {
     liftOff: null,
     bodies: [{ name: "b", kind: "load", shape: null, cog: [0, 0, 0] }],
     sheaves: [],
-    ropes: [{ ...rope, strength: null, peak: 1000, peakTime: 1 }],
+    ropes: [{ ...rope, used: null, peak: 1000, peakTime: 1 }],
     lugs: [],
     contacts: [],
     ground: null,

@@ -26,6 +26,7 @@ from gantline.units import format_quantity
 
 DYNAMIC = "dynamic_amplification_factor"
 SKEW = "skew_load_factor"
+OWN_WEIGHT = "own weight"
 NO_STATIC = "no static force: the load never hung still, clear of its supports"
 OTHER_SLINGS = (
     "at its peak other slings are on than whenever the load hung still, so that nothing tells what of it is "
@@ -46,6 +47,7 @@ class Force:
         rule_text: The same in words.
         peak: Largest simulated force [N]; None for an equilibrium.
         time: When that was [s].
+        own_weight: What of it is the rope's own weight, over its recorded tension [N].
         factors: Names of the rule's factors in it.
         counts_static: Whether the quiet window, from which `static` is, lies within the samples that count.
         window: The quiet window from which `static` is, shape (time,); None if there is none.
@@ -58,6 +60,7 @@ class Force:
     rule_text: str = ""
     peak: float | None = None
     time: float | None = None
+    own_weight: float = 0.0
     factors: tuple[str, ...] = ()
     counts_static: bool = True
     window: BoolArray | None = field(default=None, compare=False, repr=False)
@@ -88,7 +91,9 @@ class Force:
         if self.rule is None and self.static is not None and self.static == self.dynamic != self.peak:
             parts = [self.static_text]
         if self.peak is not None:
-            parts.append(f"peak {kilonewton(self.peak)}")
+            parts.append(f"peak {kilonewton(self.peak - self.own_weight)}")
+            if self.own_weight > 0.0:
+                parts[-1] += f" + {OWN_WEIGHT} {kilonewton(self.own_weight)}"
         if not parts:
             return self.static_text
         return parts[0] if len(parts) == 1 else f"max({', '.join(parts)})"
@@ -293,7 +298,7 @@ def _force(recording: Recording, values: FloatArray, ratio: float, window: BoolA
     if static is None:
         return _without_static(recording, ratio)
     text = f"static {kilonewton(static)}{_to_design(ratio)}"
-    return _with_rule(recording, Force(static * ratio, text, window=window))
+    return with_rule(recording, Force(static * ratio, text, window=window))
 
 
 def _without_static(recording: Recording, ratio: float) -> Force:
@@ -306,13 +311,14 @@ def _to_design(ratio: float) -> str:
     return f" x {ratio:.4g} to the design weight" if ratio > 1.0 else ""
 
 
-def _with_rule(recording: Recording, force: Force) -> Force:
+def with_rule(recording: Recording, force: Force) -> Force:
     """With the static force times the rule's dynamic amplification factor, if it has one."""
     dynamic = factor(recording, DYNAMIC)
     if dynamic is None or force.static is None:
         return force
     text = f"{force.static_text} x {dynamic:.4g}"
-    return replace(force, rule=force.static * dynamic, rule_text=text, factors=(*force.factors, DYNAMIC))
+    factors = tuple(dict.fromkeys((*force.factors, DYNAMIC)))
+    return replace(force, rule=force.static * dynamic, rule_text=text, factors=factors)
 
 
 def _with_skew(recording: Recording, force: Force, perfect: float, ratio: float, rule: float) -> Force:
@@ -325,7 +331,7 @@ def _with_skew(recording: Recording, force: Force, perfect: float, ratio: float,
     by_rule = f"{kilonewton(perfect)} with perfect lengths{_to_design(ratio)} x {rule:.4g}"
     text = f"max({force.static_text}, {by_rule})"
     static = max(force.static, perfect * ratio * rule)
-    return _with_rule(recording, Force(static, text, factors=(SKEW,), window=force.window))
+    return with_rule(recording, Force(static, text, factors=(SKEW,), window=force.window))
 
 
 def _with_peak(recording: Recording, force: Force, rope: str, during: BoolArray) -> Force:

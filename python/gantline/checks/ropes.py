@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
-from gantline.checks.forces import Force, Raised, factor, kilonewton, over, rope_force, sling_forces
+from gantline.checks.forces import (
+    OWN_WEIGHT,
+    Force,
+    Raised,
+    factor,
+    kilonewton,
+    over,
+    rope_force,
+    sling_forces,
+    with_rule,
+)
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, carrying, extreme
 from gantline.checks.slings import bending_factor, bending_text, no_slings, sling_bend
 from gantline.results import series
 from gantline.results.gear import Rope
 from gantline.results.recording import Recording
+from gantline.results.upper_end import own_weight, peak_at_upper_end
 from gantline.results.variable import BoolArray
 
 _NO_STRENGTH = "minimum breaking force not known"
@@ -61,12 +73,13 @@ def _factor(
     if strength is None:
         yield Missing(element, _NO_STRENGTH)
         return
-    highest = series.peak(recording, series.tightest_tension(recording, rope), during)
-    if during.all():
-        highest = max(series.rope_peak(recording, rope), highest or (0.0, 0.0))
-    if highest is not None and highest[0] > 0.0:
-        text = f"{kilonewton(strength)} / {kilonewton(highest[0])}"
-        yield Found(strength / highest[0], element, highest[1], text)
+    highest = peak_at_upper_end(recording, rope, during)
+    if highest is not None and highest.tension > 0.0:
+        force = kilonewton(highest.tension - highest.own_weight)
+        if highest.own_weight > 0.0:
+            force = f"({force} + {OWN_WEIGHT} {kilonewton(highest.own_weight)})"
+        text = f"{kilonewton(strength)} / {force}"
+        yield Found(strength / highest.tension, element, highest.time, text)
 
 
 def load_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -83,12 +96,27 @@ def load_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[
             yield Missing(rope.name, f"the rules have no {', '.join(absent)}")
         elif rope.minimum_breaking_force is None:
             yield Missing(rope.name, _NO_STRENGTH)
-        elif rope.name in slings:
-            yield from _load(recording, rope, forces[slings[rope.name].name])
         else:
-            yield from _load(recording, rope, rope_force(recording, rope.name, during))
+            sling = slings.get(rope.name)
+            force = forces[sling.name] if sling is not None else rope_force(recording, rope.name, during)
+            yield from _load(recording, rope, _at_upper_end(recording, rope.name, force, during))
     if not absent and any(rope.over_eyes and rope.minimum_breaking_force for rope in recording.rig.ropes):
         yield Caution(_EYES_TAKE)
+
+
+def _at_upper_end(recording: Recording, rope: str, force: Force, during: BoolArray) -> Force:
+    """A force of a rope with what its upper end has to carry of its own weight."""
+    more = own_weight(recording, rope)
+    if not more.any():
+        return force
+    own = series.static_value(recording, more, force.window)
+    if force.static is not None and own is not None:
+        text = f"({force.static_text} + {OWN_WEIGHT} {kilonewton(own)})"
+        force = with_rule(recording, replace(force, static=force.static + own, static_text=text))
+    highest = peak_at_upper_end(recording, rope, during) if force.peak is not None else None
+    if highest is None:
+        return force
+    return replace(force, peak=highest.tension, time=highest.time, own_weight=highest.own_weight)
 
 
 def _load(recording: Recording, rope: Rope, force: Force) -> Iterator[Finding]:

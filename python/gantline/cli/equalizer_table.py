@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from gantline.cli.table import ABSENT, pairs, show
-from gantline.results import series
+from gantline.results import series, upper_end
 from gantline.results.equalising import equalising
 from gantline.results.gear import Equalizer
 from gantline.results.parting import stops_met
@@ -84,7 +84,7 @@ def again(times: int) -> str:
 
 def of_breaking_force(recording: Recording, rope: str) -> str:
     """What share of its minimum breaking force a rope had to carry, if that is known."""
-    share = series.utilisation(recording, rope)
+    share = upper_end.utilisation(recording, rope)
     return "" if share is None else f", {show(share, '%', 1)} of minimum breaking force"
 
 

@@ -14,7 +14,7 @@ from gantline.cli.hold_points import hold_points
 from gantline.cli.refinement import refinement_table
 from gantline.cli.table import ABSENT, cut, pairs, show, table
 from gantline.cli.vessels import vessels
-from gantline.results import series
+from gantline.results import series, upper_end
 from gantline.results.drift import load_drift
 from gantline.results.lift_off import lift_off_in_words
 from gantline.results.metrics import energy_bound
@@ -186,11 +186,10 @@ def _used(recording: Recording) -> list[str]:
     for sling in recording.rig.slings:
         leads = [f"{of}.{lug}" for _, of, lug in sling.at_lugs()]
         own = [shackles[name] for end in sling.shackles if (name := f"{sling.name} {end}") in shackles]
-        force = series.rope_peak(recording, sling.rope)[0]
         rows.append(
             (
                 sling.name,
-                show(_share(force, sling.minimum_breaking_force), "%", 1),
+                show(upper_end.utilisation(recording, sling.rope), "%", 1),
                 show(max(own, default=None), "%", 1),
                 show(max((lugs[lug] for lug in leads if lug in lugs), default=None), "%", 1),
                 show(max((aside[lug] for lug in leads if lug in aside), default=None), "deg", 1),
@@ -250,7 +249,7 @@ def _ropes(recording: Recording) -> list[str]:
         force, time = series.rope_peak(recording, rope)
         last = float(recording.column("rope_tension", rope)[-1])
         unit, digits = ("kN", 1) if force >= 1e3 else ("N", 3)
-        used = show(series.utilisation(recording, rope), "%", 1)
+        used = show(upper_end.utilisation(recording, rope), "%", 1)
         rows.append((rope, show(last, unit, digits), show(force, unit, digits), show(time, "s", 2), used))
     head: tuple[str, ...] = ("Rope", "at the end", "peak", "at", "of minimum breaking force (peak)")
     if all(row[-1] == ABSENT for row in rows):  # nothing to say in a column of dashes

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from gantline.checks import values_of
-from gantline.report.subject import ABSENT, Subject, as_given, number, share, show
-from gantline.results import series
+from gantline.report.subject import ABSENT, Subject, as_given, number, show
+from gantline.results import series, upper_end
 from gantline.results.gear import Equalizer, Hook, Sling
 from gantline.results.parting import ATTACHED, PARTING, PLANNED, partings
 from gantline.results.variable import FloatArray
@@ -104,8 +104,8 @@ def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
             told.setdefault(rope, []).append(f"{kind} {show(time, 's', 1)}")
 
     def used(sling: Sling) -> tuple[bool, float, float]:
-        share = series.utilisation(subject.recording, sling.rope)
-        return sling.rope in parted, share or 0.0, series.rope_peak(subject.recording, sling.rope)[0]
+        of_rope = upper_end.utilisation(subject.recording, sling.rope)
+        return sling.rope in parted, of_rope or 0.0, series.rope_peak(subject.recording, sling.rope)[0]
 
     slings = subject.rig.slings
     kept = {one.name for one in sorted(slings, key=used, reverse=True)[:most]}
@@ -148,7 +148,7 @@ def _sling(
         "time": number(time, "s", 1),
         "least": number(float(tension[clear].min()) if clear.any() else None, "kN", 0),
         "angle": number(float(angle[carrying].max()) if carrying.any() else None, "deg", 1),
-        "rope": number(share(force, sling.minimum_breaking_force), "%", 0),
+        "rope": number(upper_end.utilisation(recording, sling.rope), "%", 0),
         "shackle": number(max(held, default=None), "%", 0),
         "lug_used": number(max((lugs[one] for one in own if one in lugs), default=None), "%", 0),
         "aside": number(max((aside[one] for one in own if one in aside), default=None), "deg", 1),

@@ -9,8 +9,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_equalizing_rope_tension` [N]: largest tension of any equalizing rope over all steps
 - `peak_rope_tension.<rope>` [N]: largest tension of that rope over all steps
 - `final_rope_tension.<rope>` [N]: its tension at the last sample
-- `utilisation_of_minimum_breaking_force.<rope>` [1]: largest tension of that rope over all steps/its minimum
-  breaking force, where that is known
+- `utilisation_of_minimum_breaking_force.<rope>` [1]: largest tension at the upper end of that rope over all
+  steps, its own weight counted/its minimum breaking force, where that is known
 - `peak_utilisation_of_minimum_breaking_force` [1]: the largest of them
 - `parted_ropes` [1]: how many ropes were cut or broke; absent where none did, as the next two
 - `parting_time.<rope>` [s]: when that rope parted
@@ -23,7 +23,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `least_sling_tension_when_clear` [N]: smallest tension of any sling while the loads are clear
 - `dynamic_amplification_factor` [1]: largest of peak/static tension of the same sling, of those whose peak is
   at a time with slings on on which the loads also hung still
-- `least_factor_on_breaking_force` [1]: smallest of minimum breaking force/peak tension of the same sling
+- `least_factor_on_breaking_force` [1]: smallest of minimum breaking force/peak tension of the same sling at
+  its upper end, its own weight counted
 - `peak_tension_spread_when_clear` [1]: largest (max - min)/mean over one equalizer's slings while clear
 - `final_tension_spread` [1]: the same at the last sample
 - `time_to_equalise.<equalizer>` [s]: from when all its slings are taut and its pins out until its tension
@@ -86,7 +87,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.results import series
+from gantline.results import series, upper_end
 from gantline.results.clearances import peak_support_force, watched_during
 from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
@@ -151,7 +152,7 @@ def _ropes(recording: Recording) -> Iterator[_Metric]:
     for rope in recording.coordinates["rope"]:
         yield f"peak_rope_tension.{rope}", series.rope_peak(recording, rope)[0]
         yield f"final_rope_tension.{rope}", float(recording.column("rope_tension", rope)[-1])
-    used = {rope: series.utilisation(recording, rope) for rope in recording.coordinates["rope"]}
+    used = {rope: upper_end.utilisation(recording, rope) for rope in recording.coordinates["rope"]}
     known = {rope: share for rope, share in used.items() if share is not None}
     for rope, share in known.items():
         yield f"utilisation_of_minimum_breaking_force.{rope}", share
@@ -213,8 +214,9 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
         yield f"static_sling_tension.{sling.rope}", static
         if static and series.has_hung_so(recording, time):
             amplification.append(top / static)
-        if sling.minimum_breaking_force and top > 0.0:
-            factors.append(sling.minimum_breaking_force / top)
+        used = upper_end.utilisation(recording, sling.rope)
+        if used:
+            factors.append(1.0 / used)
         if (counts := clear & series.is_on(recording, sling.rope)).any():
             least.append(float(tension[counts].min()))
         carrying = series.is_carrying(tension)

@@ -416,12 +416,6 @@ def rope_peak(recording: Recording, rope: str) -> tuple[float, float]:
     return of_samples if of_samples is not None and of_samples[0] > of_steps[0] else of_steps
 
 
-def utilisation(recording: Recording, rope: str) -> float | None:
-    """Largest tension of a rope over all steps, of its minimum breaking force [1]; None if not known."""
-    strength = recording.rig.minimum_breaking_force(rope)
-    return rope_peak(recording, rope)[0] / strength if strength else None
-
-
 def peak(
     recording: Recording, values: FloatArray, during: BoolArray | None = None
 ) -> tuple[float, float] | None:

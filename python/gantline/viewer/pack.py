@@ -22,6 +22,7 @@ from gantline.results.progress import stretches, unfinished
 from gantline.results.recording import Recording
 from gantline.results.rig import Watch
 from gantline.results.surroundings import ground_of, structures_of, water_level
+from gantline.results.upper_end import utilisation
 from gantline.results.variable import FloatArray
 from gantline.viewer.arrays import Arrays
 from gantline.viewer.curves import curves
@@ -177,7 +178,7 @@ def _ropes(recording: Recording, scene: Mapping[str, Any], at: Places) -> list[d
                 "count": len(points),
                 "diameter": (known.diameter if known is not None else None) or 0.0,
                 "length": length,
-                "strength": recording.rig.minimum_breaking_force(name),
+                "used": utilisation(recording, name),
                 "peak": peak,
                 "peakTime": when,
             }

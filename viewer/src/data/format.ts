@@ -38,7 +38,8 @@ export interface Rope {
   diameter: number;
   /** Without tension [m]; null where it is not known or changes. */
   length: number | null;
-  strength: number | null;
+  /** Peak of its minimum breaking force, at its upper end [1]; null where that is not known. */
+  used: number | null;
   peak: number;
   peakTime: number;
 }

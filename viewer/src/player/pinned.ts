@@ -32,9 +32,7 @@ export class Pinned {
     if (!rope) return;
     const lug = this.session.lift.header.lugs.find((one) => one.rope === rope.name);
     const close = button("Let go of this rope", ICONS.close, () => this.session.pin(null));
-    const share = rope.strength
-      ? `, ${shown((100 * rope.peak) / rope.strength, 1)} % of its minimum breaking force`
-      : "";
+    const share = rope.used === null ? "" : `, ${shown(100 * rope.used, 1)} % of its minimum breaking force`;
     const about = `at most ${forceText(rope.peak, rope.peak, 1)} at ${shown(rope.peakTime, 2)} s${share}`;
     const head = element(
       "div",

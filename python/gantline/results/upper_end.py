@@ -1,0 +1,87 @@
+"""What the upper end of a rope carries: its tension, and of its own weight what hangs below.
+
+The tension of a rope whose weight is lumped is that at the middle of each straight part; at the upper end
+half the weight of that part comes to it (docs/concepts/rope_weight.md, equation RW4). Ropes with nodes know
+the forces of their ends themselves.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray, FloatArray
+
+__all__ = ["UpperEnd", "own_weight", "peak_at_upper_end", "utilisation"]
+
+
+@dataclass(frozen=True)
+class UpperEnd:
+    """The largest tension of a rope, at its upper end.
+
+    Attributes:
+        tension: With its own weight [N].
+        own_weight: What of it is own weight over the tension that is recorded [N].
+        time: When that is [s].
+    """
+
+    tension: float
+    own_weight: float
+    time: float
+
+
+def own_weight(recording: Recording, rope: str) -> FloatArray:
+    """What the upper end of a rope carries over its recorded tension [N], shape (time,).
+
+    Half the weight of the part that goes farthest down. Of a rope in which a hook hangs these are its falls:
+    what goes down to the drum pulls it there by less, not at the top by more.
+    """
+    return recording.kept(("own_weight", rope), lambda: _found(recording, rope))
+
+
+def _found(recording: Recording, rope: str) -> FloatArray:
+    known = recording.rig.rope(rope)
+    drawn = recording.points_of_ropes.get(rope, ())
+    if known is None or known.weight != "lumped" or len(drawn) < 2:
+        return np.zeros(recording.time.shape)
+    falls = [fall for hook in recording.rig.hooks for fall in hook.falls if fall.rpartition("/")[0] == rope]
+    if falls:
+        down = np.max([recording.column("segment_length", fall) for fall in falls], axis=0)
+    else:
+        down = np.abs(np.diff(recording["rope_point"].values[:, drawn, 2], axis=1)).max(axis=1)
+    weight: FloatArray = 0.5 * known.mass_per_length * recording.rig.gravity * down
+    return weight
+
+
+def peak_at_upper_end(recording: Recording, rope: str, during: BoolArray | None = None) -> UpperEnd | None:
+    """The largest tension at the upper end of a rope; over all steps, or over some samples.
+
+    Args:
+        recording: Any recording.
+        rope: Name of the rope.
+        during: Samples that count; None for all, and all steps between them.
+
+    Returns:
+        The peak; None if `during` holds no sample.
+    """
+    more = own_weight(recording, rope)
+    found = []
+    if during is None or during.all():
+        tension, time = series.rope_peak(recording, rope)
+        own = float(np.interp(time, recording.time, more)) if len(more) else 0.0
+        found.append(UpperEnd(tension + own, own, time))
+    highest = series.peak(recording, series.tightest_tension(recording, rope) + more, during)
+    if highest is not None:
+        found.append(UpperEnd(highest[0], float(np.interp(highest[1], recording.time, more)), highest[1]))
+    # A sample that is no number does not take the place of what the steps had.
+    return max(found, key=lambda one: one.tension, default=None)
+
+
+def utilisation(recording: Recording, rope: str) -> float | None:
+    """Largest tension of a rope at its upper end, of its minimum breaking force [1]; None if not known."""
+    strength = recording.rig.minimum_breaking_force(rope)
+    peak = peak_at_upper_end(recording, rope) if strength else None
+    return peak.tension / strength if strength and peak is not None else None
