@@ -37,7 +37,7 @@ def peaks(values: FloatArray, buckets: int) -> Places:
     return _needed(values, np.unique(np.concatenate(found)))
 
 
-def faithful(time: FloatArray, values: FloatArray, kept: Places, off: float) -> Places:
+def faithful(time: FloatArray, values: FloatArray, kept: Places, off: float, most: int) -> Places:
     """Samples between which straight lines come near every sample, so that a curve can be read at any time.
 
     Where the line between two that are kept is furthest off, that sample is kept too, until none is too far.
@@ -47,6 +47,7 @@ def faithful(time: FloatArray, values: FloatArray, kept: Places, off: float) -> 
         values: Shape (time,); where one is no number, there is nothing to come near to.
         kept: Those to begin with, increasing.
         off: How far from the lines a sample may be, of the range of the curve [1].
+        most: How many may be kept; where that is too few, those that are furthest off come first.
 
     Returns:
         Increasing indices into `values`, `kept` among them; without those that are no number.
@@ -55,20 +56,21 @@ def faithful(time: FloatArray, values: FloatArray, kept: Places, off: float) -> 
     kept = kept[known[kept]]
     if len(kept) < 2:
         return kept
-    most = off * np.ptp(values[kept])
-    while True:
+    allowed = off * np.ptp(values[kept])
+    while len(kept) < most:
         distance = np.abs(np.interp(time, time[kept], values[kept]) - values)
         distance = np.where(known, distance, 0.0)[kept[0] : kept[-1]]
         edges = kept[:-1] - kept[0]
-        far = np.flatnonzero(np.maximum.reduceat(distance, edges) > most)
-        if not len(far):
-            return kept
+        largest = np.maximum.reduceat(distance, edges)
+        far = np.flatnonzero(largest > allowed)
+        far = far[np.argsort(-largest[far], kind="stable")[: most - len(kept)]]
         ends = np.append(edges[1:], len(distance))
         furthest = [edges[one] + int(np.argmax(distance[edges[one] : ends[one]])) for one in far]
-        grown = np.union1d(kept, kept[0] + np.array(furthest))
-        if len(grown) == len(kept):  # two samples of one time
-            return kept
+        grown = np.union1d(kept, kept[0] + np.array(furthest, dtype=np.int64))
+        if len(grown) == len(kept):  # near enough; or two samples have one time
+            break
         kept = grown
+    return kept
 
 
 def _extremes(values: FloatArray, edges: Places) -> Places:
