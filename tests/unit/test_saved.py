@@ -100,7 +100,7 @@ def test_a_report_shows_what_lies_beside_it(folder: Path) -> None:
     assert "most in sling S1" in first and "612.3\u00a0kN, heavy" in first
     assert "least in sling S2" in first and "100.0\u00a0kN, heavy" in first
     assert "<strong>cut is not sound</strong>: no equilibrium: nothing holds it" in first
-    # Not the load on the hook, which the table of cases has: block and falls are in it.
+    # Not the hook load, which the table of cases has: hook block and falls are in it.
     assert "most on hook" not in first and "most hoist load at crane" in first
     assert "gantline cases LIFT" not in first
 
