@@ -70,6 +70,12 @@ _BY_SIZE: Final[dict[str, tuple[str, ...]]] = {
     "rotational_stiffness": ("MN m/rad", "kN m/rad", "N m/rad"),
 }
 
+#: Units in which tables show what may be a thousandth of one, and decimals that reach to that.
+_THOUSANDS: Final = frozenset({"kN", "t"})
+_OF_A_THOUSAND: Final = 3
+#: What is less is nothing in them: half of the last of those decimals.
+_TO_TELL: Final = 0.5e-3
+
 #: How a message names a dimension and what it shows as a right example.
 _WORDS: Final[dict[str, tuple[str, str]]] = {
     "length": ("a length", "'23 m' or '66 mm'"),
@@ -233,15 +239,24 @@ def format_quantity(value: float, unit: str, digits: int) -> str:
     Args:
         value: the value [SI].
         unit: a unit symbol of `DIMENSIONS`.
-        digits: decimals after the point.
+        digits: decimals after the point; a force in kN and a mass in t that these would round by more than
+            1 % gets more of them, down to 1 N and 1 kg: lifts of 200 kg are shown by the same tables.
 
     Raises:
         UnitError: if the unit is not known.
     """
     for units in DIMENSIONS.values():
         if unit in units:
-            return f"{value / units[unit]:z.{digits}f} {unit}".rstrip()
+            shown = value / units[unit]
+            return f"{shown:z.{_decimals(shown, digits) if unit in _THOUSANDS else digits}f} {unit}".rstrip()
     raise UnitError(f"'{unit}' is not a known unit")
+
+
+def _decimals(value: float, digits: int) -> int:
+    """Decimals that keep what rounding takes off a value below 1 %, of one that is more than rounding."""
+    while digits < _OF_A_THOUSAND and abs(value) >= _TO_TELL and 0.5 * 0.1**digits > 0.01 * abs(value):
+        digits += 1
+    return digits
 
 
 def format_by_size(value: float, dimension: str, digits: int = 3) -> str:

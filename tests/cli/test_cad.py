@@ -103,7 +103,7 @@ def test_doubts_are_told_with_the_parts_that_have_them(tmp_path: Path) -> None:
     assert "Without weight: S." in said
     assert "differ by more than 1%: P0, P1, P2 and 2 more." in said
     assert "P0, P1, P2 and 2 more: its contour is open by 2 m, closed by a straight line." in said
-    assert "S: its geometry is not read, its declared weight counts" in said
+    assert "S: its geometry is not read, nor does it declare a weight and its place" in said
 
 
 @pytest.mark.parametrize(

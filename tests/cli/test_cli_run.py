@@ -158,10 +158,10 @@ def test_progress_names_the_step_under_way_and_what_the_slings_carry(
     lines = run("lift.yaml", "-o", tmp_path, "--no-plots", "--no-report").stderr.splitlines()
     ends = [line.partition(" s left, ")[2] for line in lines]
     assert ends == [
-        "step 'hoist', most in sling S1: 1 kN",
-        "step 'hoist', most in sling S1: 2 kN",
-        "most in sling S1: 3 kN",
-        "most in sling S1: 4 kN",
+        "step 'hoist', most in sling S1: 1.00 kN",
+        "step 'hoist', most in sling S1: 2.00 kN",
+        "most in sling S1: 3.00 kN",
+        "most in sling S1: 4.00 kN",
     ]
 
 

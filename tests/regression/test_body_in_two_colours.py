@@ -67,3 +67,24 @@ def test_extensions_that_move_vertices_are_refused(tmp_path: Path, name: str) ->
 def test_extensions_of_looks_are_read_past(tmp_path: Path) -> None:
     path = coloured(tmp_path / "a.glb", extensionsRequired=["KHR_materials_unlit"])
     assert read(path, keep=False).properties.mass == pytest.approx(7850 * 30)
+
+
+_FAN = {"attributes": {"POSITION": 0}, "indices": 1, "mode": 6}
+_MOVED = {"attributes": {"POSITION": 0}, "indices": 1, "targets": [{"POSITION": 0}]}
+_MANY = {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0}}}
+
+
+@pytest.mark.parametrize(
+    ("changes", "what"),
+    [
+        ({"meshes": [{"primitives": [_FAN]}]}, "fans of triangles"),
+        ({"meshes": [{"primitives": [_MOVED]}]}, "morph targets"),
+        ({"accessors": [{"sparse": {"count": 1}}]}, "sparse accessors"),
+        ({"nodes": [{"mesh": 0, "skin": 0}]}, "skins"),
+        ({"nodes": [{"mesh": 0, "extensions": _MANY}]}, "instances of meshes"),
+    ],
+)
+def test_triangles_that_are_read_past_are_refused(tmp_path: Path, changes: dict[str, Any], what: str) -> None:
+    """Fans were left out beside other triangles, and eight instances weighed as one, without a word."""
+    with pytest.raises(CadError, match=f"it has {what}, which are not read"):
+        read(coloured(tmp_path / "a.glb", **changes), keep=False)

@@ -20,7 +20,7 @@ from gantline.plot.labels import beside
 from gantline.plot.moments import moments
 from gantline.plot.panels import TENSION, draw_water
 from gantline.plot.scene import Box, snapshot
-from gantline.plot.style import curves
+from gantline.plot.style import curves, four_digits, label_ends
 from gantline.plot.views import equalizer, system
 from gantline.results.recording import Recording
 from sample_lift import ringing_lift, sample_recording, sample_rig, sample_scene
@@ -68,7 +68,38 @@ def test_curves_that_are_one_on_paper_are_dashes_of_all_their_colours() -> None:
     lines = panel.get_lines()
     assert [line.is_dashed() for line in lines] == [False, True, False, False]
     assert lines[1].get_linewidth() == lines[0].get_linewidth() > lines[2].get_linewidth()
+    # Wide dashes lie below what is narrower: they hid all of it.
+    assert lines[0].get_zorder() <= lines[1].get_zorder() < lines[2].get_zorder()
     assert len({line.get_color() for line in lines}) == 4
+
+
+def test_a_curve_with_a_peak_of_its_own_is_drawn_whole() -> None:
+    """Of 4.5 MN in one sling after another was cut, dashes left two strokes in the air."""
+    time = np.linspace(0.0, 1.0, 101)
+    flat, peaked = np.full(101, 100.0), np.full(101, 100.0)
+    peaked[40] = 120.0
+    panel = Figure().add_subplot()
+    curves(panel, time, {"a": flat, "b": peaked, "c": flat + 0.05})
+    assert [line.is_dashed() for line in panel.get_lines()] == [False, False, True]
+
+
+def test_a_large_force_is_written_out() -> None:
+    """A hook of 1000 t read `1.054e+04 kN`."""
+    assert [four_digits(value) for value in (10_544.3, 4_543.1, 0.98765, 123_456.7)] == [
+        "10544",
+        "4543",
+        "0.9877",
+        "123457",
+    ]
+
+
+def test_long_names_at_the_ends_leave_room_for_the_titles() -> None:
+    """Beside a load with a name of forty letters `Attitude` lay under what was lifted."""
+    panel = Figure().add_subplot()
+    label_ends(
+        panel, np.array([0.0, 1.0]), {"a_very_long_module_name_of_forty_letters": np.array([0.0, 1.0])}
+    )
+    assert [text.get_text() for text in panel.texts] == ["a_very_lon…ty_letters"]
 
 
 def test_pictures_of_a_lift_with_an_equalizer(drawn: dict[str, Figure]) -> None:

@@ -44,11 +44,12 @@ def cases(**changed: Any) -> dict[str, Any]:
     }
     small = {**worst, "quantity": "smallest_sling_tension", "element": "S2", "value": 100e3, "losses": "none"}
     less = {**worst, "element": "S3", "value": 1.0}
+    hoist = {**worst, "quantity": "hoist_load", "element": "crane", "value": 1702.4e3}
     document = {
         "scenario_sha256": digest_of(SCENARIO),
         "sound": False,
         "cases": [{"case": "", "states": [fine]}, {"case": "cut", "states": [bad, bad]}],
-        "worst": [less, worst, small],
+        "worst": [less, worst, small, hoist],
     }
     return {**document, **changed}
 
@@ -99,6 +100,8 @@ def test_a_report_shows_what_lies_beside_it(folder: Path) -> None:
     assert "most in sling S1" in first and "612.3\u00a0kN, heavy" in first
     assert "least in sling S2" in first and "100.0\u00a0kN, heavy" in first
     assert "<strong>cut is not sound</strong>: no equilibrium: nothing holds it" in first
+    # Not the hook load, which the table of cases has: hook block and falls are in it.
+    assert "most on hook" not in first and "most hoist load at crane" in first
     assert "gantline cases LIFT" not in first
 
 

@@ -5,7 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gantline.report.sketch_names import around_dot, has_room, names_beside, names_in_a_row, text_box
+from gantline.report.sketch_names import (
+    around_dot,
+    has_room,
+    names_beside,
+    names_in_a_row,
+    on_paper,
+    text_box,
+)
 
 
 def test_dots_that_look_like_one_have_one_name() -> None:
@@ -84,3 +91,11 @@ def test_lines_that_hide_each_other_and_a_crowd_have_no_row() -> None:
     crowd = hanging(*np.arange(10.0, 40.0, 2.0))
     assert names_in_a_row(crowd, [f"S{one}" for one in range(len(crowd))], 90.0, []) is None
     assert names_in_a_row(hanging(20.0, 60.0, bottom=20.0), ["S1", "S2"], 90.0, []) is None
+
+
+def test_a_long_name_at_the_end_of_the_paper_is_kept_on_it() -> None:
+    """`north_west.2` at a lug 9 mm from the left end was cut to `orth_west.2`."""
+    half = 12 * 2.2 / 2  # of twelve bold letters of 2.2 mm
+    assert on_paper(9.0, "north_west.2", 92.0) == pytest.approx(half)
+    assert on_paper(88.0, "north_west.2", 92.0) == pytest.approx(92.0 - half)
+    assert on_paper(46.0, "north_west.2", 92.0) == 46.0

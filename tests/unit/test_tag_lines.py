@@ -47,7 +47,7 @@ def test_cut_by_the_plan_and_told() -> None:
     assert tension[recording.time < time].min() > 900.0
     assert tension[recording.time > time].max() == 0.0
     rows = dict(attitude(Subject(recording)))
-    assert rows["largest pull of a tag line"].startswith("west 1.0 kN at ")
+    assert rows["largest pull of a tag line"].startswith("west 1.00 kN at ")
 
 
 @pytest.mark.parametrize(

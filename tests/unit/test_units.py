@@ -119,6 +119,12 @@ def test_a_long_text_is_not_repeated_whole() -> None:
         (math.radians(-69.0), "deg", 1, "-69.0 deg"),
         (1.25, "", 2, "1.25"),
         (-1e-4, "m", 3, "0.000 m"),
+        (3_423.0, "kN", 1, "3.42 kN"),
+        (5_040.0, "kN", 1, "5.0 kN"),
+        (200.0, "t", 1, "0.200 t"),
+        (-0.6, "kN", 1, "-0.001 kN"),
+        (0.4, "kN", 1, "0.0 kN"),
+        (12_500.0, "t", 0, "12.5 t"),
     ],
 )
 def test_writing_a_quantity(value: float, unit: str, digits: int, text: str) -> None:

@@ -12,7 +12,7 @@ import pytest
 from gantline.results import Recording, Variable
 from gantline.viewer import Packed, pack
 from gantline.viewer.arrays import Arrays
-from gantline.viewer.decimate import frames, peaks
+from gantline.viewer.decimate import faithful, frames, peaks
 from gantline.viewer.shapes import packed_shape
 from packed_arrays import unpacked
 from sample_lift import SLINGS, ringing_lift, sample_recording
@@ -52,6 +52,17 @@ def test_decimated_curves_keep_their_peaks_and_stay_small() -> None:
     assert {31_234, 777, 0, 50_000} <= set(kept.tolist())
     assert len(kept) <= 4 * 200
     assert (np.diff(kept) > 0).all()
+
+
+def test_what_no_few_samples_can_follow_has_as_many_as_may_be() -> None:
+    """Noise: those that are furthest off come first, and there is an end to them."""
+    time = np.linspace(0.0, 100.0, 20_001)
+    noise = np.random.default_rng(2).normal(size=time.size)
+    kept = peaks(noise, 200)
+    assert faithful(time, noise, kept, 1e-3, 10).tolist() == kept.tolist()
+    assert len(faithful(time, noise, kept, 1e-3, 3000)) == 3000
+    every = faithful(time, noise, kept, 0.0, 10**6)
+    np.testing.assert_allclose(np.interp(time, time[every], noise[every]), noise, rtol=0.0, atol=1e-15)
 
 
 def test_a_straight_stretch_needs_its_ends_alone() -> None:

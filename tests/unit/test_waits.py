@@ -69,7 +69,7 @@ def test_a_hoist_load_below_the_empty_hook_is_doubted() -> None:
     """The hook block weighs 2 t."""
     assert warned("{hoist_load: {hook: hook, below: 2.1 t}}") == []
     assert warned("{hoist_load: {hook: hook, below: 1.9 t}}") == [
-        "step 'hoist' waits for a hoist load below 1.9 t at hook; hook block and falls alone weigh 2.0 t, "
+        "step 'hoist' waits for a hoist load below 1.90 t at hook; hook block and falls alone weigh 2.00 t, "
         "and the step does not end by it"
     ]
 

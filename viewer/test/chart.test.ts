@@ -69,6 +69,25 @@ describe("curves that lie upon each other", () => {
     expect(alike(parts, [0, 1], asPixels)).toEqual([[0, 1]]);
   });
 
+  it("part where one of them has a peak of its own, which dashes would break up", () => {
+    const time = Float64Array.from({ length: 101 }, (_, sample) => sample);
+    const samples = Uint32Array.from(time);
+    const made = (name: string, values: Float32Array) =>
+      new Curve({ ...high.entry, name, first: 0, count: 101 }, time, samples, values);
+    const flat = new Float32Array(101).fill(100);
+    const peaked = Float32Array.from(flat, (value, sample) => (sample === 40 ? 120 : value));
+    const bumped = Float32Array.from(flat, (value, sample) => (sample === 40 ? 102 : value));
+    const both = (other: Float32Array) =>
+      new Map([
+        [0, made("a", flat)],
+        [1, made("b", other)],
+      ]);
+    expect(alike(both(peaked), [0, 100], asPixels)).toEqual([]);
+    // Where they come apart by no more than their lines are wide, they still look like one.
+    expect(alike(both(bumped), [0, 100], asPixels)).toEqual([[0, 1]]);
+    expect(alike(both(peaked), [50, 100], asPixels)).toEqual([[0, 1]]);
+  });
+
   it("show all their colours: the first is whole, the others have their places on it", () => {
     const places = placesOf([[4, 5, 7]]);
     expect(dashes(places.get(4)!)).toEqual({});

@@ -200,6 +200,13 @@ describe("a lift", () => {
     expect(smallLift([1, 1]).drawnPath(0).length).toBe(6);
   });
 
+  it("draws nothing of a rope that is cut, whose path is one point", () => {
+    const unpacked = smallUnpacked([0, 0]);
+    unpacked.arrays.set("path", Int32Array.of(0, 0, 8, 0, 0, 8, 0, 0, 8, 0, 0, 8));
+    // 5 m of it that hung in 0 m: places that were no numbers, and an error in the console of the browser.
+    expect([...new Lift(unpacked).drawnPath(0)]).toEqual([0, 0, 4, 0, 0, 4]);
+  });
+
   it("knows where watched pairs are nearest, and whether they are too close", () => {
     const lift = smallLift([1, 1]);
     lift.seek(1);

@@ -8,7 +8,7 @@ import {
   Vector3,
 } from "three";
 import { describe, expect, it } from "vitest";
-import { forceText, shown, ticksOf, verticalScale } from "../src/chart/scale";
+import { forceText, shown, ticksOf, valueText, verticalScale } from "../src/chart/scale";
 import type { Vector } from "../src/data/format";
 import type { Lift } from "../src/data/lift";
 import { Pace } from "../src/pace";
@@ -65,6 +65,15 @@ describe("axes", () => {
     expect(forceText(1500, 3000)).toBe("1.50 kN");
     // The rope of the smallest scenario had a scale from 0 to 0 kN.
     expect(forceText(99.92, 99.92)).toBe("99.9 N");
+  });
+
+  it("write values with decimals that show them", () => {
+    expect(valueText(231.71, "kN", 248.7)).toBe("231.7 kN");
+    // The slings of 200 kg: 1.1 kN all the time.
+    expect(valueText(1.084, "kN", 1.326)).toBe("1.08 kN");
+    expect(valueText(-0.0526, "kN", 0.981)).toBe("−0.053 kN");
+    expect(valueText(0.25, "m", 1)).toBe("0.250 m");
+    expect(valueText(20, "", 53)).toBe("20.00");
   });
 });
 

@@ -13,6 +13,7 @@ from gantline.assembly.spatial import Array, inertia_matrix, solid_box
 from gantline.assembly.stamp import stamp
 from gantline.cad import Assumptions, CadError, CadModel, read, read_light_mesh
 from gantline.cad.assumptions import STEEL
+from gantline.cad.doubts import doubts_of_parts, doubts_of_the_whole
 from gantline.cad.mass_properties import MassProperties
 from gantline.cad.mesh import TriangleMesh
 from gantline.cad.simplify import contact_hull
@@ -38,6 +39,8 @@ _AIR = 1.2
 _LOWEST = 0.01
 #: Radii of gyration below this share of those of a solid box are a slip [1]: kg m^2 for t m^2 gives 0.03.
 _THINNEST = 0.1
+#: Doubts of a CAD file that are told, each a sentence.
+_MOST_DOUBTS = 8
 #: Lugs stand on what is lifted, or on masts and houses that its box leaves out, so far [m].
 _OFF = 1.0
 
@@ -154,7 +157,11 @@ def _lugs_at_one_place(load: Load) -> list[str]:
 def _far_off(scenario: Scenario, load: Load, box: Array) -> list[str]:
     """What lies so far off the load's box that nothing seems to hold it there; farther still is refused."""
     apart = [(one, one.off(_extent(box))) for one in attached(scenario, load)]
-    words = {"lug": "lug {} lies", "tag line": "the end of tag line {} on the load lies"}
+    words = {
+        "lug": "lug {} lies",
+        "outfitting": "outfitting {} lies",
+        "tag line": "the end of tag line {} on the load lies",
+    }
     return [
         f"{words[one.kind].format(one.name)} {off:.3g} m outside the load's box"
         for one, off in apart
@@ -192,17 +199,14 @@ def _from_cad(scenario: Scenario, load: Load) -> LoadBody:
         shift = -np.array([*box.mean(axis=0)[:2], box[0, 2]])
     box = box + shift
     whole, warnings = _weighed(load, own.moved(np.eye(3), shift))
-    warnings += [f"the CAD file of the load: {doubt}" for doubt in model.doubts]
-    if model.without_weight:
-        count, total = len(model.without_weight), len(model.parts)
-        warnings.append(f"the CAD file of the load: {count} of {total} parts have no weight")
+    warnings += _of_the_file(model, shape.cad)
     centre, mass = whole.centre, load.weight.simulated
     stated = load.centre_of_gravity.at
     if stated != "from_cad":
         centre = np.array(stated)
         warnings += _apart(centre, whole.centre, box)
     warnings += _doubts(scenario, load, box)
-    _check(scenario, load, box)
+    _check(scenario, load, box, centre)
     if isinstance(load.inertia, LoadInertia):
         inertia = stated_inertia(load.inertia)
     else:
@@ -220,6 +224,16 @@ def _read(path: Path, _stamp: tuple[int, int], given: Assumptions) -> tuple[CadM
         raise CadError(f"{path}: no part has geometry")
     hull = contact_hull(mesh, _HULL_ERROR * mesh.size)
     return model, read_light_mesh(path, given, most=_MOST_TRIANGLES), hull.vertices
+
+
+def _of_the_file(model: CadModel, name: str) -> list[str]:
+    """What is doubtful about a CAD file and its parts; of very many doubts the first."""
+    found = [*doubts_of_the_whole(model), *doubts_of_parts(model)]
+    doubts = [f"the CAD file of the load: {doubt}" for doubt in found]
+    more = len(doubts) - _MOST_DOUBTS
+    if more > 1:
+        doubts[_MOST_DOUBTS:] = [f"the CAD file of the load: {more} more doubts; 'gantline cad {name}' tells"]
+    return doubts
 
 
 def _weighed(load: Load, own: MassProperties) -> tuple[MassProperties, list[str]]:
@@ -247,12 +261,13 @@ def _apart(stated: Array, found: Array, box: Array) -> list[str]:
     return [f"{sentence}, {distance:.3g} m away: the stated one is simulated"]
 
 
-def _check(scenario: Scenario, load: Load, box: Array) -> None:
+def _check(scenario: Scenario, load: Load, box: Array, centre: Array) -> None:
     """What is checked of a box when the lift file is read, as soon as the CAD file's box is known."""
     findings = Findings(scenario)
     low, high = _extent(box)
-    if load.centre_of_gravity.at != "from_cad":
-        check_centre(findings, load.centre_of_gravity.at, (low, high))
+    x, y, z = (float(part) for part in centre)
+    whose = ", by CAD and outfitting," if load.centre_of_gravity.at == "from_cad" else ""
+    check_centre(findings, (x, y, z), (low, high), whose)
     check_attached(findings, load, (low, high))
     check_places(findings, low, high)
     if load.is_at_origin:

@@ -64,14 +64,14 @@ def _check_given(place: Path, model: CadModel, given: Assumptions | None) -> Non
         )
 
 
-def _kept(place: Path, data: bytes, assumed: Assumptions, keep: bool) -> CadModel:
-    """From the cache, or read."""
+def _kept(place: Path, data: bytes, assumed: Assumptions, keep: bool, *deflection: float) -> CadModel:
+    """From the cache, or read; triangles of STEP and IGES as close as usual, or as asked for."""
     from gantline.cad import cache
 
-    key = cache.digest(data, place.name, assumed)
+    key = cache.digest(data, place.name, assumed, *deflection)
     model = cache.load(key) if keep else None
     if model is None:
-        model = _read(place, data, assumed)
+        model = _read(place, data, assumed, *deflection)
         if keep:
             cache.store(key, model)
     return model
@@ -122,13 +122,15 @@ def read_surface(
         return read_surface_file(place, given if given is not None else Assumptions())
     if _is_ocx(place, content(place)):
         raise CadError(f"{place}: an OCX file has plates and no surface of the whole")
-    model = read(place, given, keep=keep)
+    from gantline.cad.step import FINE
+
+    model = _kept(place, content(place), given if given is not None else Assumptions(), keep, FINE)
     if not len(model.mesh.triangles):
         raise CadError(f"{place}: no part has geometry")
     return model.mesh, model.doubts
 
 
-def _read(place: Path, data: bytes, given: Assumptions) -> CadModel:
+def _read(place: Path, data: bytes, given: Assumptions, *deflection: float) -> CadModel:
     if _is_ocx(place, data):
         from gantline.cad.ocx.reader import read_ocx
 
@@ -138,4 +140,4 @@ def _read(place: Path, data: bytes, given: Assumptions) -> CadModel:
     if not place.name.lower().endswith(tuple(GEOMETRY_FORMATS)):
         known = ", ".join([*_OCX, *GEOMETRY_FORMATS])
         raise CadError(f"{place}: is no CAD file that can be read; these can: {known}")
-    return read_geometry(place, given)
+    return read_geometry(place, given, *deflection)

@@ -10,10 +10,12 @@ import numpy as np
 from gantline.cad.errors import CadError
 from gantline.units import DIMENSIONS
 
-__all__ = ["STAND_UP", "STEEL", "Assumptions"]
+__all__ = ["DENSITIES", "STAND_UP", "STEEL", "Assumptions"]
 
 #: Density of shipbuilding steel [kg/m^3].
 STEEL = 7850.0
+#: Densities of materials [kg/m^3].
+DENSITIES = (100.0, 25_000.0)
 #: Turns what has y up, so that it has z up.
 STAND_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 #: A lifted thing is smaller than this [m]; a file with larger numbers is in millimetres.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
+import numpy.typing as npt
 
 from gantline.cad.assumptions import Assumptions
 from gantline.cad.errors import CadError
@@ -18,7 +19,12 @@ __all__ = ["NO_THICKNESS", "NO_WEIGHT", "parts_of_mesh"]
 _WELD = 1e-6
 #: Closed pieces in one mesh.
 _MOST_PIECES = 100_000
+#: Bodies above which it is not looked for whether one lies within another: each is held against all.
+_MOST_COMPARED = 5000
+#: Vertices of a piece that tell whether it lies within another one.
+_SOME = 12
 NO_THICKNESS = "its surface is open and no plate thickness is given, so it has no weight"
+RUNS_THROUGH_ITSELF = "its surface runs through itself, so it has no weight"
 NO_WEIGHT = "it encloses next to nothing, so it has no weight"
 
 
@@ -51,7 +57,7 @@ def parts_of_mesh(name: str, mesh: TriangleMesh, size: float, given: Assumptions
         (closed if shell.is_closed else opened).append(shell)
     if len(closed) > _MOST_PIECES:
         raise CadError(f"'{name}' has more than {_MOST_PIECES} closed pieces")
-    found = [_solid(body, cavities, given) for body, cavities in _nested(closed)]
+    found = [_solid(body, cavities, given, within) for body, cavities, within in _nested(closed)]
     if opened:
         found.append(_surface(opened, given))
     for place, (kind, properties, body, own) in enumerate(found, start=1):
@@ -69,11 +75,12 @@ def parts_of_mesh(name: str, mesh: TriangleMesh, size: float, given: Assumptions
 _Found = tuple[PartKind, MassProperties | None, TriangleMesh, list[str]]
 
 
-def _nested(closed: list[TriangleMesh]) -> Iterator[tuple[TriangleMesh, list[TriangleMesh]]]:
-    """Bodies with their cavities: pieces that face inwards and lie within one that faces outwards.
+def _nested(closed: list[TriangleMesh]) -> Iterator[tuple[TriangleMesh, list[TriangleMesh], bool]]:
+    """Bodies with their cavities, and whether they lie in the material of another one.
 
-    Where a piece that faces inwards lies in none, it is inside out, and so is what lies within it: a mirrored
-    file has its cavities facing outwards.
+    Cavities are pieces that face inwards and lie within one that faces outwards. Where a piece that faces
+    inwards lies in none, it is inside out, and so is what lies within it: a mirrored file has its cavities
+    facing outwards.
     """
     inwards = [shell.volume < 0 for shell in closed]
     inside_out = [
@@ -97,15 +104,46 @@ def _nested(closed: list[TriangleMesh]) -> Iterator[tuple[TriangleMesh, list[Tri
             cavities.setdefault(smallest, []).append(shell.flipped() if turned[place] else shell)
         else:
             alone.append(place)
+    filled = _in_material(closed, outer, cavities)
     for place in [*outer, *alone]:
-        yield closed[place], cavities.get(place, [])
+        yield closed[place], cavities.get(place, []), place in filled
+
+
+def _in_material(
+    closed: list[TriangleMesh], outer: list[int], cavities: dict[int, list[TriangleMesh]]
+) -> set[int]:
+    """Which bodies lie within another one and not in a cavity of it."""
+    if len(outer) > _MOST_COMPARED:
+        return set()
+    boxes = np.array([closed[place].box for place in outer])
+    found = set()
+    for place, (low, high) in zip(outer, boxes, strict=True):
+        around = np.all(boxes[:, 0] <= low, axis=1) & np.all(boxes[:, 1] >= high, axis=1)
+        for other in (outer[which] for which in np.flatnonzero(around) if outer[which] != place):
+            hollow = cavities.get(other, [])
+            if _holds(closed[other], closed[place]) and not any(_holds(one, closed[place]) for one in hollow):
+                found.add(place)
+    return found
+
+
+def _holds(outer: TriangleMesh, inner: TriangleMesh) -> bool:
+    """Whether all of one is within the other, as far as some of its vertices tell."""
+    if not _contains(outer, inner):
+        return False
+    some = np.unique(np.linspace(0, len(inner.vertices) - 1, _SOME).astype(int))
+    return all(_sees_all_round(outer, inner.vertices[which]) for which in some)
 
 
 def _contains(outer: TriangleMesh, inner: TriangleMesh) -> bool:
-    """Whether a vertex of one is within the other: the solid angle that it sees of it is 4 π."""
+    """Whether one may be within the other: its box is, and one vertex."""
     if np.any(inner.box[0] < outer.box[0]) or np.any(inner.box[1] > outer.box[1]):
         return False
-    a, b, c = (outer.corners - inner.vertices[0]).transpose(1, 0, 2)
+    return _sees_all_round(outer, inner.vertices[0])
+
+
+def _sees_all_round(outer: TriangleMesh, point: npt.NDArray[np.float64]) -> bool:
+    """Whether a point (3,) is within a closed mesh: the solid angle that it sees of it is 4 π."""
+    a, b, c = (outer.corners - point).transpose(1, 0, 2)
     la, lb, lc = (np.linalg.norm(side, axis=1) for side in (a, b, c))
     triple = np.einsum("mi,mi->m", a, np.cross(b, c))
     dots = [np.einsum("mi,mi->m", one, other) for one, other in ((a, b), (b, c), (c, a))]
@@ -113,13 +151,18 @@ def _contains(outer: TriangleMesh, inner: TriangleMesh) -> bool:
     return abs(float(angle.sum())) > 2 * np.pi
 
 
-def _solid(body: TriangleMesh, cavities: list[TriangleMesh], given: Assumptions) -> _Found:
+def _solid(body: TriangleMesh, cavities: list[TriangleMesh], given: Assumptions, within: bool) -> _Found:
     mesh, flipped = body.oriented()
     doubts = [_flipped(flipped, len(mesh.triangles))] if flipped else []
     if not mesh.is_consistent or mesh.volume <= 1e-12 * mesh.size**3:
         return PartKind.SHELL, None, mesh, [*doubts, NO_WEIGHT]
+    if within:
+        doubts.append("it lies within another solid, and both weigh; a cavity has to face inwards")
     mesh = TriangleMesh.combined([mesh, *cavities])
-    return PartKind.SOLID, MassProperties.of_closed_mesh(mesh, given.density), mesh, doubts
+    try:
+        return PartKind.SOLID, MassProperties.of_closed_mesh(mesh, given.density), mesh, doubts
+    except ValueError:  # of closed meshes that run through themselves
+        return PartKind.SHELL, None, mesh, [*doubts, RUNS_THROUGH_ITSELF]
 
 
 def _surface(opened: list[TriangleMesh], given: Assumptions) -> _Found:

@@ -27,6 +27,8 @@ MESH_FORMATS = {".stl": "STL", ".obj": "OBJ", ".gltf": "glTF", ".glb": "GLB"}
 _MOST_TRIANGLES = 2_000_000
 #: Largest coordinate, in whatever unit: volumes and inertias of larger ones leave what numbers can hold.
 _LARGEST = 1e12
+#: Mode of a primitive of glTF that is a fan of triangles.
+_FAN = 6
 #: How names of extensions of glTF begin that only change how things look.
 _OF_LOOKS = ("KHR_materials", "KHR_texture", "KHR_lights", "EXT_texture", "MSFT_texture")
 
@@ -204,6 +206,32 @@ def _check_gltf(path: Path, kind: str, data: bytes) -> None:
                 f"{path}: it needs the extension '{name}' of glTF, which is not read; "
                 "one that is exported without compression can be"
             )
+    for what in _not_followed(document):
+        raise CadError(
+            f"{path}: it has {what}, which are not read; one that is exported as plain triangles can be"
+        )
+
+
+def _not_followed(document: Mapping[str, Any]) -> Iterator[str]:
+    """What a glTF document has by which there are other triangles than trimesh reads, without a word."""
+
+    def listed(holder: Any, key: str) -> list[Mapping[str, Any]]:
+        found = holder.get(key) if isinstance(holder, dict) else None
+        return [one for one in found if isinstance(one, dict)] if isinstance(found, list) else []
+
+    primitives = [one for mesh in listed(document, "meshes") for one in listed(mesh, "primitives")]
+    if any(one.get("mode") == _FAN for one in primitives):
+        yield "fans of triangles"
+    if any("sparse" in one for one in listed(document, "accessors")):
+        yield "sparse accessors"
+    if any(one.get("targets") for one in primitives):
+        yield "morph targets"
+    nodes = listed(document, "nodes")
+    if any("skin" in node for node in nodes):
+        yield "skins"
+    extensions = [node["extensions"] for node in nodes if isinstance(node.get("extensions"), dict)]
+    if any("EXT_mesh_gpu_instancing" in one for one in extensions):
+        yield "instances of meshes"
 
 
 class _NoOtherFiles(Mapping[str, bytes]):

@@ -131,8 +131,9 @@ class CadModel:
         """
         bodies = [body for part in self.parts if (body := part.counted) is not None]
         if not bodies:
+            why = next((f" ({part.doubts[-1]})" for part in self.parts if part.doubts), "")
             hint = "; open surfaces need a plate thickness" if self.of_kind(PartKind.SHELL) else ""
-            raise CadError(f"{self.name}: no part has a mass, so there is no centre of gravity{hint}")
+            raise CadError(f"{self.name}: no part has a mass, so there is no centre of gravity{why}{hint}")
         return MassProperties.combined(bodies)
 
     @property

@@ -49,6 +49,12 @@ def read_stl(data: bytes, most: int) -> TriangleMesh:
         raise ValueError(f"it is no STL file, or cut off: {count} triangles are announced, {held} are there")
     if count > most:
         raise TooManyTrianglesError
+    if len(data) >= _HEAD + _BINARY.itemsize * (count + 1):
+        held = (len(data) - _HEAD) // _BINARY.itemsize
+        raise ValueError(
+            f"it is a broken STL file: {count} triangles are announced, but there are bytes of {held}; "
+            "export it anew, into a file of its own"
+        )
     return _soup(np.frombuffer(data, _BINARY, count, _HEAD)["corners"].astype(float), most)
 
 
@@ -86,7 +92,7 @@ def read_obj(data: bytes, most: int) -> dict[str, TriangleMesh]:
     polygons = objects.setdefault("", [])
     count = 0
     last, named_by = -1, 0  # the highest vertex that a face names, from 0 on, and the line that does
-    for number, line in enumerate(data.decode("utf-8", errors="replace").split("\n"), 1):
+    for number, line in enumerate(_lines(data), 1):
         words = line.split()
         if not words:
             continue
@@ -119,6 +125,12 @@ def read_obj(data: bytes, most: int) -> dict[str, TriangleMesh]:
         )
     places = np.array(vertices, dtype=float).reshape(-1, 3)
     return {name: _object(places, [*_cut(places, faces)]) for name, faces in objects.items() if faces}
+
+
+def _lines(data: bytes) -> list[str]:
+    """Lines of a text file, whichever way they end."""
+    text = data.decode("utf-8-sig", errors="replace")
+    return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
 def _vertex(word: str, count: int) -> int:

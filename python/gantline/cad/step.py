@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.cad.assumptions import STAND_UP, Assumptions
+from gantline.cad.assumptions import DENSITIES, STAND_UP, Assumptions
 from gantline.cad.bodies import NO_THICKNESS, NO_WEIGHT
 from gantline.cad.errors import CadError
 from gantline.cad.files import content, missing
@@ -24,12 +24,14 @@ from gantline.cad.mesh import TriangleMesh
 from gantline.cad.model import CadModel, Part, PartKind
 from gantline.units import DIMENSIONS
 
-__all__ = ["STEP_FORMATS", "read_step_file"]
+__all__ = ["COARSE", "FINE", "STEP_FORMATS", "read_step_file"]
 
 #: Endings of names, and how the formats are called.
 STEP_FORMATS = {".step": "STEP", ".stp": "STEP", ".igs": "IGES", ".iges": "IGES"}
 #: How far triangles may be from the surface they stand for, as a share of the part's size; masses are exact.
-_DEFLECTION = 0.002
+COARSE = 0.002
+#: The same of a hull, of which the triangles are all that floats: its volume is then right to a thousandth.
+FINE = 0.0002
 #: What a file may take before it is given up [s], [bytes].
 _LONGEST = 600.0
 _MOST_MEMORY = 12_000_000_000
@@ -40,12 +42,15 @@ _UNIT_NAMES = {
     "millimetre": "mm", "millimeter": "mm", "mm": "mm", "metre": "m", "meter": "m", "m": "m",
     "centimetre": "cm", "centimeter": "cm", "cm": "cm", "kilometre": "km", "km": "km",
 }  # fmt: skip
-#: Densities of materials [kg/m^3].
-_DENSITIES = (100.0, 25_000.0)
 
 
-def read_step_file(path: Path, given: Assumptions) -> CadModel:
+def read_step_file(path: Path, given: Assumptions, deflection: float = COARSE) -> CadModel:
     """A STEP or IGES file: solids weighed by exact volume, open surfaces by area and plate thickness.
+
+    Args:
+        path: the file.
+        given: what to take where it says nothing.
+        deflection: how far triangles may be from a part's surface, as a share of the part's size [1].
 
     Raises:
         CadError: if it cannot be read, holds no solid and no surface, takes too long or too much memory, or
@@ -57,7 +62,7 @@ def read_step_file(path: Path, given: Assumptions) -> CadModel:
         raise missing(path, "Open CASCADE (cadquery-ocp-novtk)")
     with tempfile.TemporaryDirectory(prefix="gantline-") as folder:
         result = Path(folder) / "parts.npz"
-        _run(path, form, result)
+        _run(path, form, deflection, result)
         with np.load(result) as arrays:
             found = json.loads(str(arrays["parts"]))
             meshes = [(arrays[f"v{k}"], arrays[f"t{k}"]) for k in range(len(found["parts"]))]
@@ -92,9 +97,9 @@ def _check_header(path: Path, form: str) -> None:
         raise CadError(f"{path}: the IGES file is cut off: its last line is not its terminate section")
 
 
-def _run(path: Path, form: str, result: Path) -> None:
+def _run(path: Path, form: str, deflection: float, result: Path) -> None:
     program = str(Path(__file__).with_name("_occt.py"))
-    command = [sys.executable, "-P", program, str(path), str(result), str(_DEFLECTION), str(_MOST_MEMORY)]
+    command = [sys.executable, "-P", program, str(path), str(result), str(deflection), str(_MOST_MEMORY)]
     try:
         done = subprocess.run(
             command, capture_output=True, text=True, timeout=_LONGEST, check=False, errors="replace"
@@ -177,7 +182,7 @@ def _density(given: float) -> float | None:
     No two of these readings are both that of a material, so the number tells which is meant.
     """
     for factor in (1e6, 1e9, 1e3):
-        if _DENSITIES[0] <= factor * given <= _DENSITIES[1]:
+        if DENSITIES[0] <= factor * given <= DENSITIES[1]:
             return factor * given
     return None
 

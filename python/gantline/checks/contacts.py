@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from gantline.checks.forces import kilonewton
 from gantline.checks.measure import Finding, Missing, extreme
 from gantline.results import series
 from gantline.results.clearances import watched_during
@@ -22,8 +23,8 @@ def of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
             continue
         used = recording.column("contact_force", support.name) / support.capacity
         for found in extreme(recording, used, during, support.name):
-            force, capacity = found.value * support.capacity / 1e3, support.capacity / 1e3
-            yield replace(found, formula=f"{force:.1f} kN / {capacity:.1f} kN")
+            force, capacity = (kilonewton(share * support.capacity) for share in (found.value, 1.0))
+            yield replace(found, formula=f"{force} / {capacity}")
 
 
 def clearance_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:

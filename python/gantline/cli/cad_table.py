@@ -4,20 +4,16 @@ from __future__ import annotations
 
 import json
 import textwrap
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from gantline.cad import CadModel, Part
+from gantline.cad.doubts import doubts_of_parts, doubts_of_the_whole
 from gantline.cli.table import ABSENT, table
 from gantline.units import format_quantity
 
 __all__ = ["cad_json", "cad_table"]
-
-#: From here on a difference between computed and declared mass is told as a doubt.
-_DIFFERS = 0.01
-_MOST_NAMES = 3
 
 
 def cad_table(model: CadModel, width: int, *, list_parts: bool = False) -> list[str]:
@@ -32,7 +28,7 @@ def cad_table(model: CadModel, width: int, *, list_parts: bool = False) -> list[
     lines += [*_kinds(model), "", *_whole(model), ""]
     if list_parts:
         lines += [*_parts(model), ""]
-    doubts = list(_doubts(model))
+    doubts = _doubts(model)
     lines.append("Doubts" if doubts else "No doubts.")
     for doubt in doubts:
         lines += textwrap.wrap(
@@ -153,40 +149,9 @@ def _parts(model: CadModel) -> list[str]:
     return table(head, rows, "lllllrrrrrr")
 
 
-def _doubts(model: CadModel) -> Iterator[str]:
-    """Doubts of the whole, then those of parts, each once with the parts that have it."""
-    yield from (_sentence(doubt) for doubt in model.doubts)
-    without = [part.name for part in model.without_weight]
-    if without:
-        yield f"Without weight: {_named(without)}."
-    pointlike = [part.name for part in model.parts if part.properties is None and part.counted is not None]
-    if pointlike:
-        yield f"Counted as point masses by their declared weight: {_named(pointlike)}."
-    differing = [
-        part.name
-        for part in model.parts
-        if (masses := _masses(part))[0] is not None
-        and masses[1]
-        and abs(masses[0] - masses[1]) > _DIFFERS * masses[1]
-    ]
-    if differing:
-        yield f"Computed and declared mass differ by more than {_DIFFERS:.0%}: {_named(differing)}."
-    groups: dict[str, list[str]] = {}
-    for part in model.parts:
-        for doubt in part.doubts:
-            groups.setdefault(doubt, []).append(part.name)
-    for doubt, names in groups.items():
-        yield f"{_named(names)}: {doubt}."
-
-
-def _named(names: list[str]) -> str:
-    shown = [name or "(no name)" for name in names[:_MOST_NAMES]]
-    more = len(names) - len(shown)
-    return ", ".join(shown) + (f" and {more} more" if more else "")
-
-
-def _sentence(text: str) -> str:
-    return f"{text[:1].upper()}{text[1:]}."
+def _doubts(model: CadModel) -> list[str]:
+    whole = [f"{doubt[:1].upper()}{doubt[1:]}." for doubt in doubts_of_the_whole(model)]
+    return [*whole, *(f"{doubt}." for doubt in doubts_of_parts(model))]
 
 
 def cad_json(model: CadModel) -> str:
@@ -212,7 +177,7 @@ def cad_json(model: CadModel) -> str:
             }
             for kind, parts in model.kinds
         },
-        "doubts": list(_doubts(model)),
+        "doubts": _doubts(model),
         "parts": [_part(part) for part in model.parts],
     }
     return json.dumps(document, indent=2, allow_nan=False, ensure_ascii=False)

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from gantline.hydro import Hull, Hydrostatics, RightingArms
 
 _MOST = 1000
+#: Densities of water [kg/m^3]: that of salt lakes is 1240.
+_WATER = (900.0, 1300.0)
 #: Axes of a file that may point up.
 _AXES: dict[str, Literal["y", "z"]] = {"y": "y", "z": "z"}
 #: Drafts and angles where none are asked for.
@@ -115,7 +117,7 @@ def hydro(
     height, tilt = quantity_of("--kg", kg, "length"), quantity_of("--trim", trim, "angle")
     angles = _values("--heel", heel, "angle")
     _refuse_angles(angles, height)
-    if not water or water <= 0:
+    if not water or not _WATER[0] <= water <= _WATER[1]:
         stop(f"--density: {density!r} is not the density of water; sea water has '1.025 t/m^3'")
     if tilt is not None and abs(tilt) > math.radians(45):
         stop(f"--trim: {trim!r} is too steep; at most 45 deg, to either side")

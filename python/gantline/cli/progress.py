@@ -11,6 +11,8 @@ from typing import Protocol
 
 import typer
 
+from gantline.units import format_quantity
+
 Report = Callable[[float], None]
 _LINES = 10
 _LONGEST_SILENCE = 30.0  # s
@@ -145,4 +147,4 @@ def _state(run: Run) -> Iterator[str]:
     largest = run.largest_sling_tension
     if largest is not None:
         name, tension = largest
-        yield f"most in sling {name}: {tension / 1e3:.0f} kN"
+        yield f"most in sling {name}: {format_quantity(tension, 'kN', 0)}"

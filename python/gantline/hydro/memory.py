@@ -156,6 +156,8 @@ def fit_memory(database: HydrodynamicDatabase, density: float) -> Memory:
         frequencies=database.frequencies[heard],
         added_mass=database.added_mass[heard],
         damping=database.damping[heard],
+        directions=np.zeros(0),  # waves are none of its memory
+        excitation=None,
     )
     scale, infinite = 1.0, None
     if database.infinite_added_mass is not None:

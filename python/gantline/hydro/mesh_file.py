@@ -8,13 +8,19 @@ from typing import Literal
 import numpy as np
 
 from gantline.cad import Assumptions, CadError, read_surface
+from gantline.cad.mesh import TriangleMesh
 from gantline.cad.mesh_file import MESH_FORMATS, mesh_format
 from gantline.hydro.hull import Array, Hull, Triangles
 from gantline.hydro.shapes import box_hull
+from gantline.hydro.skin import facing_alike, inner_share, lies_on_one_side
 from gantline.units import DIMENSIONS, UnitError, quantity
 
 __all__ = ["HullError", "read_hull"]
 
+#: Share of a skin within other parts of it that is told: chance finds none of less than this.
+_RUNS_THROUGH = 0.002
+#: Length that no hull has [m]; the longest ship has 458 m.
+_LONGEST = 1000.0
 #: Places closer to the centre plane than this share of a hull's size lie in it.
 _IN_PLANE = 1e-6
 
@@ -50,11 +56,35 @@ def read_hull(
         vertices, triangles = mesh.vertices, mesh.triangles.astype(np.int64)
         if half:
             vertices, triangles = _both_sides(vertices, triangles)
-        return Hull(path.name, vertices, triangles, doubts=doubts)
+        whole, count = facing_alike(TriangleMesh(vertices, triangles))
+        told = [*doubts, *_turned(count, len(whole.triangles)), *_of_the_skin(whole)]
+        return Hull(path.name, whole.vertices, whole.triangles.astype(np.int64), doubts=told)
     except (HullError, CadError) as problem:
         raise HullError(str(problem)) from None
     except ValueError as problem:
         raise HullError(f"{text}: {problem}") from None
+
+
+def _turned(count: int, whole: int) -> list[str]:
+    return [f"{count} of {whole} triangles faced the wrong side; they are turned"] if count else []
+
+
+def _of_the_skin(mesh: TriangleMesh) -> list[str]:
+    """What is doubtful of where a hull's skin runs, a sentence each."""
+    found: list[str] = []
+    if lies_on_one_side(mesh):
+        found.append(
+            "all of it is on one side of the centre plane y = 0; half of a hull needs its other half"
+        )
+    share = inner_share(mesh if mesh.volume > 0 else mesh.flipped())
+    if share > _RUNS_THROUGH:
+        found.append(
+            f"{100 * share:.2g} % of its skin lies within other parts of it, which displace twice there"
+        )
+    longest = float(np.ptp(mesh.box, axis=0).max())
+    if longest > _LONGEST:
+        found.append(f"it is {longest:.4g} m long; no hull is, so its unit may be another")
+    return found
 
 
 def _both_sides(vertices: Array, triangles: Triangles) -> tuple[Array, Triangles]:

@@ -34,6 +34,9 @@ _LEGEND_WIDTH, _KEY_WIDTH = 6.0, 0.4  # inch
 MOST_NAMED = 24
 #: Curves that are nearer than this share of all their reach, for most of the samples, are one on paper.
 _NEAR, _MOSTLY = 0.005, 0.95
+#: Share of all their reach past which a curve is seen by itself: dashes would break up its peak.
+_AWAY = 0.02
+_MOST_AT_AN_END = 21  # characters of a name: longer ones would leave no room for the titles
 _DASH = 5.0  # widths of the line
 _PEAK_BELOW = 0.84  # of a panel's height: the text above a peak stays clear of 'lift-off'
 TONNE_FORCE = 9.81e3  # N; only what people read speaks of tonne-force
@@ -149,14 +152,18 @@ def curves(panel: Axes, time: FloatArray, values: dict[str, FloatArray]) -> None
     """Draw curves that may lie upon each other: the first is the widest, so that each can be seen.
 
     Of those that are one on paper the first is drawn whole and the others as dashes upon it: a thin line upon
-    one that is hardly wider would look like a line of a third colour.
+    one that is hardly wider would look like a line of a third colour. They lie below all that is narrower.
     """
-    widths = np.linspace(3.0, 1.0, len(values)) if len(values) > 1 else [1.6]
     groups = _alike(list(values.values()))
+    firsts = list(dict.fromkeys(groups))
+    widths = (
+        dict(zip(firsts, np.linspace(3.0, 1.0, len(firsts)), strict=True)) if len(values) > 1 else {0: 1.6}
+    )
     for index, ((name, curve), group) in enumerate(zip(values.items(), groups, strict=True)):
         members = [other for other, its in enumerate(groups) if its == group]
         place, behind = members.index(index), len(members) - 1
-        (line,) = panel.plot(time, curve, color=colour(index), linewidth=float(widths[group]), label=name)
+        width, order = float(widths[group]), 2.0 + 0.5 * group / len(values)
+        (line,) = panel.plot(time, curve, color=colour(index), linewidth=width, label=name, zorder=order)
         if place:
             line.set_linestyle((-_DASH * place, (_DASH, _DASH * behind)))
             line.set_dash_capstyle("butt")
@@ -175,7 +182,8 @@ def _alike(values: Sequence[FloatArray]) -> list[int]:
 
 
 def _hides(one: FloatArray, other: FloatArray, near: float) -> bool:
-    return bool(one.size and np.mean(np.abs(one - other) <= near) >= _MOSTLY)
+    off = np.abs(one - other)
+    return bool(one.size and np.mean(off <= near) >= _MOSTLY and not np.any(off > near / _NEAR * _AWAY))
 
 
 def many_curves(
@@ -248,8 +256,9 @@ def label_ends(panel: Axes, time: FloatArray, values: dict[str, FloatArray]) -> 
     places = _apart([end for end, _, _ in ends], gap, low, high)
     for (end, index, name), place in zip(ends, places, strict=True):
         fraction = (high - place) / (high - low) if inverted else (place - low) / (high - low)
+        half = (_MOST_AT_AN_END - 1) // 2
         panel.annotate(
-            name,
+            name if len(name) <= _MOST_AT_AN_END else f"{name[:half]}…{name[-half:]}",
             xy=(float(time[-1]), end),
             xytext=(1.035, fraction),
             textcoords="axes fraction",
@@ -321,6 +330,11 @@ def widen(panel: Axes, least: float) -> None:
 def shortened(text: str, most: int) -> str:
     """A text of at most this many characters."""
     return text if len(text) <= most else text[: most - 1].rstrip() + "…"
+
+
+def four_digits(value: float) -> str:
+    """A number with four digits, or as many as it has before the point."""
+    return f"{value:.4g}" if abs(value) < 9999.5 else f"{value:.0f}"
 
 
 def colour(index: int) -> str:

@@ -15,6 +15,7 @@ from gantline.plot.style import (
     few_ticks,
     force_axis,
     force_unit,
+    four_digits,
     label_ends,
     legend,
     legend_of,
@@ -281,7 +282,7 @@ def _rope_panel(recording: Recording, panel: Axes, ropes: Mapping[str, str]) -> 
     entries = {}
     for one, name in foremost.items():
         force, time = peaks[name]
-        entries[f"{one}, highest {name} {force / scale:.4g} {unit} at {time:.1f} s"] = shade[name]
+        entries[f"{one}, highest {name} {four_digits(force / scale)} {unit} at {time:.1f} s"] = shade[name]
     legend_of(panel, entries)
     return {rope: shade[name] for name, rope in ropes.items()}
 
@@ -323,5 +324,5 @@ def _force_frame(panel: Axes, label: str, peak: tuple[float, float, str]) -> tup
     scale, unit = force_unit(force)
     panel.set_ylim(0.0, 1.14 * force / scale if force > 0.0 else 1.0)
     force_axis(panel, label, unit)
-    mark_peak(panel, time, force / scale, f"{name}  {force / scale:.4g} {unit} at {time:.2f} s")
+    mark_peak(panel, time, force / scale, f"{name}  {four_digits(force / scale)} {unit} at {time:.2f} s")
     return scale, unit

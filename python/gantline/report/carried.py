@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from gantline.checks import values_of
-from gantline.report.subject import ABSENT, Subject, number, show
+from gantline.report.subject import ABSENT, Subject, as_given, number, show
 from gantline.results import series, upper_end
 from gantline.results.gear import Equalizer, Hook, Sling
 from gantline.results.parting import ATTACHED, PARTING, PLANNED, partings
@@ -40,7 +40,7 @@ def hook_row(subject: Subject, hook: Hook) -> dict[str, Any]:
         "readings": [number(reading, "t", 1) for reading in _load_cell(subject, load)],
         "static": number(_mass(subject, subject.static(load)), "t", 1),
         "peak": number(highest / subject.rig.gravity, "t", 1),
-        "rated": number(_mass(subject, hook.rated_capacity), "t", 0),
+        "rated": as_given(_mass(subject, hook.rated_capacity)),
         "used": number(shares.get(hook.name), "%", 1),
     }
 

@@ -18,7 +18,7 @@ from gantline.report.rest import unsound_cases, what_if
 from gantline.report.section import Section
 from gantline.report.sketch import sketches
 from gantline.report.steps import first_steps
-from gantline.report.subject import ABSENT, Subject, share, show, typeset
+from gantline.report.subject import ABSENT, Subject, as_given, share, show, typeset
 from gantline.results.metrics import energy_bound
 from gantline.results.refinement import in_per_cent, refinement_of
 from gantline.results.rig import Load, Rig
@@ -228,7 +228,7 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
     text = show(largest / rig.gravity, "t", 1)
     if of:
         used = show(share(largest, of), "%", 0)
-        text += f" of {show(of / rig.gravity, 't', 0)}, {used}"
+        text += f" of {as_given(of / rig.gravity)} t, {used}"
     rows.append(("largest hoist load, simulated", text))
     return rows
 

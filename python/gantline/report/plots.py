@@ -7,7 +7,7 @@ from abc import abstractmethod
 from typing import Any
 
 from gantline.report.section import Section
-from gantline.report.subject import Subject
+from gantline.report.subject import Subject, show
 from gantline.results.aside import drift_of, not_worth_a_plot, swing_of, tilt_of
 from gantline.results.drift import is_taken_along
 
@@ -252,5 +252,5 @@ def _ratings(subject: Subject) -> list[dict[str, Any]]:
     hooks = subject.rig.hooks
     if len(hooks) != 1 or not hooks[0].rated_capacity or hooks[0].rating_includes_hook_block:
         return []
-    rated = hooks[0].rated_capacity / 1e3
-    return [{"value": rated, "label": f"rated capacity {rated:.0f} kN"}]
+    rated = hooks[0].rated_capacity
+    return [{"value": rated / 1e3, "label": f"rated capacity {show(rated, 'kN', 0)}"}]

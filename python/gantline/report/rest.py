@@ -17,7 +17,7 @@ from gantline.results.saved import QUANTITIES, WORST_OF_LOSSES, SavedWorst
 _FIRST = {
     "sling_tension": "most in sling",
     "smallest_sling_tension": "least in sling",
-    "hoist_load": "most on hook",
+    "hoist_load": "most hoist load at",
     "load_tilt": "tilt of",
     "sheave_travel": "travel of",
 }

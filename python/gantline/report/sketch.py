@@ -15,6 +15,7 @@ from gantline.report.sketch_names import (
     hides_none,
     names_beside,
     names_in_a_row,
+    on_paper,
     text_box,
 )
 from gantline.report.sketch_paper import HEIGHT, MARGIN, WIDTH, Mark, Paper, drawn_path, outline
@@ -336,7 +337,7 @@ def _numbers(
             continue  # its number would hide it; the plan has it
         if plan:
             tries = [*(lug + np.array([0.0, down]) for down in _BESIDE_LUG), *tries]
-        boxes = [text_box(float(x), float(y), name) for x, y in tries]
+        boxes = [text_box(on_paper(float(x), name, WIDTH), float(y), name) for x, y in tries]
         free = [box for box in boxes if has_room(box, taken) and (not plan or hides_none(box, lugs))]
         if not free:  # too many beside each other: those that have room stand for them
             continue

@@ -9,7 +9,16 @@ import numpy as np
 
 from gantline.results.variable import FloatArray
 
-__all__ = ["Box", "around_dot", "has_room", "hides_none", "names_beside", "names_in_a_row", "text_box"]
+__all__ = [
+    "Box",
+    "around_dot",
+    "has_room",
+    "hides_none",
+    "names_beside",
+    "names_in_a_row",
+    "on_paper",
+    "text_box",
+]
 
 _LETTER = 1.75  # mm, mean width of a letter
 _LINE = 3.4  # mm, between lines
@@ -96,6 +105,12 @@ def _at_height(upper: FloatArray, lower: FloatArray, height: float) -> FloatArra
     share = (height - float(upper[1])) / float(lower[1] - upper[1])
     place: FloatArray = upper + share * (lower - upper)
     return place
+
+
+def on_paper(x: float, text: str, right: float) -> float:
+    """The middle of a bold text [mm] that is wanted at x, kept between the ends of the paper."""
+    half = _BOLD * len(text) / 2
+    return max(half, min(x, right - half))
 
 
 def has_room(box: Box, taken: Sequence[Box]) -> bool:

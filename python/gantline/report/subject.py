@@ -93,6 +93,12 @@ def number(value: float | None, unit: str, digits: int) -> str:
     return show(value, unit, digits).removesuffix(unit).strip()
 
 
+def as_given(mass: float | None) -> str:
+    """A mass [kg] in t, with the digits that somebody gave it, as 12.5 and 300; or a dash."""
+    text = number(mass, "t", 3)
+    return text.rstrip("0").rstrip(".") if "." in text else text
+
+
 def share(value: float | None, of: float | None) -> float | None:
     """A value of another; None if one is missing or nothing."""
     return None if value is None or not of else value / of

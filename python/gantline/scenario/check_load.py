@@ -28,6 +28,8 @@ __all__ = [
 #: A load at rest may be given this far from the ground it stands on [m].
 _STANDING = 1e-3
 _ROUNDING = 1 + 1e-9
+#: What is called made fast to a load, by its kind.
+_THIS = {"lug": "this lug", "outfitting": "this outfitting", "tag line": "this end of the line"}
 
 Triple = tuple[float, float, float]
 #: Least and largest x, y, z.
@@ -60,11 +62,11 @@ def _box_of(sizes: tuple[float, float, float]) -> Extent:
     return (-x / 2, -y / 2, 0.0), (x / 2, y / 2, z)
 
 
-def check_centre(findings: Findings, centre: Triple, box: Extent) -> None:
-    """Note a stated centre of gravity that is outside the load's box, its least and largest x, y, z [m]."""
+def check_centre(findings: Findings, centre: Triple, box: Extent, whose: str = "") -> None:
+    """Note a centre of gravity, and whose it is, outside the load's box: least and largest x, y, z [m]."""
     if any(not low <= part <= high for low, part, high in zip(box[0], centre, box[1], strict=True)):
         x, y, z = centre
-        sentence = f"({x:g}, {y:g}, {z:g}) m is outside the load's box; {_measured(findings)}"
+        sentence = f"({x:g}, {y:g}, {z:g}) m{whose} is outside the load's box; {_measured(findings)}"
         findings.add(("load", "centre_of_gravity", "at"), sentence)
 
 
@@ -83,20 +85,21 @@ class Attached(NamedTuple):
 
 
 def attached(scenario: Scenario, load: Load) -> Iterator[Attached]:
-    """Lugs of a load, and ends of its tag lines."""
+    """Lugs of a load, outfitting, and ends of its tag lines."""
     for name, lug in load.lugs.items():
         yield Attached(("load", "lugs", name, "at"), "lug", name, lug.at)
+    for place, piece in enumerate(load.outfitting):
+        yield Attached(("load", "outfitting", place, "at"), "outfitting", piece.name, piece.at)
     for name, line in (scenario.tag_lines or {}).items():
         yield Attached(("tag_lines", name, "at"), "tag line", name, line.at)
 
 
 def check_attached(findings: Findings, load: Load, box: Extent) -> None:
-    """Note lugs and ends of tag lines that are far outside the load's box."""
+    """Note lugs, outfitting and ends of tag lines that are far outside the load's box."""
     for one in attached(findings.scenario, load):
         off = one.off(box)
         if off > max(high - low for low, high in zip(*box, strict=True)) / 2:
-            what = "this lug" if one.kind == "lug" else "this end of the line"
-            sentence = f"{what} is {off:g} m outside the load's box; {_measured(findings)}"
+            sentence = f"{_THIS[one.kind]} is {off:g} m outside the load's box; {_measured(findings)}"
             findings.add(one.path, sentence)
 
 

@@ -37,6 +37,42 @@ def peaks(values: FloatArray, buckets: int) -> Places:
     return _needed(values, np.unique(np.concatenate(found)))
 
 
+def faithful(time: FloatArray, values: FloatArray, kept: Places, off: float, most: int) -> Places:
+    """Samples between which straight lines come near every sample, so that a curve can be read at any time.
+
+    Where the line between two that are kept is furthest off, that sample is kept too, until none is too far.
+
+    Args:
+        time: Shape (time,) [s].
+        values: Shape (time,); where one is no number, there is nothing to come near to.
+        kept: Those to begin with, increasing.
+        off: How far from the lines a sample may be, of the range of the curve [1].
+        most: How many may be kept; where that is too few, those that are furthest off come first.
+
+    Returns:
+        Increasing indices into `values`, `kept` among them; without those that are no number.
+    """
+    known = np.isfinite(values)
+    kept = kept[known[kept]]
+    if len(kept) < 2:
+        return kept
+    allowed = off * np.ptp(values[kept])
+    while len(kept) < most:
+        distance = np.abs(np.interp(time, time[kept], values[kept]) - values)
+        distance = np.where(known, distance, 0.0)[kept[0] : kept[-1]]
+        edges = kept[:-1] - kept[0]
+        largest = np.maximum.reduceat(distance, edges)
+        far = np.flatnonzero(largest > allowed)
+        far = far[np.argsort(-largest[far], kind="stable")[: most - len(kept)]]
+        ends = np.append(edges[1:], len(distance))
+        furthest = [edges[one] + int(np.argmax(distance[edges[one] : ends[one]])) for one in far]
+        grown = np.union1d(kept, kept[0] + np.array(furthest, dtype=np.int64))
+        if len(grown) == len(kept):  # near enough; or two samples have one time
+            break
+        kept = grown
+    return kept
+
+
 def _extremes(values: FloatArray, edges: Places) -> Places:
     known = np.where(np.isnan(values), -np.inf, values)
     return np.array([begin + int(np.argmax(known[begin:end])) for begin, end in pairwise(edges)])

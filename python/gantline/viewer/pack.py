@@ -26,7 +26,7 @@ from gantline.results.upper_end import utilisation
 from gantline.results.variable import FloatArray
 from gantline.viewer.arrays import Arrays
 from gantline.viewer.curves import curves
-from gantline.viewer.decimate import Places, frames, peaks
+from gantline.viewer.decimate import Places, faithful, frames, peaks
 from gantline.viewer.shapes import packed_shape, vector
 from gantline.viewer.turning import natural_lengths, sheave_angles
 
@@ -34,6 +34,9 @@ from gantline.viewer.turning import natural_lengths, sheave_angles
 _FRAME_NUMBERS = 4_000_000
 _CURVE_POINTS = 400_000
 _MOST_FRAMES = 1500
+#: How far a curve may be off, of its range, where a page reads it between samples that it has [1]: a quarter
+#: of a pixel of a plot of 1000. Where that takes too many points, the worst places come first.
+_CURVE_OFF = 2.5e-4
 _MICROMETRE = 1e-6
 _TURN = 1e-7
 
@@ -286,8 +289,15 @@ def _curves(recording: Recording, since: int, arrays: Arrays) -> list[dict[str, 
     every = list(curves(recording))
     buckets = int(np.clip(_CURVE_POINTS // (4 * max(len(every), 1)), 100, 500))
     values = [curve.values[since:] for curve in every]
+    time, share = recording.time[since:], _CURVE_POINTS // max(len(every), 1)
     # A distance ends where the ropes that it is about have parted.
-    places = [at[np.isfinite(one[at])] for one in values for at in [peaks(one, buckets)]]
+    places = [faithful(time, one, peaks(one, buckets), _CURVE_OFF, share) for one in values]
+    # What others leave of their share is for those that it was too small for.
+    short = [number for number, at in enumerate(places) if len(at) >= share]
+    left = max(0, _CURVE_POINTS - sum(map(len, places)))
+    for number in short:
+        most = len(places[number]) + left // len(short)
+        places[number] = faithful(time, values[number], places[number], _CURVE_OFF, most)
     bounds = np.concatenate([[0], np.cumsum([len(one) for one in places])])
     arrays.plain("curve_sample", np.concatenate(places) if places else [], "u4")
     kept = [one[at] * curve.factor for curve, one, at in zip(every, values, places, strict=True)]

@@ -4,6 +4,7 @@ import type { Curve } from "../data/curve";
 
 const NEAR = 1.5; // pixels, within which a curve hides another
 const MOSTLY = 0.95; // share of the samples that are so near
+const APART = 6; // pixels, past which a curve is seen by itself: dashes would break up its peak
 const DASH = 12; // pixels
 
 /** Where a curve stands among those that it lies upon: 0 is the lowest, which is drawn whole. */
@@ -61,7 +62,10 @@ function hides(
       const time = one.times[place]!;
       if (time < begin) continue;
       count += 1;
-      if (two.isKnownAt(time) && Math.abs(y(one.values[place]!) - y(two.at(time))) <= NEAR) near += 1;
+      if (!two.isKnownAt(time)) continue;
+      const off = Math.abs(y(one.values[place]!) - y(two.at(time)));
+      if (off > APART) return false;
+      if (off <= NEAR) near += 1;
     }
   return count > 0 && near >= MOSTLY * count;
 }

@@ -20,7 +20,7 @@ import {
 } from "./frame";
 import { Legend } from "./legend";
 import { endNames, type Paper, peakMark, roomOf } from "./marks";
-import { digitsOf, type Scale, shown, verticalScale } from "./scale";
+import { type Scale, shown, valueText, verticalScale } from "./scale";
 
 const HEADROOM = 1.1;
 const WIDE = 560; // pixels from which there is room for names at the ends of curves
@@ -98,10 +98,12 @@ export class Chart {
   private inWords(): string {
     const unit = this.spec.unit;
     const most = this.curves
-      .map(
-        (curve) =>
-          `${curve.entry.label} from ${shown(curve.least, digitsOf(unit))} to ${shown(curve.largest, digitsOf(unit))} ${unit}`,
-      )
+      .map((curve) => {
+        const [least, largest] = [curve.least, curve.top[0]].map((value) =>
+          valueText(value, unit, curve.top[0]),
+        );
+        return `${curve.entry.label} from ${least} to ${largest}`;
+      })
       .slice(0, 12);
     return `${this.spec.title} over time: ${most.join("; ")}. Arrow keys move the time, plus and minus zoom.`;
   }
@@ -313,10 +315,9 @@ export class Chart {
     this.tip.hidden = !nearest;
     if (!nearest) return;
     const { unit } = this.spec;
-    const value = `${shown(nearest.curve.at(time), digitsOf(unit))} ${unit}`;
     this.tip.replaceChildren(
       element("strong", {}, nearest.curve.entry.label),
-      ` ${value.trim()}`,
+      ` ${valueText(nearest.curve.at(time), unit, nearest.curve.top[0])}`,
       element("span", { class: "gl-quiet" }, ` at ${shown(time, 2)} s`),
     );
     const isRight = x > this.width * 0.6;

@@ -6,7 +6,7 @@ import { Pace } from "../pace";
 import type { Session } from "../player/session";
 import { COLOURS, type Family } from "./families";
 import type { ChartSpec } from "./frame";
-import { digitsOf, shown } from "./scale";
+import { shown, valueText } from "./scale";
 
 const MOST_SHOWN = 100;
 const READABLE = 120; // ms
@@ -64,7 +64,7 @@ export class Legend {
   private extreme(curve: Curve, spec: ChartSpec, place: number): string {
     const isLargest = spec.extreme !== "smallest" && place === 0;
     const [value, time] = isLargest ? curve.top : [curve.least, curve.leastTime];
-    const number = `${shown(value, digitsOf(spec.unit))} ${spec.unit}`.trim();
+    const number = valueText(value, spec.unit, curve.top[0]);
     return `${isLargest ? "largest" : "smallest"} ${curve.entry.label} ${number} at ${shown(time, 1)} s`;
   }
 
@@ -85,7 +85,7 @@ export class Legend {
     this.values.forEach((holder, index) => {
       const curve = this.curves[index]!;
       const { unit } = curve.entry;
-      const text = curve.isKnownAt(time) ? `${shown(curve.at(time), digitsOf(unit))} ${unit}`.trim() : "–";
+      const text = curve.isKnownAt(time) ? valueText(curve.at(time), unit, curve.top[0]) : "–";
       if (this.texts[index] === text) return;
       this.texts[index] = text;
       holder.textContent = text;

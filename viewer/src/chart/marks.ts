@@ -4,7 +4,7 @@ import type { Curve } from "../data/curve";
 import { svg } from "../dom";
 import { apart, type Family } from "./families";
 import type { Area, LimitName } from "./frame";
-import { digitsOf, shown } from "./scale";
+import { shown, valueText } from "./scale";
 
 const LINE = 12; // pixels from one name to the next
 const LETTER = 6.1; // pixels, mean width of a letter
@@ -63,7 +63,7 @@ export function peakMark(
   const { area, span } = paper;
   if (!(time >= span[0] && time <= span[1]) || value <= 0) return [];
   const [x, y] = [paper.x(time), paper.y(value)];
-  const text = `${highest.entry.label} ${shown(value, digitsOf(unit))} ${unit} at ${shown(time, 2)} s`;
+  const text = `${highest.entry.label} ${valueText(value, unit, value)} at ${shown(time, 2)} s`;
   const isCrossed = (box: Box) => curves.some((curve) => crosses(curve, paper, box));
   const place = { ...peakPlace(x, y, LETTER * text.length, area, limits, isCrossed), class: "gl-peak-name" };
   return [svg("circle", { cx: x, cy: y, r: 3, class: "gl-peak" }), svg("text", place, text)];

@@ -46,10 +46,18 @@ export function shown(value: number, digits: number): string {
   return value < 0 && Number(text) !== 0 ? `−${text}` : text;
 }
 
-/** Decimals with which values of a unit are read. */
-export function digitsOf(unit: string): number {
-  return { kN: 1, m: 3, deg: 2, "%": 1, MJ: 3, "": 2 }[unit] ?? 2;
+/**
+ * A value with its unit as people read it: with the decimals of the unit, and of forces with three digits of the
+ * largest one, down to 1 N.
+ */
+export function valueText(value: number, unit: string, largest: number): string {
+  const most = Math.abs(largest);
+  const small = unit !== "kN" || !(most < 10) ? 0 : most < 1 ? 2 : 1;
+  return `${shown(value, (DIGITS[unit] ?? 2) + small)} ${unit}`.trim();
 }
+
+/** Decimals with which values of a unit are read. */
+const DIGITS: Record<string, number> = { kN: 1, m: 3, deg: 2, "%": 1, MJ: 3, "": 2 };
 
 /**
  * A force as people read it, with its unit: in N where the largest one [N] is less than 1 kN, with three digits of the

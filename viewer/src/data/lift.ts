@@ -189,12 +189,12 @@ export class Lift {
     return this.distance(pair) < smallest;
   }
 
-  /** Whether a rope is drawn hanging: it carries nothing and is longer than its way. */
+  /** Whether a rope is drawn hanging: it carries nothing and is longer than its way, and it has one, as it is not cut. */
   hangs(index: number): boolean {
     const rope = this.header.ropes[index]!;
-    return (
-      rope.length !== null && this.tensions[index]! <= 0 && rope.length > this.lengthOf(rope) * (1 + 1e-6)
-    );
+    if (rope.length === null || this.tensions[index]! > 0) return false;
+    const way = this.lengthOf(rope);
+    return way > 0 && rope.length > way * (1 + 1e-6);
   }
 
   /** Length of a rope's recorded path at the present time [m]. */

@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 import numpy.typing as npt
 
+from gantline.cad.assumptions import DENSITIES
 from gantline.cad.errors import CadError
 from gantline.cad.mass_properties import MassProperties
 from gantline.cad.mesh import TriangleMesh
@@ -39,6 +40,7 @@ _Reader = Callable[[Element, Element | None], _Read]
 _STEEL = 7850.0  # kg/m³, where the file names no material
 _NO_MESH = TriangleMesh(np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int32))
 _THICKEST = 0.15  # m; rolled ship plates end at about 100 mm
+_THINNEST = 0.5e-3  # m; sheet of ventilation trunks has 1 mm
 _GAP = 1e-2  # of a contour [m], from which it is doubtful
 _NET = 0.005  # by which a plate's area may differ from the declared one without a doubt
 
@@ -59,7 +61,7 @@ class PartReader:
         Raises:
             CadError: if the part is broken and declares no weight either: it would be missing in the sum.
         """
-        declared = self._declared(element)
+        declared = self.declared(element)
         read = self._plate if KINDS[element.name] in (PartKind.PLATE, PartKind.BRACKET) else self._bar
         try:
             properties, mesh, material, size, doubts = self._read(read, element, panel)
@@ -67,7 +69,11 @@ class PartReader:
             if declared is None:
                 raise
             reason = str(problem).removeprefix(f"{self._quantities.file}: ")
-            doubts = (f"its geometry is not read, its declared weight counts ({reason})",)
+            has_place = declared.mass > 0 and declared.centre is not None
+            counts = (
+                "its declared weight counts" if has_place else "nor does it declare a weight and its place"
+            )
+            doubts = (f"its geometry is not read, {counts} ({reason})",)
             properties, mesh, material, size = None, _NO_MESH, "", ""
         return Part(
             name=element.attributes.get("name") or element.attributes.get("id", ""),
@@ -90,7 +96,12 @@ class PartReader:
             # Such as a contour that crosses itself, whose parts have areas of either sign.
             raise self._quantities.fail(element, f"makes no body: {problem}") from None
 
-    def _declared(self, element: Element) -> DeclaredWeight | None:
+    def declared(self, element: Element) -> DeclaredWeight | None:
+        """What a part or panel says that it weighs; None if nothing.
+
+        Raises:
+            CadError: if that is no weight.
+        """
         table = element.child("PhysicalProperties")
         if table is None:
             return None
@@ -128,11 +139,12 @@ class PartReader:
     def _thickness(self, element: Element, holder: Element, density: float, doubts: list[str]) -> float:
         """Thickness as stated [m], or, where no plate is that thick, as declared weight and area mean it."""
         stated = self._quantities.positive(holder, "Thickness")
-        declared, net = self._declared(element), self._quantities.of_child(element, "NetArea", "area")
-        if stated <= _THICKEST or declared is None or not net:
+        declared, net = self.declared(element), self._quantities.of_child(element, "NetArea", "area")
+        if _THINNEST <= stated <= _THICKEST:
             return stated
-        meant = declared.mass / (density * net)
-        if not 0 < meant <= _THICKEST:
+        meant = declared.mass / (density * net) if declared is not None and net else 0.0
+        if stated < _THICKEST or not 0 < meant <= _THICKEST:
+            doubts.append(f"its thickness of {1e3 * stated:.4g} mm is no plate's")
             return stated
         doubts.append(
             f"its thickness of {1e3 * stated:.4g} mm is no plate's: {1e3 * meant:.4g} mm are taken, which "
@@ -273,4 +285,8 @@ class PartReader:
     def _material(self, reference: Element | None) -> tuple[Material, list[str]]:
         if reference is None or "localRef" not in reference.attributes:
             return Material("", _STEEL), [f"it names no material: {_STEEL:g} kg/m³ is taken"]
-        return self._catalogue.material(reference), []
+        material = self._catalogue.material(reference)
+        if DENSITIES[0] <= material.density <= DENSITIES[1]:
+            return material, []
+        said = f"material {material.name} has a density of {material.density:.4g} kg/m³"
+        return material, [f"{said}, which nothing has; steel has {_STEEL:g} kg/m³"]

@@ -9,7 +9,7 @@ lies in the middle of the plate, as exporters declare centres of gravity.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,6 +19,7 @@ from gantline.cad.mass_properties import MassProperties
 from gantline.cad.mesh import TriangleMesh
 from gantline.cad.ocx.curves import Curve, polyline
 from gantline.cad.ocx.moments import Frame, Moments, clipped, enclosed, of_polygon
+from gantline.cad.ocx.openings import Opening, each_once, is_off, near, parted
 from gantline.cad.ocx.surface import Surface, along_edge, bounds
 from gantline.cad.ocx.triangulate import prism, simplified, triangulated
 
@@ -99,20 +100,24 @@ def flat_sheet(
     """
     rim = simplified(frame.flat(polyline(path, tolerance)), tolerance)
     moments = enclosed(path, frame)
-    inner, across = _cut(rim, [(each, frame.flat(polyline(each, tolerance))) for each in openings])
+    found = [Opening.of(each, frame, tolerance) for each in openings if not is_off(each, frame, tolerance)]
+    inner, across = parted(rim, each_once(found))
     doubts = []
     for opening in inner:
-        own = enclosed(opening, frame)
+        own = enclosed(opening.path, frame)
         moments = moments - (own if own.area >= 0 else -own)
     if across:
         # What an opening takes from the plate: the opening cut along each triangle of the plate.
         fine, triangles = triangulated(rim)
         for opening in across:
-            polygon = frame.flat(polyline(opening, tolerance))
-            for triangle in _near(polygon, fine[triangles]):
-                moments = moments - _positive(of_polygon(clipped(polygon, triangle)))
-        doubts.append("an opening runs over its edge: it is left out of the weight, but not of the picture")
-    drawn = [simplified(frame.flat(polyline(each, tolerance)), tolerance) for each in inner]
+            for piece in opening.pieces:
+                for triangle in near(piece, fine[triangles]):
+                    moments = moments - _positive(of_polygon(clipped(piece, triangle)))
+        doubts.append(
+            "an opening runs over its edge or another opening: it is left out of the weight, but not of the "
+            "picture"
+        )
+    drawn = [simplified(each.polygon, tolerance) for each in inner]
     corners, triangles = triangulated(rim, drawn)
     mesh = _slab([rim, *drawn], triangles, frame.spatial(corners), frame.normal, thickness)
     if not moments.area > 0:
@@ -138,7 +143,10 @@ def curved_sheet(
     outline = polyline(path, tolerance)
     size = float(np.linalg.norm(outline - frame.origin, axis=1).max())
     rim = simplified(frame.flat(outline), _COARSE * 1e-2 * size)
-    cuts = [simplified(frame.flat(polyline(each, tolerance)), tolerance) for each in openings]
+    apart = each_once([Opening.of(each, frame, tolerance) for each in openings])
+    cuts = [
+        simplified(piece, tolerance) if each.is_alone else piece for each in apart for piece in each.pieces
+    ]
     seen = abs(of_polygon(rim).area)
     is_whole = bounds(surface.facets(surface.parts(_BOUNDARY_PARTS)), outline, _SAME_EDGE * size)
     pieces: list[tuple[Moments, Frame]] = []
@@ -264,35 +272,6 @@ def _positive_lifted(polygon: Array, frame: Frame, own: Frame, slope: float) -> 
 
 def _positive(moments: Moments) -> Moments:
     return moments if moments.area >= 0 else -moments
-
-
-def _cut(rim: Array, openings: Sequence[tuple[_Edges, Array]]) -> tuple[list[_Edges], list[_Edges]]:
-    """Openings within the rim, and those that run over it; others cut nothing."""
-    rim = rim if of_polygon(rim).area > 0 else rim[::-1]
-    if not openings:
-        return [], []
-    corners, triangles = triangulated(rim)
-    inner, across = [], []
-    for path, polygon in openings:
-        own = abs(of_polygon(polygon).area)
-        shared = sum(_shared(polygon, corners[triangles]))
-        if shared >= own * (1 - 1e-6):
-            inner.append(path)
-        elif shared > own * 1e-6:
-            across.append(path)
-    return inner, across
-
-
-def _shared(polygon: Array, triangles: Array) -> Iterator[float]:
-    """Areas that a polygon shares with triangles."""
-    for triangle in _near(polygon, triangles):
-        yield abs(of_polygon(clipped(polygon, triangle)).area)
-
-
-def _near(polygon: Array, triangles: Array) -> Array:
-    """Those triangles (n, 3, 2) whose boxes touch that of a polygon."""
-    touches = (triangles.max(axis=1) >= polygon.min(axis=0)) & (triangles.min(axis=1) <= polygon.max(axis=0))
-    return np.asarray(triangles[touches.all(axis=1)])
 
 
 def _weighed(pieces: Sequence[tuple[Moments, Frame]], thickness: float, density: float) -> MassProperties:

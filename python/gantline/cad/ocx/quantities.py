@@ -17,7 +17,7 @@ from gantline.cad.errors import CadError
 from gantline.cad.ocx.xml import Element
 from gantline.units import DIMENSIONS
 
-__all__ = ["Quantities"]
+__all__ = ["Quantities", "described"]
 
 Array = npt.NDArray[np.float64]
 
@@ -119,7 +119,7 @@ class Quantities:
 
     def fail(self, element: Element, what: str) -> CadError:
         """An error that names file, line and element."""
-        return CadError(f"{self.file}: line {element.line}: {_named(element)} {what}")
+        return CadError(f"{self.file}: line {element.line}: {described(element)} {what}")
 
     def quantity(self, element: Element, dimension: str = "length") -> float:
         """Value of a quantity [SI].
@@ -233,7 +233,8 @@ class Quantities:
         return size
 
 
-def _named(element: Element) -> str:
+def described(element: Element) -> str:
+    """What an element is, with its name if it has one."""
     name = element.attributes.get("name") or element.attributes.get("id")
     return f"{element.name} '{name[:60]}'" if name else element.name
 

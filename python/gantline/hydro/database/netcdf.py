@@ -99,7 +99,7 @@ def read_dhyd(path: Path) -> list[HydrodynamicDatabase]:
             _matrix(path, mass["added_mass"], dofs),
             _matrix(path, damping["radiation_damping"], dofs),
         )
-        directions, excitation = _dhyd_waves(path, names, len(omega))
+        directions, excitation = _dhyd_waves(path, names, omega)
         return [
             HydrodynamicDatabase(
                 name=text_of(mass["body_name"].values) if "body_name" in mass else path.stem,
@@ -216,18 +216,25 @@ def _capytaine_waves(path: Path, found: xr.Dataset, dofs: Sequence[str]) -> tupl
     return np.asarray(found["wave_direction"].values, dtype=float), values[:, :, places]
 
 
-def _dhyd_waves(path: Path, names: Sequence[str], count: int) -> tuple[Array, Complex | None]:
+def _dhyd_waves(path: Path, names: Sequence[str], omega: Array) -> tuple[Array, Complex | None]:
     """Groups Surge to Yaw with `real` and `imag` over frequency and direction [deg]."""
     groups = [axis.capitalize() for axis in AXES]
     if not all(f"{group}/{part}" in names for group in groups for part in ("real", "imag")):
         return np.zeros(0), None
-    forces, directions = [], np.zeros(0)
+    forces: list[Complex] = []
+    directions = np.zeros(0)
     for group in groups:
         with _dataset(path, group) as found:
             table = found["real"] + 1j * found["imag"]
             values = np.asarray(table.transpose("omega", "wave_direction").values, dtype=complex)
-            directions = np.radians(np.asarray(found["wave_direction"].values, dtype=float))
-        if values.shape != (count, len(directions)):
+            own = np.asarray(found["omega"].values, dtype=float)
+            ways = np.radians(np.asarray(found["wave_direction"].values, dtype=float))
+        if values.shape != (len(omega), len(ways)):
             raise DatabaseError(f"{path}: the wave forces of {group} have another shape than its damping")
+        if not np.allclose(own, omega, rtol=1e-9, atol=0):
+            raise DatabaseError(f"{path}: the wave forces of {group} have other frequencies than its damping")
+        if forces and not np.array_equal(ways, directions):
+            raise DatabaseError(f"{path}: the wave forces of {group} have other directions than {groups[0]}")
+        directions = ways
         forces.append(values)
     return directions, np.stack(forces, axis=-1)
