@@ -282,10 +282,14 @@ LIMITS: dict[str, Measure] = {
         alarm=SLING_BENDING,
     ),
     "sling_factor_on_breaking_force": Measure(
-        "minimum breaking force / peak tension of the same sling", "", 2, ropes.sling_factor, at_least=True
+        "minimum breaking force / peak tension of the same sling at its upper end",
+        "",
+        2,
+        ropes.sling_factor,
+        at_least=True,
     ),
     "rope_factor_on_breaking_force": Measure(
-        "minimum breaking force / peak tension of the same rope, slings and all other ropes",
+        "minimum breaking force / peak tension of the same rope at its upper end, slings and all others",
         "",
         2,
         ropes.rope_factor,
