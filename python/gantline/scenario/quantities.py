@@ -209,12 +209,13 @@ class Truth(Reader):
 
 @dataclass(frozen=True)
 class NameText(Reader):
-    """A name: letters, digits, ``_``, ``-`` and ``.``; always text."""
+    """A name: letters from a to z, digits, ``_``, ``-`` and ``.``; always text."""
 
     def read(self, value: object) -> str:
         """The name as text."""
         if not isinstance(value, str) or not re.fullmatch(NAME_PATTERN, value, re.ASCII):
-            raise refuse(f"found {found(value)}; a name has letters, digits, '_', '-' and '.' only")
+            right = "a name has letters from a to z, digits, '_', '-' and '.' only"
+            raise refuse(f"found {found(value)}; {right}")
         if len(value) > _LONGEST_NAME:
             raise refuse(f"found {found(value)}; a name has at most {_LONGEST_NAME} characters")
         return str(value)
