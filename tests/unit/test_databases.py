@@ -162,6 +162,12 @@ def spoiled(tmp_path: Path, name: str) -> Path:
     elif name.startswith("other"):
         with h5py.File(path, "w") as file:
             file["x"] = 1.0
+    elif name.startswith("still"):
+        with h5py.File(path, "a") as file:
+            del file["mass/omega"]
+    elif name.startswith("alone"):
+        with h5py.File(path, "a") as file:
+            del file["Heave/wave_direction"]
     elif name.startswith("nan"):
         with h5py.File(path, "a") as file:
             file["body1/hydro_coeffs/added_mass/all"][2, 2, 0] = np.nan
@@ -200,6 +206,8 @@ def spoiled(tmp_path: Path, name: str) -> Path:
         ("bomb.dhyd", "'huge' has 1000000000000 numbers, so it is not read"),
         ("other.h5", "has no 'body1/hydro_coeffs'"),
         ("other.dhyd", "has no 'mass/added_mass'"),
+        ("still.dhyd", "has no 'mass/omega'"),
+        ("alone.dhyd", "has no 'Heave/wave_direction'"),
         ("other.nc", "has no 'added_mass' and 'radiation_damping'"),
         ("bare.nc", "has no 'added_mass' and 'radiation_damping'"),
         ("nan.h5", "its added mass has numbers that are not finite"),

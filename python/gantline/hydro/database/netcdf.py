@@ -86,7 +86,10 @@ def read_dhyd(path: Path) -> list[HydrodynamicDatabase]:
         DatabaseError: If it is no such file, or something that it needs is not in it.
     """
     names = checked_hdf5(path)
-    for name in ("mass/added_mass", "damping/radiation_damping"):
+    needed = ["mass/added_mass", "mass/omega", "damping/radiation_damping", "damping/omega"]
+    groups = [axis.capitalize() for axis in AXES if f"{axis.capitalize()}/real" in names]
+    needed += [f"{group}/{over}" for group in groups for over in ("omega", "wave_direction")]
+    for name in needed:
         if name not in names:
             raise DatabaseError(f"{path}: has no '{name}', as .dhyd files have")
     with _dataset(path, "mass") as mass, _dataset(path, "damping") as damping:
