@@ -39,6 +39,8 @@ _RATIOS = (0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8, 0.95)
 _SLOWEST = 0.05
 #: A motion with less damping than this share of the most of shifts, or of turns, makes no waves.
 _SILENT = 1e-6
+#: Damping below zero in the mean of all frequencies that may be noise, of the most of shifts, or of turns.
+_NOISE = 0.01
 #: Rounds of the fit of all motions together, before and after terms that add less are left out.
 _ROUNDS = (400, 400)
 _SMALL = 1e-3
@@ -176,6 +178,7 @@ def fit_memory(database: HydrodynamicDatabase, density: float) -> Memory:
         scale * (values + values.transpose(0, 2, 1)) / 2 for values in (database.added_mass, database.damping)
     )
     fit = _Fit(database.frequencies, added, damping, infinite)
+    _check_signs(database, fit)
     memory = fit.solved()
     if infinite is None:
         what = "added mass at infinite frequency"
@@ -196,6 +199,19 @@ def _check(database: HydrodynamicDatabase, frequency: Array) -> None:
     wanted = f"memory needs {_FEWEST} periods below two minutes, the longest {_SPAN:g} times the shortest"
     instead = "'added_mass' and 'water_damping' of one period do with less"
     raise DatabaseError(f"{database.source}: {given}; {wanted}; {instead}")
+
+
+def _check_signs(database: HydrodynamicDatabase, fit: _Fit) -> None:
+    """Damping below zero at some frequencies is noise; over all of them its sign is wrong."""
+    mean = np.einsum("w,waa->a", fit.weight**2, fit.damping)
+    kinds = np.repeat([np.abs(mean[:3]).max(), np.abs(mean[3:]).max()], 3)
+    driven = [f"{axis} ({value:.3g})" for axis, value in zip(AXES, mean, strict=True) if value < 0.0]
+    if np.any(mean < -_NOISE * kinds):
+        sentence = f"its damping of {', '.join(driven)} is below zero in the mean of all frequencies"
+        raise DatabaseError(f"{database.source}: {sentence}, as if water drove; a sign has slipped")
+    if not len(fit.loud):
+        instead = "'added_mass' of one period is right"
+        raise DatabaseError(f"{database.source}: it damps nothing, so water remembers nothing; {instead}")
 
 
 def _asymmetry(matrices: Array) -> float:
@@ -317,8 +333,6 @@ class _Fit:
 
 
 def _misfit(memory: Memory, fit: _Fit) -> Misfit:
-    if len(fit.loud) == 0:
-        return Misfit((0.0, 0.0), (0.0, 0.0), AXES[0], float(2 * np.pi / fit.frequency[0]))
     errors = [
         np.abs(by_fit - given) / np.outer(size, size)
         for by_fit, given, size in (
