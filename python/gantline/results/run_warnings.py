@@ -33,7 +33,7 @@ _BESIDE = 0.8
 
 
 def missed_cuts(document: Mapping[str, Any], duration: float) -> list[str]:
-    """A warning of ropes and lines that the lift file cuts after a run that is shorter than the lift.
+    """A warning of ropes and lines that the lift file cuts as the run ends, or later.
 
     Args:
         document: What has been assembled of the lift.
@@ -44,7 +44,7 @@ def missed_cuts(document: Mapping[str, Any], duration: float) -> list[str]:
     late = [f"{name} at {time:g} s" for name, time in times.items() if time >= duration]
     if not late:
         return []
-    return [f"the run ends at {duration:g} s, and what is cut after that is not seen: {', '.join(late)}"]
+    return [f"the run ends at {duration:g} s, and what is cut then or later is not seen: {', '.join(late)}"]
 
 
 def missed_peaks(rig: Rig, columns: Columns, names: Names) -> list[str]:

@@ -125,8 +125,6 @@ def _check_force(findings: Findings, path: Path, rope: str | None, said: BreaksA
 
 def _check_time(findings: Findings, path: Path, time: float | None) -> None:
     duration = findings.scenario.duration
-    # A cut at the end is none: nothing comes after it.
-    if time is not None and time >= duration:
-        end = f"after the end of the lift at {duration:g} s" if time > duration else "the end of the lift"
-        sentence = f"{time:g} s is {end}"
+    if time is not None and time > duration:
+        sentence = f"{time:g} s is after the end of the lift at {duration:g} s"
         findings.add(path, f"{sentence}; make 'duration' longer or this time earlier")
