@@ -33,7 +33,7 @@ from gantline.results.run_warnings import (
     command_warnings,
     missed_bumps,
     missed_crests,
-    missed_cuts,
+    missed_incidents,
     missed_peaks,
     sheave_warnings,
 )
@@ -336,7 +336,7 @@ class Simulation:
         warnings += contact_warnings(rig, columns, names)
         warnings += missed_peaks(rig, columns, names) + missed_bumps(rig, columns, names)
         warnings += missed_crests(rig, columns)
-        warnings += missed_cuts(self.assembly.document, self.duration)
+        warnings += missed_incidents(self.assembly.document, rig, self.duration)
         warnings += drum_warnings(rig, columns, names) + longer_falls(rig, columns, names)
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)

@@ -16,7 +16,7 @@ __all__ = [
     "command_warnings",
     "missed_bumps",
     "missed_crests",
-    "missed_cuts",
+    "missed_incidents",
     "missed_peaks",
     "sheave_warnings",
 ]
@@ -32,19 +32,28 @@ _UNSEEN, _OF_PERIOD = 0.05, 0.1
 _BESIDE = 0.8
 
 
-def missed_cuts(document: Mapping[str, Any], duration: float) -> list[str]:
-    """A warning of ropes and lines that the lift file cuts as the run ends, or later.
+def missed_incidents(document: Mapping[str, Any], rig: Rig, duration: float) -> list[str]:
+    """A warning of what the lift file cuts, takes away or stops as the run ends, or later.
 
     Args:
         document: What has been assembled of the lift.
+        rig: Its rig.
         duration: Of the run [s].
     """
     held = [*document.get("ropes", ()), *document.get("forces", ())]
-    times = {one["name"]: time for one in held if (time := one.get("cut_at")) is not None}
-    late = [f"{name} at {time:g} s" for name, time in times.items() if time >= duration]
-    if not late:
-        return []
-    return [f"the run ends at {duration:g} s, and what is cut then or later is not seen: {', '.join(late)}"]
+    stop = document.get("emergency_stop", {}).get("at", {})
+    times = {
+        "cut": [(one["name"], one.get("cut_at")) for one in held],
+        "removed": list(dict.fromkeys((one.group, one.removed_at) for one in rig.supports)),
+        "stopped": [("emergency stop", stop.get("time"))],
+    }
+    found = []
+    for done, of_all in times.items():
+        late = [f"{name} at {time:g} s" for name, time in of_all if time is not None and time >= duration]
+        if late:
+            there = f"the run ends at {duration:g} s, and what is {done} then or later is not seen"
+            found.append(f"{there}: {', '.join(late)}")
+    return found
 
 
 def missed_peaks(rig: Rig, columns: Columns, names: Names) -> list[str]:
