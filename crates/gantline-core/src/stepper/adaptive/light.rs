@@ -3,7 +3,7 @@
 //! In a step sheaves go on to slip or to hold as they do at its start, as all modes do, and the tensions of spans between
 //! which sheaves slip are shares of one. At every look at its course the rope is divided anew, from where the look
 //! before has left it. As far as the tensions differ the sheaves have turned over; where the difference reaches
-//! [`TURNED`] the step is cut, and at its end the rope lies as it should.
+//! what is [`allowed`] the step is cut, and at its end the rope lies as it should.
 //!
 //! The flows are no motion of their own. In the matrix they stand as unknowns that let strains fit: a sheave that
 //! holds passes nothing, one that slips keeps the ratio of the tensions on its sides,
@@ -19,6 +19,7 @@ mod dividing;
 use std::ops::Range;
 
 use super::Adaptive;
+use super::distance::Far;
 use super::evaluation::Evaluation;
 use crate::rope::light::{Division, Slips};
 use crate::solver::complementarity::Mode;
@@ -27,7 +28,18 @@ use crate::system::{LightSheaves, System};
 
 /// How far the tensions over a row of light sheaves, root mean square, may be from what they should be before the step is
 /// cut, in tolerances of tension.
-pub(super) const TURNED: f64 = 0.25;
+const TURNED: f64 = 0.25;
+/// The same in mean tensions of the rope, where that is less: ratios count, however little hangs on a rope, since where it
+/// lies while it is nearly loose decides how it shares once it is tight again.
+const TURNED_SHARE: f64 = 0.075;
+/// But never less than this, in tolerances of tension, for a rope that goes slack.
+const TURNED_LEAST: f64 = 0.0075;
+
+/// How far the tensions over a row of light sheaves may be from what they should be, root mean square, if their mean is
+/// this [N].
+fn allowed(mean: f64, tolerance: f64) -> f64 {
+    (TURNED_SHARE * mean).max(TURNED_LEAST * tolerance).min(TURNED * tolerance)
+}
 
 /// Where rope lies on all light sheaves.
 #[derive(Debug, Clone, Default)]
@@ -90,12 +102,13 @@ impl Light {
         system.light.iter().map(room).collect()
     }
 
-    /// How far tensions are from what they should be, root mean square, over how far they may be, in units of a
-    /// tolerance [N].
-    fn turned(&self) -> f64 {
+    /// How far tensions are from what they should be, root mean square.
+    fn turned(&self, tolerance: f64) -> Far {
         let pairs = self.lies.tension.iter().zip(&self.other.tension);
         let sum: f64 = pairs.map(|(one, other)| (one - other).powi(2)).sum();
-        (sum / self.lies.tension.len() as f64).sqrt() / TURNED
+        let count = self.lies.tension.len() as f64;
+        let mean = self.other.tension.iter().sum::<f64>() / count;
+        Far::new((sum / count).sqrt(), allowed(mean, tolerance))
     }
 }
 
@@ -165,10 +178,10 @@ impl Adaptive {
         self.rodas.course.straighten(system, self.made, &self.end);
     }
 
-    /// The same of the worst rope that carries.
-    pub(super) fn turned(&self, system: &System, modes: &[Mode], at: &Evaluation) -> f64 {
+    /// The same of the ropes that carry.
+    pub(super) fn turned(&self, system: &System, modes: &[Mode], at: &Evaluation) -> Far {
         let taut = system.light.iter().zip(&at.light).filter(|(light, _)| carries(light, modes));
-        taut.map(|(_, light)| light.turned()).fold(0.0, f64::max)
+        taut.map(|(_, light)| light.turned(self.tolerance.tension)).fold(Far::default(), Far::or)
     }
 }
 

@@ -35,7 +35,7 @@ pub struct Looks {
     forces: [Vec<f64>; POINTS],
     /// Divided differences of the forces (Newton's form).
     terms: [Vec<f64>; POINTS],
-    /// How far every look is from its law, the worst row [N].
+    /// How far every look is from its law, the worst row, in what the tolerance allows.
     pub far: [f64; LOOKS.len()],
     /// How far the worst of them is from its law, as a force [N].
     pub broken: f64,

@@ -1,14 +1,13 @@
 //! Changes of the rows' modes: seen along the course of a step, made at its end.
 
 use super::books::WEIGHTS;
-use super::evaluation::Evaluation;
-use super::light::{Laying, TURNED};
+use super::light::Laying;
 use super::point::Point;
-use super::{Adaptive, LOOKS, STEP_FLOOR, SWITCHING};
+use super::{Adaptive, LOOKS, STEP_FLOOR};
+use crate::constraint::AnyConstraint;
 use crate::constraint::brake::Brake;
 use crate::constraint::contact::Contact;
 use crate::constraint::touch::Touch;
-use crate::constraint::{AnyConstraint, Law};
 use crate::event::{EventKind, EventLog};
 use crate::plan::Seen;
 use crate::solver::complementarity::Mode;
@@ -23,9 +22,8 @@ impl Adaptive {
     pub(super) fn look(&mut self, system: &System, state: &State) {
         self.looks.note(system, 0, &self.rodas.here);
         self.made = 1.0;
-        let allowed = SWITCHING * self.tolerance.tension;
-        let crossed = self.survey(system, state, allowed);
-        let made = crossed.map_or(1.0, |look| self.cut(system, state, look, allowed));
+        let crossed = self.survey(system, state, 1.0);
+        let made = crossed.map_or(1.0, |look| self.cut(system, state, look));
         let made = self.condition(system, state, made);
         let made = self.seated_up_to(system, state, made);
         let made = self.winds_up_to(system, state, made);
@@ -44,7 +42,7 @@ impl Adaptive {
     }
 
     /// Looks along the part of the step that is made: what flows, and how far rows are from their laws; ends at the
-    /// first look that is further than `allowed` [N] and tells which.
+    /// first look that is further than `allowed`, in what the tolerance allows, and tells which.
     fn survey(&mut self, system: &System, state: &State, allowed: f64) -> Option<usize> {
         self.begin_looks(system, state);
         self.laid_before.start(system, state);
@@ -69,9 +67,9 @@ impl Adaptive {
     /// Keeps how far the look `index` is from what it should be.
     fn note_far(&mut self, system: &System, state: &State, index: usize) {
         let at = if index + 1 == LOOKS.len() { &self.next } else { &self.probe };
-        let (rows, light) = (self.farthest_row(system, state, at), self.turned(system, &state.modes, at));
-        self.looks.far[index] = rows.max(SWITCHING * light);
-        self.looks.broken = self.looks.broken.max(rows).max(TURNED * light);
+        let far = self.farthest(system, state, at);
+        self.looks.far[index] = far.share;
+        self.looks.broken = self.looks.broken.max(far.force);
     }
 
     /// Keeps the forces at the end of the part that is made, before light sheaves turn over: forces jump there, and no
@@ -117,25 +115,25 @@ impl Adaptive {
     }
 
     /// Share of the step at which a row reaches the switching tolerance before the look `index`.
-    fn cut(&mut self, system: &System, state: &State, index: usize, allowed: f64) -> f64 {
+    fn cut(&mut self, system: &System, state: &State, index: usize) -> f64 {
         let (mut low, mut high) = (if index == 0 { 0.0 } else { LOOKS[index - 1] }, LOOKS[index]);
         // Anything between half of the tolerance and the tolerance will do. False position with the Illinois
         // rule: an end that stays counts half.
-        let aim = |far: f64| far - 0.75 * allowed;
+        let aim = |far: f64| far - 0.75;
         let mut below = aim(if index == 0 { 0.0 } else { self.looks.far[index - 1] });
         let mut above = aim(self.looks.far[index]);
         for _ in 0..60 {
             let share = (below / (below - above)).clamp(0.01, 0.99);
             let middle = low + share * (high - low);
             self.probe_rows(system, state, middle);
-            let far = self.farthest(system, state, &self.probe);
-            if far > allowed {
+            let far = self.farthest(system, state, &self.probe).share;
+            if far > 1.0 {
                 (high, above) = (middle, aim(far));
                 below *= 0.5;
             } else {
                 (low, below) = (middle, aim(far));
                 above *= 0.5;
-                if far > 0.5 * allowed {
+                if far > 0.5 {
                     break;
                 }
             }
@@ -174,40 +172,6 @@ impl Adaptive {
         let (kinematics, motion) = (&probe.frame.kinematics, [probe.q.as_slice(), &self.point.v]);
         let tension = |row: usize| tension_at(system, kinematics, (row, &probe.tension), motion);
         state.plan.is_fulfilled(&system.plan, &Seen { support: &self.support, tension: &tension, kinematics })
-    }
-
-    /// How far a place is from what it should be, against the switching tolerance [N].
-    fn farthest(&self, system: &System, state: &State, at: &Evaluation) -> f64 {
-        self.farthest_row(system, state, at).max(SWITCHING * self.turned(system, &state.modes, at))
-    }
-
-    /// The largest distance of a row from its law [N].
-    fn farthest_row(&self, system: &System, state: &State, at: &Evaluation) -> f64 {
-        (0..system.rows.count()).map(|row| self.distance(system, state, row, at)).fold(0.0, f64::max)
-    }
-
-    /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
-    fn distance(&self, system: &System, state: &State, row: usize, at: &Evaluation) -> f64 {
-        match (system.rows.laws[row], state.modes[row]) {
-            (_, Mode::Parted | Mode::Off) | (Law::Pin, _) => 0.0,
-            // An inextensible rope that is loosening need not be caught: only what it is longer than at the start.
-            (Law::Unilateral { compliance: 0.0, .. }, Mode::Slack) if at.rate[row] < STANDSTILL => {
-                at.trial[row] - self.looks.start(row).max(0.0)
-            }
-            (Law::Unilateral { .. }, Mode::Slack) => at.trial[row],
-            (Law::Unilateral { .. }, _) => -at.trial[row],
-            (Law::Friction { normal, .. }, _) if row != normal + 1 => 0.0,
-            (Law::Friction { .. }, Mode::Slack) => 0.0,
-            (Law::Friction { coefficient, normal, .. }, mode) => {
-                let beyond = at.trial[row].hypot(at.trial[row + 1]) - coefficient * at.trial[normal].max(0.0);
-                if mode == Mode::Slipping { -beyond } else { beyond }
-            }
-            (Law::Brake { .. }, Mode::Slack) => 0.0,
-            (Law::Brake { .. }, Mode::Acting) => at.trial[row].abs() - at.bound[row],
-            (Law::Brake { impedance, .. }, Mode::Slipping) => {
-                (-at.rate[row] * state.memory[row] * impedance).min(2.0 * at.bound[row])
-            }
-        }
     }
 
     /// Lets every row that has crossed over change side at the new state; true where any did. The step started
