@@ -40,4 +40,7 @@ def test_it_is_refused(signs: list[float], says: str) -> None:
 
 def test_noise_below_zero_is_none() -> None:
     """A motion that hardly makes waves, with damping below zero by a thousandth of the largest."""
-    fit_memory(barge([1, 1, 1, 1, 1, -1e-3]), 1025.0)
+    noisy, none = (fit_memory(barge([1, 1, 1, 1, 1, yaw]), 1025.0) for yaw in (-1e-3, 0.0))
+    # Yaw is remembered no more than where it makes no waves at all, and nothing else is touched.
+    np.testing.assert_array_equal(noisy.strengths, none.strengths)
+    assert not noisy.strengths[:, 5].any() and noisy.strengths.any()

@@ -1,6 +1,7 @@
 """A sling that is to be cut at 30 s: with `--duration 20 s` the lift was GO, and nothing was said of the cut.
 
-So it was with a cut at the very end of a lift, after which nothing comes; a state at rest has it.
+So it was with a cut at the very end of a lift, after which nothing comes; a state at rest has it. Supports
+that are removed and emergency stops past the end were passed over still when cuts were told already.
 """
 
 from __future__ import annotations
@@ -10,6 +11,10 @@ import pytest
 import gantline
 from four_slings import LIFT
 from gantline.scenario import parse_scenario
+
+ON_TIMBER = LIFT.replace("stands_on: ground", "stands_on: timber\n  position: [0 m, 0 m, 0.1 m]")
+TIMBER = "timber: {under: module, grid: {x: [-1 m, 1 m], y: [-1 m, 1 m]}, height: 0.1 m, removed_at: 30 s}"
+SOFT = LIFT.replace("acceleration: 0.05 m/s^2", "acceleration: 0.05 m/s^2, emergency_acceleration: 1 m/s^2")
 
 
 @pytest.mark.parametrize(
@@ -24,11 +29,6 @@ def test_a_cut_that_a_run_does_not_reach_is_told(duration: float, is_told: bool)
     assert said == [late] * is_told
 
 
-ON_TIMBER = LIFT.replace("stands_on: ground", "stands_on: timber\n  position: [0 m, 0 m, 0.1 m]")
-TIMBER = "timber: {under: module, grid: {x: [-1 m, 1 m], y: [-1 m, 1 m]}, height: 0.1 m, removed_at: 30 s}"
-SOFT = LIFT.replace("acceleration: 0.05 m/s^2", "acceleration: 0.05 m/s^2, emergency_acceleration: 1 m/s^2")
-
-
 @pytest.mark.parametrize(
     ("lift", "done", "name"),
     [
@@ -41,7 +41,6 @@ SOFT = LIFT.replace("acceleration: 0.05 m/s^2", "acceleration: 0.05 m/s^2, emerg
 def test_a_stop_or_a_removal_that_a_run_does_not_reach_is_told(
     lift: str, done: str, name: str, duration: float, is_told: bool
 ) -> None:
-    """These were passed over in silence as cuts were."""
     recording = gantline.simulate(parse_scenario(lift), duration=duration)
     late = f"the run ends at {duration:g} s, and what is {done} then or later is not seen: {name} at 30 s"
     assert [one for one in recording.attributes["warnings"] if done in one] == [late] * is_told

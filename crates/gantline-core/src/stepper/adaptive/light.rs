@@ -38,7 +38,7 @@ const TURNED_LEAST: f64 = 0.0075;
 /// How far the tensions over a row of light sheaves may be from what they should be, root mean square, if their mean is
 /// this [N].
 fn allowed(mean: f64, tolerance: f64) -> f64 {
-    (TURNED_SHARE * mean).max(TURNED_LEAST * tolerance).min(TURNED * tolerance)
+    (TURNED_SHARE * mean).clamp(TURNED_LEAST * tolerance, TURNED * tolerance)
 }
 
 /// Where rope lies on all light sheaves.
