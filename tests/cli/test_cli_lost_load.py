@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import math
+import os
 import re
 from pathlib import Path
 
 import pytest
+from matplotlib.figure import Figure
 from PIL import Image
 from typer.testing import CliRunner
 
@@ -90,3 +93,18 @@ def test_a_load_that_stands_is_not_lost() -> None:
     code, said, _ = lost("floating_crane", "--lost", "load", "--time", "0 s", "--json")
     found = json.loads(said)
     assert (code, found["swings"], found["stands"]) == (4, [], True)
+
+
+def test_a_picture_that_cannot_be_written_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A disk that is full halfway leaves no half of a picture, and code 2."""
+
+    def full(self: Figure, path: Path, **_: object) -> None:
+        path.write_bytes(b"half")
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path))
+
+    monkeypatch.setattr(Figure, "savefig", full)
+    code, _, said = lost("floating_crane", "--lost", "load", "--output", tmp_path)
+    assert (code, list(tmp_path.iterdir())) == (2, [])
+    assert "cannot be written (no space left on device)" in said

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from gantline.checks.forces import kilonewton
 from gantline.checks.measure import Finding, Missing, extreme
-from gantline.results import series
 from gantline.results.clearances import watched_during
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
@@ -29,7 +28,7 @@ def of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 
 def clearance_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Smallest distance of a watched pair less what it has to keep."""
-    if not recording.rig.watches and not series.is_equilibrium(recording):
+    if not recording.rig.watches and not recording.is_equilibrium:
         yield from (Missing(load.name, _UNWATCHED) for load in recording.rig.loads)
     for watch in recording.rig.watches:
         inside = during & watched_during(recording, watch)

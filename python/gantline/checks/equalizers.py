@@ -39,11 +39,10 @@ def pin_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding
 
 
 def tension_spread(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """(max - min)/mean over the slings of one equalizer, while one of them carries anything."""
+    """(max - min)/mean over the slings of one equalizer, while it is loaded."""
     for equalizer in (one for one in recording.rig.equalizers if one.slings):
         on = series.are_whole(recording, equalizer.slings)
-        tensions = np.array([recording.column("rope_tension", rope) for rope in equalizer.slings])
-        counts = during & (on & (tensions > 0.0)).any(axis=0)
+        counts = during & on.any(axis=0) & series.is_loaded(recording, equalizer)
         if counts.any():
             spread = series.tension_spread(recording, equalizer)
             yield from extreme(recording, spread, counts, equalizer.name)

@@ -28,9 +28,9 @@ DYNAMIC = "dynamic_amplification_factor"
 SKEW = "skew_load_factor"
 OWN_WEIGHT = "own weight"
 NO_STATIC = "no static force: the load never hung still, clear of its supports"
-OTHER_SLINGS = (
-    "at its peak other slings are on than whenever the load hung still, so that nothing tells what of it is "
-    "static; a hold there does"
+HUNG_OTHERWISE = (
+    "at its peak other slings are on than whenever the load hung still, or it is turned by more than 10 deg "
+    "from there, so that nothing tells what of it is static; a hold there does"
 )
 UNRAISED = "peak of the simulated weight alone: the load never hung still"
 NO_DYNAMIC = f"an equilibrium has no peak, and the rules no {DYNAMIC}"
@@ -344,7 +344,7 @@ def _with_peak(recording: Recording, force: Force, rope: str, during: BoolArray)
 
 
 def _with_peak_of(recording: Recording, force: Force, values: FloatArray, during: BoolArray) -> Force:
-    highest = None if series.is_equilibrium(recording) else series.peak(recording, values, during)
+    highest = None if recording.is_equilibrium else series.peak(recording, values, during)
     if highest is None:
         return force
     counts = bool(during.all() or force.window is None or during[force.window].all())

@@ -8,7 +8,7 @@ from itertools import combinations
 
 import numpy as np
 
-from gantline.checks.forces import NO_STATIC, OTHER_SLINGS, Raised, as_it_is, hook_force, kilonewton, over
+from gantline.checks.forces import HUNG_OTHERWISE, NO_STATIC, Raised, as_it_is, hook_force, kilonewton, over
 from gantline.checks.measure import Finding, Found, Missing, extreme
 from gantline.checks.ratings import SEVERAL, crane_of, kept_back
 from gantline.results import series
@@ -46,7 +46,7 @@ def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fin
     for hook in recording.rig.hooks:
         force = recording.column("hook_load", hook.name)
         static, _ = series.greatest_static(recording, force)
-        if series.is_equilibrium(recording):
+        if recording.is_equilibrium:
             yield Missing(hook.name, "an equilibrium has no peak")
         elif not static:
             yield Missing(hook.name, "no static hook load: the load never hung still, clear of its supports")
@@ -55,7 +55,7 @@ def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fin
             text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"
             for found in extreme(recording, force / static, during, hook.name):
                 hung_so = found.time is None or series.has_hung_so(recording, found.time)
-                yield replace(found, formula=text) if hung_so else Missing(hook.name, OTHER_SLINGS)
+                yield replace(found, formula=text) if hung_so else Missing(hook.name, HUNG_OTHERWISE)
 
 
 def falls_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -83,7 +83,7 @@ def level_difference(recording: Recording, during: BoolArray) -> Iterator[Findin
         bearing.setdefault(rig.hook_of(sling), []).append(series.is_on(recording, sling.rope))
     on = {hook.name: np.any(bearing[hook.name], axis=0) for hook in rig.hooks if hook.name in bearing}
     clear = series.is_clear(recording)
-    if series.is_equilibrium(recording) or not clear.any():
+    if recording.is_equilibrium or not clear.any():
         for name in on:
             yield Missing(name, "its rise counts from when a run brings the load clear")
         return

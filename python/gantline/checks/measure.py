@@ -184,7 +184,7 @@ def to_either_side(
 
 def everywhere(recording: Recording) -> BoolArray:
     """The mask of all samples that count, shape (time,): of an equilibrium the last one."""
-    if series.is_equilibrium(recording):
+    if recording.is_equilibrium:
         return series.last_sample(recording)
     return np.ones(len(recording.time), dtype=np.bool_)
 

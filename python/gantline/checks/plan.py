@@ -8,7 +8,7 @@ import numpy as np
 
 from gantline.checks.check import LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
-from gantline.results import progress, series
+from gantline.results import progress
 from gantline.results.gear import Drum
 from gantline.results.recording import Recording
 from gantline.units import format_quantity
@@ -206,7 +206,7 @@ def _slipped(recording: Recording, drum: Drum) -> Check | None:
 
 def _ran_away(recording: Recording, drum: Drum) -> float:
     """How far a hook comes down on the way to the rest in which a run begins [m]."""
-    if series.is_equilibrium(recording) or not len(recording.time):
+    if recording.is_equilibrium or not len(recording.time):
         return 0.0
     return float(recording.column("rope_paid_out", drum.name)[0]) / -drum.paid_out
 

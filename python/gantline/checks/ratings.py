@@ -91,7 +91,7 @@ def _of_row(
         return
     rated = rated_load(recording, chart, group)
     yield from _by_rule(recording, during, (element, hooks, kept), chart, rated, places)
-    if series.is_equilibrium(recording):
+    if recording.is_equilibrium:
         return
     loaded = during & (load > 0)
     if loaded.any() and not rated[loaded].all():
@@ -157,7 +157,7 @@ def _hangs(recording: Recording, chart: RatingChart, hooks: tuple[str, ...]) -> 
     """Samples at which the whole load hangs in these hooks, shape (time,); none if others may bear it too."""
     others = (hook for hook in recording.rig.hooks if hook.name not in chart.hooks)
     alone = _lifting(recording) == {chart.crane} and set(hooks) == set(chart.hooks)
-    if not alone or series.is_equilibrium(recording) or any(hook.bears_mechanics for hook in others):
+    if not alone or recording.is_equilibrium or any(hook.bears_mechanics for hook in others):
         return np.zeros(len(recording.time), dtype=np.bool_)
     hanging: BoolArray = series.is_clear(recording) & (chart_load(recording, chart, hooks) > 0)
     return hanging

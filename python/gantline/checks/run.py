@@ -92,7 +92,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         + _told(recording)
         + _unknown(recording)
     )
-    if series.is_equilibrium(recording):
+    if recording.is_equilibrium:
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every + not_lifted(recording)]
     every += stood_still(recording) + came_down(recording) + hit(recording)
@@ -263,7 +263,7 @@ def _without_value(
     Less is known then than where some elements have a value, which is a warning too. What an equilibrium
     lacks, a peak first of all, the run of the lift has.
     """
-    asked_in_vain = is_asked and missing and not series.is_equilibrium(recording)
+    asked_in_vain = is_asked and missing and not recording.is_equilibrium
     verdict = Verdict.WARNING if asked_in_vain else Verdict.NOT_CHECKED
     return replace(check, verdict=verdict, remark=missing or nothing)
 
@@ -304,7 +304,7 @@ def _hold_steps(recording: Recording, names: Collection[str]) -> None:
 
 
 def _check_step(recording: Recording, step: Step, ending: Collection[str]) -> Iterator[Check]:
-    is_now = step.step in ending and series.is_equilibrium(recording)
+    is_now = step.step in ending and recording.is_equilibrium
     during = one_sample(-1, recording.time) if is_now else about_end_of_step(recording, step)
     for key, bounds in step.require.items():
         for side, limit in bounds.items():
@@ -330,7 +330,7 @@ def _check_requirement(
         step=step.step,
     )
     if during is None:
-        if series.is_equilibrium(recording):
+        if recording.is_equilibrium:
             return replace(check, remark="a run checks what steps require, and 'gantline statics --steps'")
         return replace(check, remark="the recording ends before this step does")
     found = _look(sided, recording, during)

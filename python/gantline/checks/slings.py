@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.forces import NO_STATIC, OTHER_SLINGS, kilonewton
+from gantline.checks.forces import HUNG_OTHERWISE, NO_STATIC, kilonewton
 from gantline.checks.lugs import ropes_that_bear
 from gantline.checks.measure import Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series
@@ -35,7 +35,7 @@ def idle(recording: Recording) -> list[Check]:
         if series.is_on(recording, sling.rope).any()
     }
     slack = [name for name, peak in peaks.items() if peak < _NOTHING * max(peaks.values(), default=0.0)]
-    if not slack or not series.is_clear(recording).any() or series.is_equilibrium(recording):
+    if not slack or not series.is_clear(recording).any() or recording.is_equilibrium:
         return []
     remark = f"slack over the whole lift: {named(slack)}"
     return [Check("slings_carry", Verdict.WARNING, "every sling carries at some time", remark=remark)]
@@ -49,7 +49,7 @@ def taken_off(recording: Recording) -> list[Check]:
     Whether those carried that an equilibrium no longer has, it does not know.
     """
     checks = []
-    for one in [] if series.is_equilibrium(recording) else partings(recording):
+    for one in partings(recording):
         if one.kind != DETACHED:
             continue
         before = recording.column("rope_tension", one.rope)[recording.time <= one.time]
@@ -108,12 +108,12 @@ def sling_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fi
     for sling in recording.rig.slings:
         static, _ = series.greatest_static(recording, series.sling_tension(recording, sling))
         highest, time = series.rope_peak(recording, sling.rope)
-        if series.is_equilibrium(recording):
+        if recording.is_equilibrium:
             yield Missing(sling.name, "an equilibrium has no peak")
         elif not static:
             yield Missing(sling.name, NO_STATIC if static is None else "carries nothing at rest")
         elif not series.has_hung_so(recording, time):
-            yield Missing(sling.name, OTHER_SLINGS)
+            yield Missing(sling.name, HUNG_OTHERWISE)
         else:
             text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"
             yield Found(highest / static, sling.name, time, text)

@@ -32,8 +32,8 @@ def equalizer_table(recording: Recording, equalizer: Equalizer) -> list[str]:
         )
     clear = series.is_clear(recording)
     if equalizer.slings and clear.any():
-        spread = series.tension_spread(recording, equalizer)
-        most, last = float(spread[clear].max()), float(spread[-1])
+        most = series.spread_when_clear(recording, equalizer)
+        last = float(series.tension_spread(recording, equalizer)[-1])
         rows.append(
             ("tension spread", f"{show(most, '%', 2)} at most when clear, {show(last, '%', 2)} at the end")
         )

@@ -148,9 +148,12 @@ def figures_of(found: LostLoad) -> list[tuple[str, Figure]]:
 
 def _draw(found: LostLoad, folder: Path) -> list[Path]:
     """The pictures as files in a folder."""
+    from gantline.replacing import replaced
+
     written = []
     for vessel, figure in figures_of(found):
         path = folder / f"lost_load_{vessel}.png"
-        figure.savefig(path, dpi=_DOTS_PER_INCH)
+        with replaced(path) as trial:
+            figure.savefig(trial, format="png", dpi=_DOTS_PER_INCH)
         written.append(path)
     return written

@@ -46,19 +46,21 @@ def friction_of(rest: Equilibrium, *, bounds: str = "") -> list[str]:
 
 def slings_of(rest: Equilibrium, bounds: list[Equilibrium]) -> list[str]:
     """What each sling carries, and what it would with all sheaves slipping one way and the other."""
-    slings = series.slings_on(rest.recording)
-    tensions = {sling.name: rest.tension(sling.rope) for sling in slings}
-    mean = sum(tensions.values()) / max(len(tensions), 1)
+    shares = series.of_the_mean(rest.recording)
     rows = [
         (
             sling.name,
-            show(tensions[sling.name], "kN", 3),
-            f"{tensions[sling.name] / mean:.4f}" if mean > 0.0 else ABSENT,
+            show(rest.tension(sling.rope), "kN", 3),
+            ABSENT if (share := shares[sling.name]) is None else f"{share:.4f}",
             show(float(series.sling_angle(rest.recording, sling)[-1]), "deg", 2),
-            "slack" if tensions[sling.name] <= 0.0 else "",
+            "slack" if rest.tension(sling.rope) <= 0.0 else "",
             *(show(bound.tension(sling.rope), "kN", 1) for bound in bounds),
         )
-        for sling in slings
+        for sling in series.slings_on(rest.recording)
+    ]
+    rows += [
+        (sling.name, ABSENT, ABSENT, ABSENT, "parted", *(ABSENT for _ in bounds))
+        for sling in series.slings_parted(rest.recording)
     ]
     head = (
         "Sling",

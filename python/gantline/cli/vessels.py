@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from gantline.cli.table import table
-from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.units import format_quantity
 
@@ -31,7 +30,7 @@ def vessels(recording: Recording) -> list[str]:
 
     In waves and gusts the last sample is a moment between a crest and a trough; a mean is told.
     """
-    last = 0.0 if series.is_equilibrium(recording) else recording.rig.time_to_average
+    last = 0.0 if recording.is_equilibrium else recording.rig.time_to_average
     late = recording.time >= recording.time[-1:] - last if last > 0.0 else np.s_[-1:]
     rows = []
     for vessel in recording.rig.vessels:
@@ -40,7 +39,7 @@ def vessels(recording: Recording) -> list[str]:
             for name, _, unit, digits in _LIES
         ]
         freeboard = recording.column("vessel_freeboard", vessel.name)
-        if series.is_equilibrium(recording):
+        if recording.is_equilibrium:
             freeboard = freeboard[-1:]
         rows.append((vessel.name, *at_end, format_quantity(float(freeboard.min()), "m", 3)))
     head = ("Vessel", *(title for _, title, _, _ in _LIES), "least freeboard")

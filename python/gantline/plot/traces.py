@@ -75,7 +75,7 @@ def _deviation_panel(
     panel.set_ylabel("From the mean\nwhen clear [%]")
     widen(panel, 0.2)
     few_ticks(panel)
-    spread = max(float(series.tension_spread(recording, e)[clear].max()) for e in equalizers)
+    spread = max(series.spread_when_clear(recording, equalizer) or 0.0 for equalizer in equalizers)
     panel.set_title(f"largest spread {100 * spread:.2f} %", loc="right", fontsize=8, color=QUIET, pad=3)
 
 

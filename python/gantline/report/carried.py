@@ -63,7 +63,7 @@ def _load_cell(subject: Subject, load: FloatArray) -> list[float | None]:
     if "load_transferred" not in recording or not subject.rig.loads:
         return [None for _ in READINGS]
     transferred = recording["load_transferred"].values.min(axis=1)
-    if series.is_equilibrium(recording) or transferred[0] >= READINGS[0]:
+    if recording.is_equilibrium or transferred[0] >= READINGS[0]:
         return [*(None for _ in READINGS[1:]), _mass(subject, subject.static(load))]
     found: list[float | None] = []
     for part in READINGS[:-1]:
@@ -158,7 +158,7 @@ def _sling(
 def equalizer_row(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
     """Travel used, tension spread and pins of an equalizer."""
     recording, clear = subject.recording, subject.clear
-    spread = series.tension_spread(recording, equalizer) if equalizer.slings else None
+    spread = series.spread_when_clear(recording, equalizer) if equalizer.slings else None
 
     def used(sign: float, stroke: float | None) -> str:
         if not stroke or equalizer.mechanism != "sheaves" or not equalizer.moving_sheaves:
@@ -172,7 +172,7 @@ def equalizer_row(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
         "name": equalizer.name,
         "up": used(-1.0, equalizer.travel_up),
         "down": used(1.0, equalizer.travel_down),
-        "spread": ABSENT if spread is None or not clear.any() else show(float(spread[clear].max()), "%", 2),
+        "spread": show(spread, "%", 2),
         "pins": _pins(subject, equalizer),
     }
 

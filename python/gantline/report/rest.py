@@ -98,18 +98,17 @@ def _imbalance(residual: float | None) -> str:
 
 
 def _slings(rest: Recording) -> list[tuple[str, ...]]:
-    slings = series.slings_on(rest)
-    tensions = [float(rest.column("rope_tension", sling.rope)[-1]) for sling in slings]
-    mean = sum(tensions) / max(len(tensions), 1)
-    return [
+    shares = series.of_the_mean(rest)
+    rows: list[tuple[str, ...]] = [
         (
             sling.name,
-            number(tension, "kN", 1),
-            f"{tension / mean:.3f}" if mean > 0.0 else ABSENT,
+            number(_last(rest, "rope_tension", sling.rope), "kN", 1),
+            ABSENT if (share := shares[sling.name]) is None else f"{share:.3f}",
             number(float(series.sling_angle(rest, sling)[-1]), "deg", 2),
         )
-        for sling, tension in zip(slings, tensions, strict=True)
+        for sling in series.slings_on(rest)
     ]
+    return rows + [(sling.name, "parted", ABSENT, ABSENT) for sling in series.slings_parted(rest)]
 
 
 def _last(rest: Recording, name: str, label: str) -> float:

@@ -57,8 +57,8 @@ def _equalizer(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
             )
         )
     if equalizer.slings and subject.clear.any():
-        spread = series.tension_spread(recording, equalizer)
-        most, last = float(spread[subject.clear].max()), float(spread[-1])
+        most = series.spread_when_clear(recording, equalizer)
+        last = float(series.tension_spread(recording, equalizer)[-1])
         text = f"{show(most, '%', 2)} at most when clear, {show(last, '%', 2)} at the end"
         facts.append(("tension spread", text))
     tilt = subject.peak(series.frame_tilt(recording, equalizer)) if equalizer.tilts else None

@@ -119,7 +119,8 @@ def _paid_out(drum: Drum, position: FloatArray) -> FloatArray:
     def climbed(turns: FloatArray) -> FloatArray:
         assert drum.wraps_per_layer is not None
         total: FloatArray = np.zeros_like(turns)
-        for layer in range(1, drum.layers + 1):
+        climbs = math.floor((float(turns.max(initial=0.0)) + 0.5 * _CLIMB) / drum.wraps_per_layer)
+        for layer in range(1, climbs + 1):
             over = np.maximum((turns - layer * drum.wraps_per_layer) / _CLIMB + 0.5, 0.0)
             total += _CLIMB * np.where(over < 1.0, 0.5 * over**2, over - 0.5)
         return total

@@ -230,11 +230,13 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
 
 
 def _spread(recording: Recording) -> Iterator[_Metric]:
-    spreads = [series.tension_spread(recording, e) for e in recording.rig.equalizers if e.slings]
-    clear = series.is_clear(recording)
-    if clear.any():
-        yield "peak_tension_spread_when_clear", _largest(float(spread[clear].max()) for spread in spreads)
-    yield "final_tension_spread", _largest(float(spread[-1]) for spread in spreads)
+    equalizers = [equalizer for equalizer in recording.rig.equalizers if equalizer.slings]
+    if series.is_clear(recording).any():
+        spreads = (series.spread_when_clear(recording, equalizer) for equalizer in equalizers)
+        known = (spread for spread in spreads if spread is not None)
+        yield "peak_tension_spread_when_clear", _largest(known)
+    last = (float(series.tension_spread(recording, equalizer)[-1]) for equalizer in equalizers)
+    yield "final_tension_spread", _largest(last)
     for equalizer in recording.rig.equalizers:
         found = equalising(recording, equalizer)
         yield f"time_to_equalise.{equalizer.name}", found.time if found is not None else None

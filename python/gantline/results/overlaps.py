@@ -15,7 +15,6 @@ from typing import Any
 
 import numpy as np
 
-from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.solids import box_faces, crossings, skin_of
@@ -100,7 +99,7 @@ def overlaps(recording: Recording) -> list[Overlap]:
     if not count:
         return []
     # Of a lift at rest only the last sample is where it rests.
-    first = count - 1 if series.is_equilibrium(recording) else 0
+    first = count - 1 if recording.is_equilibrium else 0
     looks = np.unique(np.linspace(first, count - 1, min(count, _LOOKS)).astype(int))
     found = []
     for one, other in combinations(_bodies(recording, looks), 2):

@@ -56,7 +56,12 @@ class Met:
 
 
 def partings(recording: Recording) -> list[Parting]:
-    """Ropes that parted or were taken off, in order of time; one that is put on again may go again."""
+    """Ropes that parted or were taken off, in order of time; one that is put on again may go again.
+
+    None of an equilibrium: it knows what is gone, and not when nor what that carried.
+    """
+    if recording.is_equilibrium:
+        return []
     found: list[Parting] = []
     gone: set[str] = set()
     breaks_at = {rope.name: rope.breaks_at for rope in recording.rig.ropes}

@@ -84,6 +84,17 @@ class Recording:
         """Times of the samples [s], shape (time,)."""
         return self._variables["time"].values
 
+    @property
+    def is_equilibrium(self) -> bool:
+        """Whether it is of a lift at rest: what counts is its last sample, and nothing is dynamic.
+
+        Its status says so. One sample alone is at rest too, unless it is what a run left that ended early; a
+        sample before the last is where the lift starts, from which travel is counted.
+        """
+        status = str(self.attributes.get("status", ""))
+        alone = len(self.time) == 1 and status not in ("failed", "stopped")
+        return bool(len(self.time)) and (alone or status.startswith("at rest"))
+
     @cached_property
     def rig(self) -> Rig:
         """What was lifted with what (loads, hooks, equalizers, slings, limits)."""

@@ -22,7 +22,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
-from gantline.results.parting import ATTACHED, DETACHED, PARTING, while_there
+from gantline.results.parting import DETACHED, PARTING, while_there
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes, heading, tilt
@@ -31,8 +31,10 @@ from gantline.results.variable import BoolArray, FloatArray
 _SHORTEST_QUIET = 5.0  # s
 _CARRIED_MORE = 1.001  # from which share of the last static value an earlier one counts in its place
 _CARRYING_FROM = 0.01  # of the largest tension
+_LOADED = 0.05  # of the most that the slings of an equalizer carry together
 _ROUNDED = 1e-14  # of the work of drives over a run
 _SLIPPING = 1e-10  # rounding of the work of a tugger that slips, from sample to sample
+_TURNED = math.radians(10.0)  # to or from where a load hung still, from which on hooks carry other shares
 _STEEPEST = math.radians(80.0)  # x axis of a load over level; beyond it no heading means anything
 
 
@@ -91,17 +93,6 @@ def trailing(mask: BoolArray) -> BoolArray:
     return last
 
 
-def is_equilibrium(recording: Recording) -> bool:
-    """Whether a recording is of a lift at rest: what counts is its last sample, and nothing is dynamic.
-
-    Its status says so. One sample alone is at rest too, unless it is what a run left that ended early; a
-    sample before the last is where the lift starts, from which travel is counted.
-    """
-    status = str(recording.attributes.get("status", ""))
-    alone = len(recording.time) == 1 and status not in ("failed", "stopped")
-    return bool(len(recording.time)) and (alone or status.startswith("at rest"))
-
-
 def last_sample(recording: Recording) -> BoolArray:
     """The mask of the last sample alone, shape (time,)."""
     mask = _no_sample(recording)
@@ -127,7 +118,7 @@ def quiet_windows(recording: Recording) -> list[BoolArray]:
 
 
 def _found_quiet(recording: Recording) -> list[BoolArray]:
-    if is_equilibrium(recording):
+    if recording.is_equilibrium:
         return [last_sample(recording)]
     clear = is_clear(recording)
     for time, kind, _ in recording.events():
@@ -200,18 +191,19 @@ def greatest_static(recording: Recording, values: FloatArray) -> tuple[float | N
 
 
 def has_hung_so(recording: Recording, time: float) -> bool:
-    """Whether the loads ever hung still on those slings that are on at a time [s].
+    """Whether the loads ever hung still on the slings that are on at a time [s], turned as they are then.
 
     Where they did not, a force of that time has no static value to be compared with: what slings that came or
-    went left to the others is no dynamics.
+    went left to the others, or what one hook hands to another as a load is turned, is no dynamics.
     """
-    if not recording.events(ATTACHED) and not recording.events(DETACHED):
-        return True
     on = while_there(recording, [sling.rope for sling in recording.rig.slings], [DETACHED])
     still = np.any([_no_sample(recording), *quiet_windows(recording)], axis=0)
     # Between two samples either may be right: what comes or goes is slack.
     last = len(recording.time) - 1
     after = min(int(np.searchsorted(recording.time, time)), last)
+    for load in recording.rig.loads:
+        upright = axes(recording.column("body_orientation", load.body))[:, :, 2]
+        still &= upright @ upright[after] >= math.cos(_TURNED)
     around = (on[:, place, np.newaxis] for place in (max(after - 1, 0), after))
     return any(bool(((on == then).all(axis=0) & still).any()) for then in around)
 
@@ -342,6 +334,22 @@ def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:
     return ratio
 
 
+def is_loaded(recording: Recording, equalizer: Equalizer) -> BoolArray:
+    """Where the slings of one equalizer carry a twentieth of their most together, shape (time,).
+
+    Of one that is let down on purpose, or not loaded yet, what little is left has no spread that matters.
+    """
+    total = np.sum([recording.column("rope_tension", rope) for rope in equalizer.slings], axis=0)
+    loaded: BoolArray = (total > 0.0) & (total >= _LOADED * np.max(total, initial=0.0))
+    return loaded
+
+
+def spread_when_clear(recording: Recording, equalizer: Equalizer) -> float | None:
+    """Largest tension spread while the loads are clear and an equalizer is loaded [1]; None if never."""
+    counts = is_clear(recording) & is_loaded(recording, equalizer)
+    return float(tension_spread(recording, equalizer)[counts].max()) if counts.any() else None
+
+
 def are_whole(recording: Recording, ropes: Sequence[str]) -> BoolArray:
     """Where ropes are on and have not parted, shape (ropes, time); at the moment of its parting one is."""
     return while_there(recording, ropes)
@@ -354,8 +362,26 @@ def is_on(recording: Recording, rope: str) -> BoolArray:
 
 
 def slings_on(recording: Recording) -> list[Sling]:
-    """Slings that are on at the end, parted or not; of an equilibrium those that it has."""
-    return [sling for sling in recording.rig.slings if is_on(recording, sling.rope)[-1:].any()]
+    """Slings that are on at the end and have not parted; of an equilibrium those that it has."""
+    slings = recording.rig.slings
+    there = are_whole(recording, [sling.rope for sling in slings])[:, -1:]
+    return [sling for sling, is_there in zip(slings, there, strict=True) if is_there.any()]
+
+
+def slings_parted(recording: Recording) -> list[Sling]:
+    """Slings that have parted by the end, and that nobody took off."""
+    left = slings_on(recording)
+    rest = [sling for sling in recording.rig.slings if sling not in left]
+    return [sling for sling in rest if is_on(recording, sling.rope)[-1:].any()]
+
+
+def of_the_mean(recording: Recording) -> dict[str, float | None]:
+    """Tension of every sling of `slings_on` at the end over the mean of all [1]; None where all are slack."""
+    tensions = {
+        sling.name: float(recording.column("rope_tension", sling.rope)[-1]) for sling in slings_on(recording)
+    }
+    mean = sum(tensions.values()) / max(len(tensions), 1)
+    return {name: tension / mean if mean > 0.0 else None for name, tension in tensions.items()}
 
 
 def frame_tilt(recording: Recording, equalizer: Equalizer) -> FloatArray:

@@ -21,8 +21,8 @@ _ONE_PLACE = 1e-6
 def thrust(recording: Recording, spreader: Spreader) -> FloatArray:
     """Largest force that pushes a spreader together along length or breadth [N], shape (time,); at least 0.
 
-    That of a section between lugs is what all slings on one side of it pull across it. Its own weight and
-    inertia, which in its plane are those of a few degrees of tilt, are left out.
+    That of a section between lugs is what all slings on one side of it pull across it. Both sides differ by
+    its own weight and inertia, as far as these lie along it; the side that pushes more counts.
     """
     largest: FloatArray = np.max([_thrust_along(recording, spreader, axis) for axis in (0, 1)], axis=0)
     return largest
@@ -42,9 +42,10 @@ def _thrust_along(recording: Recording, spreader: Spreader, along: int) -> Float
                 pull = sign * tension * np.sum(up * attitude, axis=1)
                 pulls.append((float(spreader.lugs[lug].at[along]), pull))
     pulls.sort(key=lambda one: one[0])
-    largest, total = np.zeros(len(recording.time)), np.zeros(len(recording.time))
+    largest = before = np.zeros(len(recording.time))
+    after = sum((pull for _, pull in pulls), start=before)
     for (place, pull), (following, _) in pairwise(pulls):
-        total = total + pull
+        before, after = before + pull, after - pull
         if following > place + _ONE_PLACE:
-            largest = np.maximum(largest, total)
+            largest = np.max([largest, before, -after], axis=0)
     return largest

@@ -15,9 +15,9 @@ import numpy as np
 
 from gantline.results import series
 from gantline.results.gear import Sling
-from gantline.results.parting import DETACHED, while_there
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
+from gantline.results.rotation import axes
 from gantline.results.skew import pinned_sheaves
 from gantline.units import format_quantity
 
@@ -36,7 +36,7 @@ class LooseTilt:
     Attributes:
         load: Its name.
         equalizers: From which it hangs.
-        line: Direction of the line about which it tilts freely, axes of the load; None: about any.
+        line: Level direction of the line about which it tilts freely, world x and y; None: about any.
         depth: Of its centre of gravity below the middle of the lugs [m]; negative above.
     """
 
@@ -60,32 +60,46 @@ class LooseTilt:
 def loose_tilt(recording: Recording, load: Load) -> LooseTilt | None:
     """Whether equalizers leave a load free to tilt; None if they do not, or that is not known.
 
-    Slings that steps put on or take off count while they are on and the load hangs; the first time counts at
-    which it is free.
+    Slings that come, go or part count while they are there and the load hangs; the first time counts at
+    which it is free, with lugs where they are as it begins: what is turned later has hung from all of them.
+    Of an equilibrium slings count that carry.
 
     Args:
         recording: Any recording; pins count as they are at the end of such a time.
         load: A load of it.
     """
-    found = (_loose(recording, load, slings, until) for slings, until in _stages(recording, load))
+    found = (_loose(recording, load, *stage) for stage in _stages(recording, load))
     return next((one for one in found if one is not None), None)
 
 
-def _stages(recording: Recording, load: Load) -> Iterator[tuple[list[Sling], float]]:
-    """The slings that are on while a load hangs, and until when [s], in turn; at the end if it never does."""
+def _stages(recording: Recording, load: Load) -> Iterator[tuple[list[Sling], int, float]]:
+    """The slings that are there while a load hangs, its first sample and its end [s], in turn.
+
+    At the end if it never does.
+    """
     slings, times = recording.rig.slings, recording.time
     clear = series.load_is_clear(recording, load)
-    if series.is_equilibrium(recording) or not clear.any():
+    if recording.is_equilibrium or not clear.any():
         clear = series.last_sample(recording)
-    on = while_there(recording, [sling.rope for sling in slings], [DETACHED])[:, clear]
-    changes = np.flatnonzero((on[:, 1:] != on[:, :-1]).any(axis=0))
-    for last in (*changes, on.shape[1] - 1) if on.shape[1] else ():
-        there = on[:, last]
-        yield [one for one, is_on in zip(slings, there, strict=True) if is_on], float(times[clear][last])
+    there = series.are_whole(recording, [sling.rope for sling in slings])
+    if recording.is_equilibrium and slings:
+        there &= np.array([recording.column("rope_tension", sling.rope) > 0.0 for sling in slings])
+    there, samples = there[:, clear], np.flatnonzero(clear)
+    changes = np.flatnonzero((there[:, 1:] != there[:, :-1]).any(axis=0))
+    first = 0
+    for last in (*changes, there.shape[1] - 1) if there.shape[1] else ():
+        own = [one for one, is_there in zip(slings, there[:, last], strict=True) if is_there]
+        yield own, int(samples[first]), float(times[samples[last]])
+        first = last + 1
 
 
-def _loose(recording: Recording, load: Load, slings: Sequence[Sling], until: float) -> LooseTilt | None:
-    """The same of some slings, with pins as they are at a time [s]."""
+def _loose(
+    recording: Recording, load: Load, slings: Sequence[Sling], sample: int, until: float
+) -> LooseTilt | None:
+    """The same of some slings, with lugs where they are at a sample and pins as they are at a time [s]."""
+    own = axes(recording.column("body_orientation", load.body)[sample])
+    if not np.isfinite(own).all():  # a recording with gaps, which its checks tell
+        return None
     rig = recording.rig
     middles: dict[str, list[np.ndarray]] = {}
     for sling in slings:
@@ -95,18 +109,18 @@ def _loose(recording: Recording, load: Load, slings: Sequence[Sling], until: flo
             return None
         if equalizer.mechanism != "sheaves" or pinned_sheaves(recording, equalizer, until):
             return None
-        middles.setdefault(equalizer.name, []).append(np.asarray(lug.at, dtype=np.float64))
+        middles.setdefault(equalizer.name, []).append(own @ lug.at)
     if not middles:
         return None
     lugs = np.concatenate([np.array(places) for places in middles.values()])
     points = np.array([np.mean(places, axis=0) for places in middles.values()])
-    _, sizes, axes = np.linalg.svd(points[:, :2] - points[:, :2].mean(axis=0))
+    _, sizes, ways = np.linalg.svd(points[:, :2] - points[:, :2].mean(axis=0))
     reach = float(np.linalg.norm(lugs[:, :2] - lugs[:, :2].mean(axis=0), axis=1).max())
     across = float(sizes[1]) if len(sizes) > 1 else 0.0
     if across > _IN_LINE * sizes[0] and across > 1e-3 * reach:
         return None
     line = None
     if sizes[0] > 1e-3 * reach:
-        way = axes[0] if axes[0][int(np.argmax(np.abs(axes[0])))] > 0 else -axes[0]
+        way = ways[0] if ways[0][int(np.argmax(np.abs(ways[0])))] > 0 else -ways[0]
         line = (float(way[0]) + 0.0, float(way[1]) + 0.0)
     return LooseTilt(load.name, tuple(middles), line, float(lugs[:, 2].mean()))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -88,7 +88,7 @@ class Margin:
     """How far a centre of gravity may be elsewhere before a lift no longer hangs as it should.
 
     Attributes:
-        direction: `+x`, `−x`, `+y`, `−y` along the load's own axes, or `up`.
+        direction: `up`, or along one of the load's own axes, such as `+x`; not of the one nearest to plumb.
         distance: How far [m], to a millimetre.
         cause: What happens then, in words; empty where nothing does within 10 m.
     """
@@ -117,11 +117,12 @@ def tilting_of(question: Statics, rest: Equilibrium, modes: Sequence[Mode]) -> l
 
 def _tilting(question: Statics, rest: Equilibrium, modes: Sequence[Mode], load: Load) -> Tilting:
     own = axes(rest.recording.column("body_orientation", load.body)[-1])
-    answers = question.sensitivities([(f"centre_{axis}", load.body) for axis in "xy"])
+    answers = question.sensitivities([(f"centre_{axis}", load.body) for axis in "xyz"])
     turned = np.array([one.of_body(load.body)[3:5] for one in answers]).T
-    # A shift d of the centre of gravity brings the moment d × m g, level whatever d.
-    moments = load.weight * np.array([[-own[1, 0], -own[1, 1]], [own[0, 0], own[0, 1]]])
-    compliance = turned @ np.linalg.inv(moments)
+    # A level shift d of the centre of gravity brings the moment d × m g, of one along x about y, along y
+    # about −x.
+    by_x, by_y = turned @ own[0], turned @ own[1]
+    compliance = np.column_stack([-by_y, by_x]) / load.weight
     values, directions = np.linalg.eigh(0.5 * (compliance + compliance.T))
     heights = [1.0 / (one * load.weight) if abs(one) * load.weight > _RIGID else math.inf for one in values]
     order = np.argsort(heights)
@@ -176,11 +177,12 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
     if at == "from_cad":
         sentence = "the centre of gravity is that of the CAD file"
         raise ValueError(f"{sentence}; state it in 'load.centre_of_gravity.at' to see how far it may move")
-    ways = [("up", 2, 1.0), ("+x", 0, 1.0), ("−x", 0, -1.0), ("+y", 1, 1.0), ("−y", 1, -1.0)]
+    (name,) = [one.body for one in rest.recording.rig.loads if one.name == load.name]
+    plumb = axes(rest.recording.column("body_orientation", name)[-1])[2]
     slack = {sling.name for sling in rest.recording.rig.slings if rest.tension(sling.rope) <= 0.0}
 
-    def trouble(axis: int, sign: float, shift: float) -> str:
-        moved = [value + (sign * shift if place == axis else 0.0) for place, value in enumerate(at)]
+    def trouble(way: Floats, shift: float) -> str:
+        moved = [value + shift * float(part) for value, part in zip(at, way, strict=True)]
         texts = {f"load.centre_of_gravity.at.{name}": si_text(value, "length")
                  for name, value in zip("xyz", moved, strict=True)}  # fmt: skip
         try:
@@ -194,7 +196,17 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
             return f"no equilibrium: {problem.cause} ({problem.element})"
         return _trouble(Hanging(question, found), slack)
 
-    return [_margin(name, partial(trouble, axis, sign), farthest) for name, axis, sign in ways]
+    return [_margin(name, partial(trouble, way), farthest) for name, way in _ways(plumb)]
+
+
+def _ways(plumb: Floats) -> Iterator[tuple[str, Floats]]:
+    """Where a centre of gravity is moved, in the load's own axes: up, and to all sides."""
+    yield "up", plumb
+    upright = int(np.argmax(np.abs(plumb)))
+    for place, axis in enumerate("xyz"):
+        if place != upright:
+            yield f"+{axis}", np.eye(3)[place]
+            yield f"−{axis}", -np.eye(3)[place]
 
 
 def _margin(direction: str, trouble: Callable[[float], str], farthest: float) -> Margin:

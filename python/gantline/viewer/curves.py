@@ -104,5 +104,6 @@ def _loads(recording: Recording) -> Iterator[Curve]:
     for equalizer in recording.rig.equalizers:
         if equalizer.slings and clear.any():
             # Of slack slings it says nothing, and hides what it comes to once they carry.
-            spread = np.where(clear, series.tension_spread(recording, equalizer), np.nan)
+            counts = clear & series.is_loaded(recording, equalizer)
+            spread = np.where(counts, series.tension_spread(recording, equalizer), np.nan)
             yield Curve("spread", equalizer.name, equalizer.name, "%", 100.0, spread)

@@ -356,8 +356,8 @@ impl StaticLift {
         Columns::of(&self.system, &self.samples, &log)
     }
 
-    /// Slings and pins that are on by now and were not at the start, and those that were and are not. Of an equilibrium
-    /// that is so in all samples.
+    /// Slings and pins that are on by now and were not at the start, those that were and are not, and ropes that have been
+    /// cut. Of an equilibrium that is so in all samples.
     fn changed(&self) -> impl Iterator<Item = Event> {
         let Self { system, state, .. } = self;
         let mode = |one: &Switching| state.modes[system.rows.first[one.constraint]];
@@ -372,7 +372,9 @@ impl StaticLift {
             let kind = if is_in { EventKind::PinPutIn } else { EventKind::PinPulled };
             (is_in != pin.starts_on).then(|| event(pin, kind))
         });
-        slings.chain(pins)
+        let cuts = system.cuts.iter().filter(|cut| cut.due.is_before(state.time, &state.plan));
+        let cuts = cuts.map(|cut| Event { time: 0.0, kind: EventKind::Cut, subject: cut.rope });
+        slings.chain(pins).chain(cuts)
     }
 
     /// Kind and name of the events that say so.
