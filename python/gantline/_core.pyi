@@ -69,7 +69,7 @@ class Simulation:
         """Tensions of all ropes now [N], in the order of their names."""
 
     def energy_remainder(self) -> float:
-        """Largest energy remainder over all steps so far, relative to kinetic + elastic + |drive work|."""
+        """Largest energy remainder over the largest of kinetic + elastic + |drive work| + |fluid work|."""
 
     def save(self) -> bytes:
         """The state, exactly."""

@@ -117,5 +117,14 @@ def test_hooks_under_trolleys_have_no_place_of_their_own() -> None:
     assert result.returncode == 2
     assert result.stderr == (
         "error: --plumb: the hook 'goliath.U1' has no place of its own in the lift file that could be moved; "
-        "only hooks of 'type: fixed_hook' have, by 'at'\n"
+        "only hooks of 'type: fixed_hook' have, by 'at'. 'keep_plumb' in a step of the plan lets its trolley "
+        "follow the load, and a sweep of 'cranes.goliath.trolleys.upper.position' shows how it hangs "
+        "elsewhere\n"
     )
+
+
+def test_hooks_at_booms_have_no_place_of_their_own() -> None:
+    result = statics("floating_crane", "--plumb")
+    assert result.returncode == 2
+    assert "lets its boom follow the load, and a sweep of 'cranes." in result.stderr
+    assert ".boom.angle' shows" in result.stderr

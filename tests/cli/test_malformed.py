@@ -37,6 +37,7 @@ BASES = {
     "tail": by_crawlers(TAIL, duration=60.0),
 }
 CASES = YAML(typ="safe").load(Path(__file__).with_name("malformed.yaml"))
+UTF_16 = ": looks like UTF-16, two bytes for each letter; save the file as UTF-8"
 NEEDED = "a lift file or its folder is needed"
 
 
@@ -103,8 +104,14 @@ def test_of_many_problems_twenty_are_named(tmp_path: Path) -> None:
             ":1: found the text 'hoist it'; a lift file is a mapping that begins with 'format: 1'",
         ),
         (b"- a\n- b\n", ":1: found a list; a lift file is a mapping that begins with 'format: 1'"),
-        (b"format: 1\ntitle: Gr\xfc\xdfe\n", ":2: byte 20 is not UTF-8 text; save the file as UTF-8"),
-        (BASE.encode("utf-16"), ":1: byte 1 is not UTF-8 text; save the file as UTF-8"),
+        (
+            b"format: 1\ntitle: Gr\xfc\xdfe\n",
+            ":2: byte 20 is not UTF-8 text; it looks like Windows-1252, 'ü' in 'Grüße'; "
+            "save the file as UTF-8",
+        ),
+        (b"format: 1\ntitle: \x81\n", ":2: byte 18 is not UTF-8 text; save the file as UTF-8"),
+        ("format: 1\n".encode("utf-16-le"), UTF_16),
+        (BASE.encode("utf-16"), UTF_16),
         (b"\x7fELF\x02\x01\x01\x00", ":1: a character that YAML does not allow; save the file as plain text"),
         (b"a: " + b"[" * 100_000, ":1: nested more than 32 deep; a lift file needs far less"),
         (b"a:\n" + b"".join(b" " * n + b"- \n" for n in range(40)), None),
@@ -118,6 +125,8 @@ def test_of_many_problems_twenty_are_named(tmp_path: Path) -> None:
         "text",
         "list",
         "latin-1",
+        "no-letter",
+        "utf-16-no-mark",
         "utf-16",
         "binary",
         "deep",

@@ -177,7 +177,7 @@ impl Simulation {
         Ok(self.inner(py)?.rope_tension())
     }
 
-    /// Largest energy remainder so far, relative to the largest of kinetic + elastic + |drive work|.
+    /// Largest energy remainder over the largest of kinetic + elastic + |drive work| + |fluid work|.
     fn energy_remainder(&self, py: Python<'_>) -> PyResult<f64> {
         Ok(self.inner(py)?.state().ledger.relative_remainder())
     }

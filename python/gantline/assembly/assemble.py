@@ -11,11 +11,14 @@ from gantline.assembly.boom import add_booms, hang_in_tackles
 from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
+from gantline.assembly.doubtful_empty import doubtful_empty
 from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_heights import doubtful_heights
 from gantline.assembly.doubtful_stops import doubtful_stops
+from gantline.assembly.doubtful_turns import doubtful_turns
 from gantline.assembly.doubtful_waits import doubtful_waits
+from gantline.assembly.doubtful_weight import doubtful_weight
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
 from gantline.assembly.long_waves import add_doubts_of_hulls
@@ -37,7 +40,7 @@ from gantline.assembly.vessels import add_vessels, watch_vessels
 from gantline.assembly.water import add_water
 from gantline.assembly.waves import add_waves
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
-from gantline.scenario import Scenario, resolve
+from gantline.scenario import Rigging, Scenario, StartError, resolve
 from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
 from gantline.scenario.pins import pins_of
 
@@ -80,6 +83,17 @@ def assemble(scenario: Scenario) -> Assembly:
         ScenarioError: if the lift cannot be built as written (a load that would tip, a sling too short, ...).
     """
     rigging = resolve(scenario)
+    try:
+        return _assembled(scenario, rigging)
+    except StartError as error:
+        # Slings are too short for a load that sinks in, where only its weight is wrong.
+        heavy = [scenario.problem(("load", "weight"), said) for said in doubtful_weight(scenario, rigging)]
+        if not heavy:
+            raise
+        raise StartError(scenario.source, [*heavy, *error.problems]) from None
+
+
+def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     parts = Parts()
     add_vessels(parts, scenario)
     add_goliaths(parts, scenario)
@@ -130,6 +144,9 @@ def assemble(scenario: Scenario) -> Assembly:
         warnings=(
             *(() if lifted is None else lifted.body.warnings),
             *parts.warnings,
+            *doubtful_weight(scenario, rigging),
+            *doubtful_empty(scenario, rigging),
+            *doubtful_turns(scenario),
             *doubtful_waits(parts, scenario),
             *doubtful_heights(scenario),
             *doubtful_stops(scenario),

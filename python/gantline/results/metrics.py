@@ -77,7 +77,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   on its own diameter, of the drum of a hook how far it has hoisted the hook in the first layer
 - `least_drum_wraps.<drum>` [1]: fewest turns of rope on that drum
 - `energy_remainder` [1]: largest magnitude, over all steps, of the energy that the audit cannot place,
-  relative to the largest of kinetic + elastic + |work of drives|
+  relative to the largest of kinetic + elastic + |work of drives| + |work of wind, current and waves|
 """
 
 from __future__ import annotations

@@ -280,7 +280,8 @@ class ListOf(Reader):
         if not isinstance(value, list):
             raise refuse(f"found {found(value)}; {needed} is needed, such as {self._example()}")
         if self.count is not None and len(value) != self.count:
-            raise refuse(f"found a list of {len(value)}; {needed} is needed, such as {self._example()}")
+            right = self._with_points(value) or f"{needed} is needed, such as {self._example()}"
+            raise refuse(f"found a list of {len(value)}; {right}")
         if len(value) < self.least:
             raise refuse(
                 f"found a list of {len(value)}; at least {self.least} are needed, such as {self._example()}"
@@ -292,6 +293,15 @@ class ListOf(Reader):
             except PydanticCustomError as error:
                 raise refuse(f"item {place}: {error.message()}") from None
         return tuple(items)
+
+    def _with_points(self, items: list[Any]) -> str | None:
+        """What is right where commas within numbers parted items: `[0,5 m, 2 m]` is a list of three."""
+        if not isinstance(self.item, Quantity) or not all(isinstance(item, str) for item in items):
+            return None
+        joined = re.sub(r"(?<![^ ])([+-]?[0-9]+), (?=[0-9]+ *[^0-9., ])", r"\1.", ", ".join(items))
+        if len(joined.split(", ")) != self.count:
+            return None
+        return f"decimal commas? write [{shorten(joined)}]"
 
     def _example(self) -> str:
         if isinstance(self.item, Quantity):

@@ -48,8 +48,12 @@ LARGEST_FILE: Final = 5_000_000
 _DEEPEST: Final = 32
 #: How the rest of a number begins behind a comma between thousands.
 _THOUSANDS: Final = re.compile(r"[0-9]{3}(?![0-9])")
+#: What stands before such a comma, or a decimal one.
+_WHOLE: Final = re.compile(r"[+-]?[0-9]+")
 #: What the reader refuses as it stands comes by an escape of quoted text; no file can be written with it.
 _NO_TEXT: Final = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
+#: With what a text of two bytes for each letter begins, of either order.
+_UTF_16: Final = (b"\xff\xfe", b"\xfe\xff")
 #: With what a recording begins.
 _HDF5: Final = b"\x89HDF"
 _YAML_TAG: Final = "tag:yaml.org,2002:"
@@ -112,13 +116,12 @@ def read_text(path: Path, source: str) -> str:
     if len(content) > LARGEST_FILE:
         size = status.st_size / 1e6
         raise _whole(source, f"has {size:.1f} MB; a lift file has at most {LARGEST_FILE / 1e6:.0f} MB")
+    if content.startswith(_UTF_16) or content[:2].count(0) == 1:
+        raise _whole(source, "looks like UTF-16, two bytes for each letter; save the file as UTF-8")
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        line = content.count(b"\n", 0, error.start) + 1
-        raise ScenarioError(
-            source, [Problem(line, "", f"byte {error.start + 1} is not UTF-8 text; save the file as UTF-8")]
-        ) from None
+        raise ScenarioError(source, [_not_utf_8(content, error.start)]) from None
 
 
 def parse_text(text: str, source: str) -> MapNode:
@@ -169,6 +172,17 @@ def texts(node: Node) -> Iterator[str]:
     else:
         for part in node.values() if isinstance(node, dict) else node:
             yield from texts(part)
+
+
+def _not_utf_8(content: bytes, at: int) -> Problem:
+    """What is wrong with a byte, and the letter that it is to Windows of Western Europe, if it is one."""
+    line = content.count(b"\n", 0, at) + 1
+    sentence, letters = f"byte {at + 1} is not UTF-8 text", content[at : at + 1].decode("cp1252", "ignore")
+    if letters.isprintable() and letters:
+        words = content.split(b"\n")[line - 1].decode("cp1252", "replace").split()
+        word = next(word for word in words if letters in word)
+        sentence += f"; it looks like Windows-1252, '{letters}' in '{shorten(word)}'"
+    return Problem(line, "", f"{sentence}; save the file as UTF-8")
 
 
 def _whole(source: str, sentence: str) -> ScenarioError:
@@ -279,10 +293,15 @@ class _Builder:
             if ":" in key:
                 sentence += " (a ':' needs a blank behind it)"
             elif _THOUSANDS.match(key):  # so is `{mass: 26,000 kg}`
-                sentence += " (a comma within a number? write 26000 kg, or 26.5 m)"
+                whole = self._before_the_comma(key)
+                is_known = _WHOLE.fullmatch(whole) is not None
+                right = f"{whole}{key}, or {whole}.{key}" if is_known else "26000 kg, or 26.5 m"
+                sentence += f" (a comma within a number? write {shorten(right)})"
             elif key[:1].isdigit():  # `{length: 26,0 m}` is two keys to YAML
-                sentence += " (a decimal comma? write a point, such as 26.5 m)"
-            elif self._stands_behind_a_comma(key):  # `{title: one, two}` is two keys, too
+                whole = self._before_the_comma(key)
+                right = f"{whole}.{key}" if _WHOLE.fullmatch(whole) else "a point, such as 26.5 m"
+                sentence += f" (a decimal comma? write {shorten(right)})"
+            elif self._before_the_comma(key):  # `{title: one, two}` is two keys, too
                 sentence += " (several go into a list, [A, B]; a text with a comma in it stands in quotes)"
             self.problems.append(Problem(key.line, self._path(key), sentence))
         else:
@@ -290,13 +309,14 @@ class _Builder:
                 Problem(line, self._path(), "an item of the list is empty; write a value or remove it")
             )
 
-    def _stands_behind_a_comma(self, key: TextNode) -> bool:
-        """Whether another key, with a text, stands before this one in its line."""
+    def _before_the_comma(self, key: TextNode) -> str:
+        """The text of the key that stands before this one in its line; empty where none does."""
         mapping = self.stack[-1]
         if not isinstance(mapping, MapNode):
-            return False
+            return ""
         before = [other for other, line in mapping.key_lines.items() if line == key.line and other != key]
-        return bool(before) and isinstance(mapping.get(before[-1]), TextNode)
+        value = mapping.get(before[-1]) if before else None
+        return str(value) if isinstance(value, TextNode) else ""
 
     def _place(self, node: Node) -> None:
         if not self.stack:

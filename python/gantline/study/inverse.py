@@ -12,7 +12,8 @@ import numpy.typing as npt
 
 from gantline.results.rotation import heading as heading_of
 from gantline.scenario import Scenario, load_scenario
-from gantline.scenario.errors import nearest
+from gantline.scenario.errors import join_path, nearest
+from gantline.scenario.hooks import Hook
 from gantline.scenario.rigging import resolve
 from gantline.scenario.variants import without_cases
 from gantline.statics import Equilibrium, Statics
@@ -193,7 +194,8 @@ def plumb_hooks(
             raise AdjustError(f"'{name}' is not a hook in which slings hang; {nearest(name, used)}")
         if name not in told:
             sentence = f"the hook '{name}' has no place of its own in the lift file that could be moved"
-            raise ValueError(f"{sentence}; only hooks of 'type: fixed_hook' have, by 'at'")
+            sentence = f"{sentence}; only hooks of 'type: fixed_hook' have, by 'at'"
+            raise ValueError(f"{sentence}. {_instead(scenario.hooks[name])}")
     unknowns = [
         Unknown(f"cranes.{name}.at.{axis}", (f"place_{axis}", name), told[name][place], math.inf)
         for name in chosen
@@ -232,6 +234,15 @@ def plumb_hooks(
         steps=search.steps,
         scenario=search.now.scenario,
     )
+
+
+def _instead(hook: Hook) -> str:
+    """How else falls come to hang plumb, of a hook that a trolley or a boom bears."""
+    carrier = "boom" if hook.carrier is None else hook.carrier.kind
+    own = "position" if carrier == "trolley" else "boom.angle"
+    path = join_path((*hook.paths[""][:-2], own))
+    sentence = f"'keep_plumb' in a step of the plan lets its {carrier} follow the load"
+    return f"{sentence}, and a sweep of '{path}' shows how it hangs elsewhere"
 
 
 def _refuse_unsound(hanging: Hanging) -> None:
