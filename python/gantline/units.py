@@ -22,6 +22,7 @@ __all__ = [
     "is_quantity",
     "quantity",
     "si_text",
+    "telling_digits",
     "units_of",
 ]
 
@@ -250,6 +251,24 @@ def format_quantity(value: float, unit: str, digits: int) -> str:
             shown = value / units[unit]
             return f"{shown:z.{_decimals(shown, digits) if unit in _THOUSANDS else digits}f} {unit}".rstrip()
     raise UnitError(f"'{unit}' is not a known unit")
+
+
+def telling_digits(value: float, limit: float, unit: str, digits: int) -> int:
+    """Decimals, at least these, with which a value past its limit is not written like the limit.
+
+    Args:
+        value: the value [SI].
+        limit: what it is past [SI].
+        unit: a unit symbol of `DIMENSIONS`.
+        digits: decimals with which both are written otherwise; they stay where four more do not tell either.
+
+    Raises:
+        UnitError: if the unit is not known.
+    """
+    for more in range(digits, digits + 5):
+        if format_quantity(value, unit, more) != format_quantity(limit, unit, more):
+            return more
+    return digits
 
 
 def _decimals(value: float, digits: int) -> int:

@@ -49,6 +49,14 @@ def test_the_tables(lift: Path, columns: int) -> None:
     assert re.search(r"SA highest +735\.[78] kN +809\.3 kN +1\.100 +heavy\n", result.stdout)
 
 
+def test_long_searches_say_what_they_are_at(lift: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It was silent to the end, for a minute or two of a lift with equalizers; as given and nine variants."""
+    monkeypatch.setattr("gantline.cli.progress._SILENCE_OF_SEARCHES", 1e-3)
+    result = gantline("cases", str(lift), "--json")
+    assert re.search(r"^cases, \d of 10 variants, \d+ s so far$", result.stderr, re.MULTILINE)
+    assert json.loads(result.stdout)
+
+
 def test_each_variant_in_a_line(lift: Path) -> None:
     result = gantline("cases", str(lift), "--variants", columns=120)
     assert result.exit_code == 0

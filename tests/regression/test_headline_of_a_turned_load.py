@@ -113,11 +113,13 @@ def test_a_load_that_is_turned_is_sketched_as_it_comes_clear() -> None:
     """At the end a column stood on end in its sketch, without the slings of the tail crane."""
     level, recording = turned(1.0), turned(5.0)
     assert [one.title for one in sketches(Subject(level))] == [
-        "side view, x to the right",
-        "plan, x to the right",
+        "side view at 150.0 s, x to the right",
+        "plan at 150.0 s, x to the right",
     ]
     side, plan = sketches(Subject(recording))
-    assert side.title == "side view at 0 s, x to the right" and plan.title == "plan at 0 s, x to the right"
+    assert (
+        side.title == "side view at 0.0 s, x to the right" and plan.title == "plan at 0.0 s, x to the right"
+    )
     hooks = [mark.y for mark in side.marks if mark.style == "sk-hook"]
     assert len(hooks) == 2 and hooks[0] == pytest.approx(hooks[1], abs=1e-6)  # level; 5 m apart at the end
 

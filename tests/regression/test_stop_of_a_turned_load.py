@@ -38,7 +38,7 @@ def told(height: float, more: str = "") -> str:
 def test_a_load_that_is_turned_on_purpose_is_held_against_its_plan() -> None:
     """Lugs 8 m apart, one 3 m up: asin(3/8), but for slings of 10 m that lean as the lugs come together."""
     text = told(3.0)
-    assert text.startswith("tilt is more than 1.0 deg off the plan, in which it comes to ")
+    assert text.startswith("tilt is more than 1.0 deg off the plan, in which it hangs still at up to ")
     planned = float(text.split()[-2])
     assert planned == pytest.approx(math.degrees(math.asin(3.0 / APART)), abs=1.0)
 

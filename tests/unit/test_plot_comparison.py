@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -91,27 +92,52 @@ def test_bodies_and_ropes_of_plain_systems() -> None:
     assert "largest: test_hook  +2,000 mm at 40.00 s" in text_of(figures["compare_motion"])
 
 
-def test_more_curves_than_colours_are_those_that_differ_most() -> None:
-    def many(extra: float) -> Recording:
-        lift = ringing_lift()
-        names = [f"rope{k}" for k in range(12)]
-        coordinates = {**lift.coordinates, "rope": names}
-        tension = np.tile(np.linspace(1e3, 2e3, 2001)[:, None], (1, 12)) + extra * np.arange(12)
-        variables = {
-            name: one
-            for name, one in lift.variables.items()
-            if "rope" not in one.dims or name == "rope_tension"
-        }
-        one = lift["rope_tension"]
-        variables["rope_tension"] = type(one)(one.dims, tension, one.unit, one.description)
-        for name, values in (("rope_peak_tension", tension.max(axis=0)), ("rope_peak_time", np.zeros(12))):
-            stored = lift[name]
-            variables[name] = type(stored)(stored.dims, values, stored.unit, stored.description)
-        return Recording(variables, coordinates, {**lift.attributes, "rig": {"title": "Plain"}})
+def many_ropes(extra: float, names: list[str]) -> Recording:
+    """A plain system with these ropes, of which each has `extra` more than the one before [N]."""
+    lift = ringing_lift()
+    count = len(names)
+    coordinates = {**lift.coordinates, "rope": names}
+    tension = np.tile(np.linspace(1e3, 2e3, 2001)[:, None], (1, count)) + extra * np.arange(count)
+    variables = {
+        name: one for name, one in lift.variables.items() if "rope" not in one.dims or name == "rope_tension"
+    }
+    one = lift["rope_tension"]
+    variables["rope_tension"] = type(one)(one.dims, tension, one.unit, one.description)
+    for name, values in (("rope_peak_tension", tension.max(axis=0)), ("rope_peak_time", np.zeros(count))):
+        stored = lift[name]
+        variables[name] = type(stored)(stored.dims, values, stored.unit, stored.description)
+    return Recording(variables, coordinates, {**lift.attributes, "rig": {"title": "Plain"}})
 
-    text = text_of(pictures(compare(many(0.0), many(5.0)))["compare_rope_tension"])
+
+def test_more_curves_than_colours_are_those_that_differ_most() -> None:
+    names = [f"rope{k}" for k in range(12)]
+    one, other = many_ropes(0.0, names), many_ropes(5.0, names)
+    text = text_of(pictures(compare(one, other))["compare_rope_tension"])
     assert "(8 of 12 ropes)" in text
     assert "rope11" in text and "rope3" not in text.split("\n")
+
+
+@pytest.mark.parametrize("stem", ["mooring.bow", "mooring.of_the_barge_at_the_quay"])
+def test_long_names_leave_the_panels_their_width(stem: str, tmp_path: Path) -> None:
+    """Names of moorings stood in one row, cut to `mooring.bow…` each, and pressed the panels to a fifth of
+    the picture, with `UserWarning: constrained_layout not applied` on the console."""
+    names = [f"{stem}.{k}.ps" for k in range(8)]
+    comparison = compare(many_ropes(0.0, names), many_ropes(5.0, names))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        save_comparison_pictures(comparison, tmp_path)
+        figure = pictures(comparison)["compare_rope_tension"]
+        figure.draw_without_rendering()
+    panel = figure.axes[0]
+    assert panel.get_position().width > 0.8  # of the picture: labels of both axes need what is left
+    key = panel.get_legend()
+    assert key is not None
+    box = key.get_window_extent().transformed(figure.transFigure.inverted())
+    assert box.x1 < 1.0
+    assert box.height < 0.25
+    written = [text.get_text() for text in key.get_texts()[2:]]
+    assert len(set(written)) == 8
+    assert written == names or max(map(len, names)) > 21 == max(map(len, written))
 
 
 def test_one_common_sample_makes_no_picture() -> None:

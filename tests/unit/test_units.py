@@ -15,6 +15,7 @@ from gantline.units import (
     format_by_size,
     format_quantity,
     quantity,
+    telling_digits,
     units_of,
 )
 
@@ -129,6 +130,21 @@ def test_a_long_text_is_not_repeated_whole() -> None:
 )
 def test_writing_a_quantity(value: float, unit: str, digits: int, text: str) -> None:
     assert format_quantity(value, unit, digits) == text
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "unit", "digits", "told"),
+    [
+        (-0.0022, 0.0, "m", 2, 3),  # -0.002 m of 0.000 m
+        (1.00004, 1.0, "%", 1, 3),  # 100.004 % of 100.000 %
+        (3.2, 3.0, "m", 2, 2),
+        (1.0 + 1e-12, 1.0, "m", 2, 2),  # no digits that people read tell
+    ],
+)
+def test_decimals_that_tell_a_value_from_its_limit(
+    value: float, limit: float, unit: str, digits: int, told: int
+) -> None:
+    assert telling_digits(value, limit, unit, digits) == told
 
 
 @pytest.mark.parametrize(

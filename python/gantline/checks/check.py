@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from enum import StrEnum
 from typing import Any
 
-from gantline.units import format_quantity
+from gantline.units import format_quantity, telling_digits
 
 #: Checks that a run got through its plan, that it lifted what it should, and that nothing of it is lost.
 PLAN_FINISHED, LOAD_LIFTED, ALL_KNOWN = "plan_finished", "load_lifted", "all_known"
@@ -70,7 +70,7 @@ class Check:
         at_least: Whether the limit is the smallest allowed value, not the largest.
         source: Where the limit, and the factors in the formula, come from.
         unit: Unit in which people read both, of `gantline.units`.
-        digits: Decimals with which people read both.
+        digits: Decimals with which people read both, if these tell a value past its limit from it.
         element: Sling, lug, equalizer, load or hook that governs.
         time: When it governs [s]; None where the value belongs to no one time.
         step: Step of the plan whose end was checked; empty for the whole lift.
@@ -96,7 +96,15 @@ class Check:
 
     def shown(self, number: float | None) -> str:
         """A value or limit of this check as people read it; empty for None."""
-        return "" if number is None else format_quantity(number, self.unit, self.digits)
+        return "" if number is None else format_quantity(number, self.unit, self._digits)
+
+    @property
+    def _digits(self) -> int:
+        """Decimals of value and limit: more of them where what is past its limit would read like it."""
+        if self.value is None or self.limit is None:
+            return self.digits
+        is_past = self.value < self.limit if self.at_least else self.value > self.limit
+        return telling_digits(self.value, self.limit, self.unit, self.digits) if is_past else self.digits
 
     @property
     def has_no_limit(self) -> bool:

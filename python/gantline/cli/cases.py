@@ -18,6 +18,7 @@ from gantline.cli.messages import (
     stop,
     writing,
 )
+from gantline.cli.progress import telling
 
 
 def cases(
@@ -53,7 +54,8 @@ def cases(
         if not scenario.cases:
             right = "cases: {heavy: {set: {load.weight.simulate: design}}}"
             stop(f"{scenario.source}: there are no 'cases' in this file; one is written like '{right}'")
-        result = run_cases(scenario, moment)
+        with telling("cases") as tell:
+            result = run_cases(scenario, moment, on_progress=tell)
     text = json.dumps(result.to_json(), indent=2, allow_nan=False)
     from gantline.cli.cases_table import cases_table, nothing_hangs
 

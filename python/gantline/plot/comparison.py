@@ -21,10 +21,12 @@ from gantline.plot.style import (
     colour,
     few_ticks,
     figure_over_time,
+    fitting_columns,
     force_axis,
     force_unit,
     legend_above,
     shortened,
+    shortened_inside,
     widen,
 )
 from gantline.results import series
@@ -250,11 +252,11 @@ def _legend(panel: Axes, names: list[str], note: str) -> None:
     labels = ["A", "B"]
     if len(names) > 1:
         keys += [Line2D([], [], color=colour(index), linewidth=2.4) for index in range(len(names))]
-        labels += [shortened(name, 12) for name in names]
+        labels += [shortened_inside(name) for name in names]
     if note:
         keys.append(Line2D([], [], linestyle="none"))
         labels.append(f"({note})")
-    legend_above(panel, keys, labels, len(labels), spacing=1.1)
+    legend_above(panel, keys, labels, fitting_columns(labels), spacing=1.1)
 
 
 def _written(value: float, sign: str = "") -> str:

@@ -36,7 +36,7 @@ MOST_NAMED = 24
 _NEAR, _MOSTLY = 0.005, 0.95
 #: Share of all their reach past which a curve is seen by itself: dashes would break up its peak.
 _AWAY = 0.02
-_MOST_AT_AN_END = 21  # characters of a name: longer ones would leave no room for the titles
+_MOST_OF_A_NAME = 21  # characters: longer ones beside a curve would leave no room for the titles
 _DASH = 5.0  # widths of the line
 _PEAK_BELOW = 0.84  # of a panel's height: the text above a peak stays clear of 'lift-off'
 TONNE_FORCE = 9.81e3  # N; only what people read speaks of tonne-force
@@ -215,6 +215,15 @@ def legend_of(panel: Axes, entries: Mapping[str, str]) -> None:
     legend_above(panel, keys, list(entries), min(8, max(1, columns), max(1, len(entries))))
 
 
+def fitting_columns(labels: Sequence[str]) -> int:
+    """Most columns of a legend, filled one after the other, that are no wider together than a panel."""
+    for columns in range(len(labels), 1, -1):
+        parts = np.array_split([len(label) for label in labels], columns)  # as a legend divides them
+        if sum(8.5 * LETTER * int(max(part)) + _KEY_WIDTH for part in parts) <= _LEGEND_WIDTH:
+            return columns
+    return 1
+
+
 def legend_above(
     panel: Axes, keys: Sequence[Line2D], labels: Sequence[str], columns: int, *, spacing: float = 1.4
 ) -> None:
@@ -256,9 +265,8 @@ def label_ends(panel: Axes, time: FloatArray, values: dict[str, FloatArray]) -> 
     places = _apart([end for end, _, _ in ends], gap, low, high)
     for (end, index, name), place in zip(ends, places, strict=True):
         fraction = (high - place) / (high - low) if inverted else (place - low) / (high - low)
-        half = (_MOST_AT_AN_END - 1) // 2
         panel.annotate(
-            name if len(name) <= _MOST_AT_AN_END else f"{name[:half]}…{name[-half:]}",
+            shortened_inside(name),
             xy=(float(time[-1]), end),
             xytext=(1.035, fraction),
             textcoords="axes fraction",
@@ -330,6 +338,12 @@ def widen(panel: Axes, least: float) -> None:
 def shortened(text: str, most: int) -> str:
     """A text of at most this many characters."""
     return text if len(text) <= most else text[: most - 1].rstrip() + "…"
+
+
+def shortened_inside(name: str) -> str:
+    """A name for a curve: of a long one both ends, in which names of one kind differ."""
+    half = (_MOST_OF_A_NAME - 1) // 2
+    return name if len(name) <= _MOST_OF_A_NAME else f"{name[:half]}…{name[-half:]}"
 
 
 def four_digits(value: float) -> str:

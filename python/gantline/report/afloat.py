@@ -6,7 +6,7 @@ over the end of each step, and the least freeboard in it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -79,18 +79,26 @@ def _vessel(subject: Subject, vessel: Vessel) -> dict[str, Any]:
         }
         for moment in moments
     ]
-    last = subject.rig.time_to_average
     return {
         "name": vessel.name,
-        "when": "at the end of each step"
-        if last == 0.0
-        else f"mean over the last {show(last, 's', 0)} of each step; freeboard: the least in it",
+        "when": _when(subject, moments),
         "rows": rows,
         "left_out": max(0, len(_moments(subject)) - len(moments)),
         "gm": _gm(subject, vessel),
         "pumped": _pumped(subject, vessel),
         "has_tanks": bool(tanks),
     }
+
+
+def _when(subject: Subject, moments: Sequence[_Moment]) -> str:
+    """Of which part of each step the numbers of a table are."""
+    last = subject.rig.time_to_average
+    if last == 0.0:
+        return "at the end of each step"
+    time = subject.recording.time
+    is_short = any(time[moment.at] - time[moment.begin] < last for moment in moments[1:])
+    whole = ", or all of a shorter one" if is_short else ""
+    return f"mean over the last {show(last, 's', 0)} of each step{whole}; freeboard: the least in it"
 
 
 def _value(subject: Subject, vessel: Vessel, variable: str, moment: _Moment) -> float:

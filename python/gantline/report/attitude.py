@@ -11,6 +11,7 @@ from gantline.results.drift import load_drift
 from gantline.results.lift_off import lift_off_in_words
 from gantline.results.rig import Load
 from gantline.results.upending import is_turned, kept_plumb_in_words, turning_in_words
+from gantline.units import telling_digits
 
 
 def attitude(subject: Subject) -> list[tuple[str, str]]:
@@ -117,6 +118,7 @@ def _clearance(subject: Subject) -> list[tuple[str, str]]:
     time = float(recording.time[at])
     step = subject.step_at(time)
     place = f" at {show(time, 's', 1)}" + (f", “{step}”" if step else "")
-    found = show(float(distance[at, pair]), "m", 2)
+    apart = float(distance[at, pair])
+    found = show(apart, "m", telling_digits(apart, keeps[pair], "m", 2) if apart < keeps[pair] else 2)
     least = f", at least {keeps[pair]:g} m," if keeps[pair] > 0.0 else ""
     return [("tightest clearance", f"{pairs[pair]} {found}{least}{place}")]

@@ -257,7 +257,8 @@ def _tilt(subject: Subject, limit: Any) -> str:
     loads = subject.rig.loads if "load_tilt" in recording else ()
     still = [subject.static(recording.column("load_tilt", load.name)) or 0.0 for load in loads]
     if max(still, default=0.0) > _USUAL_TILT:
-        return f"tilt is more than {usual} off the plan, in which it comes to {show(max(still), 'deg', 1)}"
+        stands = f"in which it hangs still at up to {show(max(still), 'deg', 1)}"
+        return f"tilt is more than {usual} off the plan, {stands}"
     return f"tilt is over {usual}"
 
 

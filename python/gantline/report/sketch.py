@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ import numpy as np
 from gantline.report.sketch_names import (
     Box,
     around_dot,
+    beside_dot,
     has_room,
     hides_none,
     names_beside,
@@ -20,9 +22,9 @@ from gantline.report.sketch_names import (
 )
 from gantline.report.sketch_paper import HEIGHT, MARGIN, WIDTH, Mark, Paper, drawn_path, outline
 from gantline.report.subject import Subject
-from gantline.results.boom import Boom
+from gantline.results.parting import PLANNED, partings
 from gantline.results.recording import Recording
-from gantline.results.rig import Rig
+from gantline.results.rig import Load, Rig
 from gantline.results.rotation import axes
 from gantline.results.series import load_is_clear
 from gantline.results.surroundings import (
@@ -125,15 +127,15 @@ class _Moment:
 def sketches(subject: Subject) -> list[Sketch]:
     """Side view and plan at the end of the recording; none if it has nothing to draw.
 
-    A load that is turned is drawn as it comes clear: at the end some of its slings may be off.
+    A load that is turned is drawn as it comes clear: at the end some of its slings may be off. The side view
+    looks across its turning. A lift of which a sling parts is drawn before that, with all its slings.
     """
     recording = subject.recording
     scene: Mapping[str, Any] = recording.attributes.get("scene") or {}
     if not scene.get("bodies") or not len(recording.time):
         return []
     turned = next((load for load in subject.rig.loads if is_turned(recording, load)), None)
-    clear = len(recording.time) - 1 if turned is None else int(np.argmax(load_is_clear(recording, turned)))
-    moment = _Moment(recording, clear)
+    moment = _Moment(recording, _sample(recording, turned))
     solids = _solids(moment, scene)
     ropes = _ropes(moment)
     near = [path for name, path in ropes.items() if name not in subject.rig.outer_ropes]
@@ -149,12 +151,11 @@ def sketches(subject: Subject) -> list[Sketch]:
         extent = np.concatenate([lift, ground.near(lift)])
     carried = [one for kind, pieces in solids.values() if kind in ("load", "frame") for one in pieces]
     frames = [one for kind, pieces in solids.values() if kind == "frame" for one in pieces]
-    booms = subject.rig.booms if turned is None else ()
     # Hooks side by side would cover each other, seen along the line that they are in.
     shown = np.concatenate([*(frames or carried or parts), np.reshape(bearings, (-1, 3))])
-    along = _along(moment, booms, shown)
+    along = _along(moment, shown) if turned is None else _across_turn(recording, turned)
     view = _SIDES[along]
-    when = "" if turned is None else f" at {format_quantity(moment.time, 's', 0)}"
+    when = f" at {format_quantity(moment.time, 's', 1)}"
     paper = Paper(view, extent)
     axis = "xy".index(along)
     behind = _water(paper, subject, axis, lift) + _standing(paper, around)
@@ -166,9 +167,25 @@ def sketches(subject: Subject) -> list[Sketch]:
     return [side, plan]
 
 
-def _along(moment: _Moment, booms: Sequence[Boom], shown: FloatArray) -> str:
+def _sample(recording: Recording, turned: Load | None) -> int:
+    """The sample that is drawn."""
+    chosen = len(recording.time) - 1 if turned is None else int(np.argmax(load_is_clear(recording, turned)))
+    slings = {sling.rope for sling in recording.rig.slings}
+    parted = [one.time for one in partings(recording) if one.kind not in PLANNED and one.rope in slings]
+    before = int(np.searchsorted(recording.time, min(parted))) - 1 if parted else chosen
+    return max(0, min(chosen, before))
+
+
+def _across_turn(recording: Recording, load: Load) -> str:
+    """The axis of the world, to the right in a side view, towards which a load leans most as it turns."""
+    upright = axes(recording.column("body_orientation", load.body))[:, :2, 2]
+    lean = np.abs(upright[np.argmax(np.linalg.norm(upright, axis=1))])
+    return "x" if lean[0] >= lean[1] else "y"
+
+
+def _along(moment: _Moment, shown: FloatArray) -> str:
     """The axis of the world that a side view has to the right: of the first boom, else the longer one."""
-    for boom in booms:
+    for boom in moment.rig.booms:
         if moment.has(boom.boom):
             way = np.abs(moment.turn(boom.boom)[:, 0])
             return "x" if way[0] >= way[1] else "y"
@@ -337,6 +354,8 @@ def _numbers(
             continue  # its number would hide it; the plan has it
         if plan:
             tries = [*(lug + np.array([0.0, down]) for down in _BESIDE_LUG), *tries]
+            # Of lugs in a row from top to bottom those between the others have room at their sides.
+            tries += [lug + np.array([side * beside_dot(name), 0.0]) for side in (1.0, -1.0)]
         boxes = [text_box(on_paper(float(x), name, WIDTH), float(y), name) for x, y in tries]
         free = [box for box in boxes if has_room(box, taken) and (not plan or hides_none(box, lugs))]
         if not free:  # too many beside each other: those that have room stand for them
@@ -389,9 +408,10 @@ def _hooks(moment: _Moment, paper: Paper, ropes: Mapping[str, FloatArray], *, pl
     marks = [Mark("dot", "sk-hook", x=float(x), y=float(y)) for x, y in places]
     if plan:
         return marks
-    slings = [paper.place(ropes[one.rope]) for one in moment.rig.slings if one.rope in ropes]
-    # A sling takes its ends and some places between: enough for names, which are higher than those lie apart.
-    along = [path[0] + part * (path[-1] - path[0]) for path in slings for part in (0.0, *_ALONG, 1.0)]
+    near = [paper.place(path) for name, path in ropes.items() if name not in moment.rig.outer_ropes]
+    straight = [pair for path in near for pair in pairwise(path)]
+    # A line takes its ends and some places between: enough for names, which are higher than those lie apart.
+    along = [one + part * (other - one) for one, other in straight for part in (0.0, *_ALONG, 1.0)]
     drawn: list[Box] = [(float(x), float(x), float(y)) for x, y in along]
     placed = names_beside(places, _short(moment, names), WIDTH - MARGIN, drawn)
     return marks + [Mark("text", "sk-name", x=x, y=y, text=text, anchor=side) for x, y, text, side in placed]

@@ -12,6 +12,7 @@ from gantline.results.variable import FloatArray
 __all__ = [
     "Box",
     "around_dot",
+    "beside_dot",
     "has_room",
     "hides_none",
     "names_beside",
@@ -40,6 +41,11 @@ Box = tuple[float, float, float]
 def around_dot(place: FloatArray) -> Box:
     """What a dot takes [mm]."""
     return float(place[0]) - _DOT, float(place[0]) + _DOT, float(place[1])
+
+
+def beside_dot(text: str) -> float:
+    """How far from a dot the middle of a bold text is that stands right beside it [mm]."""
+    return _DOT + _APART + _BOLD * len(text) / 2
 
 
 def text_box(x: float, y: float, text: str, anchor: str = "middle") -> Box:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -127,7 +127,11 @@ class CasesResult:
 
 
 def run_cases(
-    lift: str | Path | Scenario, time: float | None = None, *, workers: int | None = None
+    lift: str | Path | Scenario,
+    time: float | None = None,
+    *,
+    workers: int | None = None,
+    on_progress: Callable[[str], None] | None = None,
 ) -> CasesResult:
     """Statics of a lift as it is given and of each of its cases.
 
@@ -139,18 +143,24 @@ def run_cases(
         lift: A lift file, its folder, or a loaded scenario.
         time: Time of the plan [s]; None for the end of the lift. A cut that says when has its own.
         workers: Variants at a time; None for as many as there are processors.
+        on_progress: Is told in words what is looked for next.
 
     Raises:
         ScenarioError: If the lift file is not right, or a case asks for what cannot be.
     """
+    tell = on_progress or (lambda _: None)
     scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
     base = without_cases(scenario)
     with SideBySide(workers) as pool:
         whole = _with_bounds(pool, base, time, State("", "", "none", 0.0))
         pending = [whole]
         for name in scenario.cases or {}:
+            tell(f"variants of '{name}'")
             pending += _states(pool, scenario, base, name, time)
-        states = [state for each in pending for state in each.result()]
+        states = []
+        for done, each in enumerate(pending):
+            tell(f"{done} of {len(pending)} variants")
+            states += each.result()
     given = states[0]
     as_given = {state.losses: state for state in states if not state.case}
     states = [
