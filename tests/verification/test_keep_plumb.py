@@ -233,6 +233,11 @@ def test_a_tail_crane_follows_a_column() -> None:
     (kept,) = (line for line in said if "falls kept plumb" in line)
     assert "tail.H within" in kept and "'follow'" in kept
     assert ("falls kept plumb", kept.split("  ")[-1].strip()) in attitude(Subject(recording))
+    # l (1 - cos t) by l sin t is tan t: fastest at the end, 3 m/min of the other hook times tan 75 deg.
+    told = dict(attitude(Subject(recording)))["travelled to keep plumb"].split()
+    assert told[:2] == ["tail", "from"] and told[2:5] == ["0.00", "m", "to"]
+    assert float(told[5]) == pytest.approx(travelled, abs=0.005)
+    assert float(told[8]) == pytest.approx(3.0 * np.tan(np.radians(75.0)), rel=0.03)
 
 
 def test_runs_that_follow_give_the_same_bytes(tmp_path: Path) -> None:

@@ -130,6 +130,7 @@ class Step(FromJson):
         lasts: How long a hold goes on [s]; None where that is not said, and of any other step.
         report: Quantities to be read off at its end.
         require: Limits at its end: `{quantity: {"below": value}}` or `{"above": value}`, SI.
+        drives: What it moves.
         tanks: Tanks that it pumps.
         cut: Ropes that are cut as it begins.
         detach: Slings and ropes that are taken off then.
@@ -152,6 +153,7 @@ class Step(FromJson):
     put_in_pins: Sequence[str] = ()
     report: Sequence[str] = ()
     require: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    drives: Sequence[str] = ()
     tanks: Sequence[str] = ()
     cut: Sequence[str] = ()
     detach: Sequence[str] = ()

@@ -23,6 +23,8 @@ __all__ = ["TURNED_FROM", "is_turned", "kept_plumb_in_words", "turning_in_words"
 
 #: Tilt of a hanging load from which it is turned on purpose [rad]; no load hangs so by mischance.
 TURNED_FROM = math.radians(30.0)
+#: What trolleys and cranes have done in steps of these kinds.
+_WENT = {"traverse": "traversed", "travel": "travelled"}
 #: Most hooks that are told one by one.
 _MOST_HOOKS = 4
 
@@ -94,7 +96,32 @@ def kept_plumb_in_words(recording: Recording) -> list[tuple[str, str]]:
         )
         for hook, (most, time, step) in farthest.items()
     ]
-    return rows + _luffed_in_words(recording)
+    return rows + _went_in_words(recording) + _luffed_in_words(recording)
+
+
+def _went_in_words(recording: Recording) -> list[tuple[str, str]]:
+    """From where to where trolleys and cranes went that kept falls plumb, and how fast at most."""
+    during = spans(recording)
+    times: dict[tuple[str, str], list[tuple[float, float]]] = {}
+    for step in recording.rig.plan:
+        if not step.keep_plumb or step.kind not in _WENT or step.step not in during:
+            continue
+        for drive in step.drives:
+            what = (_WENT[step.kind], drive.removesuffix(".along"))
+            times.setdefault(what, []).append(during[step.step])
+    rows = []
+    for (went, name), spells in times.items():
+        # A crawler crane goes along in a joint of its own, since it settles on its tracks too.
+        joint = name if name in recording.coordinates["joint"] else f"{name}/along"
+        within = (recording.time >= spells[0][0]) & (recording.time <= spells[-1][1])
+        place, time = recording.column("joint_position", joint)[within], recording.time[within]
+        if time.size < 2:
+            continue
+        fastest = float(np.abs(np.diff(place) / np.diff(time)).max())
+        first, last = (format_quantity(float(one), "m", 2) for one in place[[0, -1]])
+        most = format_quantity(fastest, "m/min", 1)
+        rows.append((f"{went} to keep plumb", f"{name} from {first} to {last}, at {most} at most"))
+    return rows
 
 
 def _luffed_in_words(recording: Recording) -> list[tuple[str, str]]:
