@@ -21,7 +21,7 @@ from gantline.report import render_report, write_report
 from gantline.report.first_page import FirstPage, beyond, stop_if
 from gantline.report.sketch import sketches
 from gantline.report.steps import StepsContinued, first_steps
-from gantline.report.subject import Subject
+from gantline.report.subject import Subject, typeset
 from gantline.report.tables import Energy, LiftFile
 from gantline.results import Recording
 from gantline.results.rig import Rig
@@ -450,3 +450,11 @@ def test_a_recording_says_its_tolerances_and_its_start_as_they_were() -> None:
     assert about["start"] == "settled"
     fixed = gantline.simulate(scenario, duration=0.1, integrator="del", step=0.01)
     assert "tension_tolerance" not in fixed.attributes["settings"]["integrator"]
+
+
+def test_a_minus_is_one_before_a_number_alone() -> None:
+    """A dash between words, and one in a name, stay what they are."""
+    went = "goliath.lower from 6.00 m to -2.86 m, at 6.8 m/min at most"
+    assert typeset(went) == went.replace("-2", "−2")
+    assert typeset("-0.3 deg") == "−0.3 deg"
+    assert typeset("S-1 - block 0.34 m") == "S-1 - block 0.34 m"

@@ -71,14 +71,17 @@ def test_nine_tenths_of_the_error_under_error_control(tolerance: float) -> None:
 
 
 def test_a_check_that_comes_out_otherwise_is_a_warning_of_the_recording() -> None:
-    """A limit of 4.555 lies between 4.563 of long steps and 4.545, which is right."""
+    """A limit of 4.555 lies between 4.563 of long steps and 4.545, which is right.
+
+    What is past it has as many digits as tell it from the limit: with two, 4.550 and 4.555 would read alike.
+    """
     limited = LIFT.replace("ropes:", "limits: {sling_factor_on_breaking_force: 4.555}\nropes:", 1)
     simulation = Simulation(parse_scenario(limited), integrator="del", step=8e-3)
     recording = simulation.run()
     whole = refined(recording, finer_simulation(simulation, recording).run())
     assert whole.attributes["warnings"][-1] == (
         "with steps a quarter as long (2 ms) checks come out otherwise: "
-        "sling_factor_on_breaking_force one ok with 4.56 as run, failed with 4.55 so"
+        "sling_factor_on_breaking_force one ok with 4.56 as run, failed with 4.550 so"
     )
     said = {check.name: check.verdict for check in check_recording(whole)}
     assert said["sling_factor_on_breaking_force"] is Verdict.OK

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gantline.report.subject import ABSENT, Subject, show
+from gantline.report.subject import ABSENT, Subject, show, typeset
 from gantline.results import series
 from gantline.results.clearances import watched_during
 from gantline.results.drift import load_drift
@@ -23,7 +23,7 @@ def attitude(subject: Subject) -> list[tuple[str, str]]:
         rows.append(("lift-off", lift_off_in_words(recording, 1)))
     for load in subject.rig.loads:
         rows += _of_load(subject, load, lift_off)
-    rows += kept_plumb_in_words(recording)
+    rows += [(what, typeset(words)) for what, words in kept_plumb_in_words(recording)]
     rows += _tag_lines(subject)
     rows += _clearance(subject)
     if recording.attributes.get("status") == "failed":

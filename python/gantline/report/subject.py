@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cached_property
 
 from gantline.checks import Check, check_recording
@@ -14,6 +15,8 @@ from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
 ABSENT = "–"
+#: Of a number; a dash between words has a blank behind it, one within a name a letter before it.
+_MINUS = re.compile(r"(?<!\S)-(?=\d)")
 
 
 class Subject:
@@ -84,8 +87,8 @@ def show(value: float | None, unit: str, digits: int) -> str:
 
 
 def typeset(text: str) -> str:
-    """A written number with a proper minus, as plots have it."""
-    return f"−{text[1:]}" if text.startswith("-") else text
+    """Written numbers with a proper minus, as plots have it."""
+    return _MINUS.sub("−", text)
 
 
 def number(value: float | None, unit: str, digits: int) -> str:
