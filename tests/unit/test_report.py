@@ -457,4 +457,4 @@ def test_a_minus_is_one_before_a_number_alone() -> None:
     went = "goliath.lower from 6.00 m to -2.86 m, at 6.8 m/min at most"
     assert typeset(went) == went.replace("-2", "−2")
     assert typeset("-0.3 deg") == "−0.3 deg"
-    assert typeset("S-1 - block 0.34 m") == "S-1 - block 0.34 m"
+    assert typeset("S-1 - lug A 0.34 m") == "S-1 - lug A 0.34 m"
