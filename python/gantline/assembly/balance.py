@@ -20,6 +20,8 @@ __all__ = ["Hung", "Line", "Pose", "balance"]
 _ROUNDS = 500
 #: What may be missing from balance, of the lightest weight.
 _BALANCED = 1e-9
+#: And where no step betters that, of what rounding of places makes.
+_ROUNDED = 4.0
 #: Where steps have to be damped more than this, there is no better place nearby [N/m].
 _STIFFEST = 1e20
 #: A point this close to another end of its line has nowhere to hang [m].
@@ -104,7 +106,16 @@ def balance(hung: Sequence[Hung], lines: Sequence[Line], start: Pose) -> Pose | 
             pose, (energy, slope, curve), damping = moved, trial, damping / 10.0
         else:
             damping *= 10.0
-    return None
+    is_rounding = np.abs(slope[free]).max() <= _ROUNDED * _rounding(lines, pose)
+    return pose if is_rounding else None
+
+
+def _rounding(lines: Sequence[Line], pose: Pose) -> float:
+    """What rounding of places makes of the slope of the energy, more in stiff lines far away [N, N m]."""
+    places = [np.array([pose.point(*one) for one in line.points]) for line in lines]
+    arms = [float(np.linalg.norm(at)) for line in lines for body, at in line.points if body is not None]
+    pulls = (line.stiffness * float(np.abs(one).max()) for line, one in zip(lines, places, strict=True))
+    return float(np.finfo(float).eps) * sum(pulls) * max([1.0, *arms])
 
 
 def _too_close(lines: Sequence[Line], pose: Pose) -> bool:

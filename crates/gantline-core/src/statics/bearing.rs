@@ -14,6 +14,8 @@ const SOFTNESS: f64 = 0.03;
 const STIFFER: f64 = 0.1;
 /// And what is left of it at least, unless what it holds is as stiff.
 const LEAST_SHARE: f64 = 2e-3;
+/// A contact that is open by less stands on what it would touch: the sign of so small a gap is rounding [m].
+const TOUCHES: f64 = 1e-9;
 /// The most that εk may be of a row that holds, where 40 searches have to do: then each leaves a fifth of what it lacks.
 const BESIDE: f64 = 0.25;
 
@@ -123,7 +125,7 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
             _ if state.modes[row].is_absent() => (Part::Off, None),
             Law::Unilateral { .. } => (Part::Pull, None),
             Law::Friction { normal, .. } => {
-                let touches = state.trial[*normal] >= 0.0;
+                let touches = state.trial[*normal] * law.compliance() >= -TOUCHES;
                 (contact_part(losses.contacts, row - normal, touches), None)
             }
             Law::Pin | Law::Brake { .. } => held(system, state, row, losses.sheaves),
