@@ -123,6 +123,7 @@ _ELSEWHERE: Final[dict[str, dict[str, tuple[float, str]]]] = {
         "kn": (1852 / 3600, "m/s"),
         "knots": (1852 / 3600, "m/s"),
         "m/h": (1 / 60, "m/min"),
+        "fpm": (0.3048, "m/min"),
     },
     "stress": {
         "t/m^2": (9.80665, "kPa"),
@@ -141,12 +142,23 @@ _SPELT_OUT: Final[dict[str, str]] = {
     **dict.fromkeys(("\u00b0", "\u00ba"), "deg"),
     **dict.fromkeys(("percent", "per cent"), "%"),
     **dict.fromkeys(("rpm", "r/min", "1/min", "min^-1", "u/min"), "rev/min"),
+    "mpm": "m/min",
+    **dict.fromkeys(("kph", "kmh", "kmph"), "km/h"),
 }
 #: One that has several sizes.
 _TONS: Final = "a short ton is 0.9072 t, a long ton 1.016 t"
 
 _NUMBER: Final = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 _QUANTITY: Final = re.compile(rf"({_NUMBER})\s*(\S.*)?", re.ASCII)
+#: One of several quantities that are written as one, `1 min 30 s`.
+_PART: Final = re.compile(r"([0-9]+\.?[0-9]*)\s*([A-Za-z%]+)\s*", re.ASCII)
+#: A power without its sign, `m/s2`.
+_POWER: Final = re.compile(r"(?<=[A-Za-z])([23])\b")
+_TOLERANCE: Final = re.compile(r"±|\+\s*/?\s*-")
+#: What word processors make of a minus sign.
+_DASHES: Final = "\u2212\u2010\u2011\u2012\u2013\u2014\uff0d"
+#: With which a mass weighs a force where one is given for the other [m/s^2].
+_GRAVITY: Final = 9.81
 _LONGEST: Final = 60
 
 
@@ -302,21 +314,28 @@ def _plain(unit: str) -> str:
 def _not_a_number(shown: str, dimension: str) -> str:
     if re.fullmatch(r"[+-]?\.?(nan|inf|infinity)\b.*", shown.strip(), re.IGNORECASE):
         return f"'{shown}' is not a finite number; {example(dimension)}"
+    if _QUANTITY.fullmatch(shown.strip()[1:].strip()) and shown.strip()[0] in _DASHES:
+        dash, right = shown.strip()[0], f"-{shown.strip()[1:].strip()}"
+        return f"'{shown}' begins with '{dash}', a dash; a minus sign is '-': write '{right}'"
     return f"'{shown}' is not a number with a unit; {example(dimension)}"
 
 
 def _wrong_unit(shown: str, number: float, unit: str, dimension: str) -> str:
     if re.match(r",[0-9]", unit):
         return f"'{shown}' has a decimal comma; a decimal point is needed: {example(dimension)}"
+    if (several := _several(shown, dimension)) is not None:
+        return several
     for other, units in DIMENSIONS.items():
         if unit in units:
             name, examples = _WORDS[dimension]
-            return f"'{shown}' is {_WORDS[other][0]}; needed is {name}, written like {examples}"
-    if unit in (elsewhere := _ELSEWHERE.get(dimension, {})):
-        factor, here = elsewhere[unit]
+            weighed = _weighed(shown, number * units[unit], other, dimension)
+            return f"'{shown}' is {_WORDS[other][0]}; needed is {name}, written like {examples}{weighed}"
+    powers = _POWER.sub(r"^\1", unit)
+    if powers in (elsewhere := _ELSEWHERE.get(dimension, {})):
+        factor, here = elsewhere[powers]
         return f"'{shown}' is {number * factor:.7g} {here}; units are metric: {example(dimension)}"
-    spelt_out = _SPELT_OUT.get(unit.lower())
-    if spelt_out is None and dimension == "mass" and unit.endswith(("ton", "tons")):
+    spelt_out = _SPELT_OUT.get(unit.lower(), powers)
+    if unit.lower() not in _SPELT_OUT and dimension == "mass" and unit.endswith(("ton", "tons")):
         return f"'{unit}' in '{shown}' has several sizes: {_TONS}; {example(dimension)}"
     known = [symbol for symbol in DIMENSIONS[dimension] if symbol]
     lowered = {symbol.lower(): symbol for symbol in reversed(known)}
@@ -324,3 +343,34 @@ def _wrong_unit(shown: str, number: float, unit: str, dimension: str) -> str:
     likely = spelt_out if spelt_out in known else lowered[near[0]] if near else None
     hint = example(dimension) if likely is None else f"did you mean '{likely}'?"
     return f"'{unit}' in '{shown}' is not a unit of {_WORDS[dimension][0].split(' ', 1)[1]}; {hint}"
+
+
+def _several(shown: str, dimension: str) -> str | None:
+    """What is to be said of several numbers where one is needed; None where there is one."""
+    if (tolerance := _TOLERANCE.search(shown)) is not None:
+        right = shown[: tolerance.start()].strip()
+        return f"'{shown}' has a tolerance, and that has a key of its own; right is '{right}'"
+    if dimension == "time" and re.match(r"[0-9]+:[0-9]", shown):
+        return f"'{shown}' is written with a ':'; a time is one number with its unit, such as '90 s'"
+    parts = _PART.findall(shown)
+    units = DIMENSIONS[dimension]
+    is_whole = "".join(match.group(0) for match in _PART.finditer(shown)) == shown
+    if len(parts) < 2 or not is_whole or any(unit not in units for _, unit in parts):
+        return None
+    last = parts[-1][1]
+    total = sum(float(number) * units[unit] for number, unit in parts) / units[last]
+    return f"'{shown}' is written in several units; right is one: '{total:.12g} {last}'"
+
+
+def _weighed(shown: str, value: float, given: str, needed: str) -> str:
+    """The force that a mass weighs, or the mass that weighs a force, where one is given for the other."""
+    if value > 0.0 and (given, needed) == ("force", "mass"):
+        return f" ({_rounded(value / _GRAVITY / _TONNE)} t weigh {shown})"
+    if value > 0.0 and (given, needed) == ("mass", "force"):
+        return f" ({shown} weigh {_rounded(value * _GRAVITY / 1e3)} kN)"
+    return ""
+
+
+def _rounded(value: float) -> str:
+    """Four digits, written out."""
+    return f"{float(f'{value:.4g}'):.12g}"

@@ -102,6 +102,9 @@ def test_a_report_shows_what_lies_beside_it(folder: Path) -> None:
     assert "<strong>cut is not sound</strong>: no equilibrium: nothing holds it" in first
     # Not the hook load, which the table of cases has: hook block and falls are in it.
     assert "most on hook" not in first and "most hoist load at crane" in first
+    # Readings of hooks are in t: 1702.4 kN/9.81 m/s^2.
+    assert "173.5\u00a0t, heavy" in first
+    assert "hoist load <i>t</i>" in html and "hoist load <i>kN</i>" not in html
     assert "gantline cases LIFT" not in first
 
 

@@ -71,7 +71,11 @@ def test_zero_needs_no_unit(zero: str) -> None:
     ("text", "dimension", "says"),
     [
         ("300", "mass", "'300' has no unit; a mass is written like '300 t' or '20 kg'"),
-        ("300 kN", "mass", "'300 kN' is a force; needed is a mass, written like '300 t' or '20 kg'"),
+        (
+            "300 kN",
+            "mass",
+            "'300 kN' is a force; needed is a mass, written like '300 t' or '20 kg' (30.58 t weigh 300 kN)",
+        ),
         ("300 T", "mass", "'T' in '300 T' is not a unit of mass; did you mean 't'?"),
         (
             "3 stone",

@@ -125,7 +125,8 @@ def _light_hook_blocks(scenario: Scenario) -> Iterator[str]:
     for name, hook in scenario.hooks.items():
         gear, rated = hook.hook_block, hook.rated_capacity
         if gear is not None and rated is not None and gear.mass < _LIGHTEST * rated:
-            carries = f"weighs {gear.mass:.4g} kg and may carry {format_quantity(rated, 't', 1)}"
+            weight, carried = format_by_size(gear.mass, "mass", 4), format_quantity(rated, "t", 1)
+            carries = f"weighs {weight} and may carry {carried}"
             yield f"the hook block of {name} {carries}; a unit has slipped, kg for t"
 
 

@@ -22,6 +22,7 @@ from gantline.scenario.check_load import Extent, attached, check_attached, check
 from gantline.scenario.check_supports import check_places
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
+from gantline.units import format_by_size
 
 __all__ = ["LoadBody", "load_body", "stated_inertia"]
 
@@ -102,15 +103,19 @@ def _doubts(scenario: Scenario, load: Load, box: Array) -> list[str]:
     ]
 
 
+def _weight(mass: float) -> str:
+    return format_by_size(mass, "mass", 4)
+
+
 def _of_no_matter(load: Load, box: Array) -> list[str]:
     """Of a weight that nothing has that is as large as the load's box."""
     volume, weight = float(np.prod(box[1] - box[0])), load.weight.calculated
     air, steel = _AIR * volume, STEEL * volume
     if weight < air:
-        said = f"the load weighs {weight:.4g} kg, less than the air in its box, {air:.4g} kg"
+        said = f"the load weighs {_weight(weight)}, less than the air in its box, {_weight(air)}"
         return [f"{said}; a unit has slipped, kg for t or mm for m"]
     if weight > steel:
-        said = f"the load weighs {weight / 1e3:.4g} t, more than its box full of steel, {steel / 1e3:.4g} t"
+        said = f"the load weighs {_weight(weight)}, more than its box full of steel, {_weight(steel)}"
         return [f"{said}; a unit has slipped, t for kg or mm for m"]
     return []
 
@@ -122,7 +127,8 @@ def _centre_at_the_underside(load: Load, box: Array) -> list[str]:
     above, height = load.centre_of_gravity.at[2] - float(box[0, 2]), float(box[1, 2] - box[0, 2])
     if above > _LOWEST * height:
         return []
-    said = f"the centre of gravity is {1e3 * above:.3g} mm above the underside of a load {height:.4g} m high"
+    in_mm = float(f"{1e3 * above:.3g}")
+    said = f"the centre of gravity is {in_mm:,g} mm above the underside of a load {height:.4g} m high"
     return [f"{said}; a height has slipped, which makes the load hang more stably than it will"]
 
 
@@ -244,8 +250,8 @@ def _weighed(load: Load, own: MassProperties) -> tuple[MassProperties, list[str]
     if abs(own.mass - steel) > _MASSES_AGREE * steel:
         without = " less outfitting" if outfitting else ""
         warnings.append(
-            f"the CAD file of the load weighs {own.mass / 1e3:.4g} t, its calculated weight{without} is "
-            f"{steel / 1e3:.4g} t ({100 * (own.mass / steel - 1):+.1f} %): masses are scaled to the weight"
+            f"the CAD file of the load weighs {_weight(own.mass)}, its calculated weight{without} is "
+            f"{_weight(steel)} ({100 * (own.mass / steel - 1):+.1f} %): masses are scaled to the weight"
         )
     return MassProperties.combined([own.scaled_to(steel), *outfitting]), warnings
 

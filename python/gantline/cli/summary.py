@@ -105,7 +105,11 @@ def _loads(recording: Recording) -> list[str]:
             ("load transferred", f"{show(float(transferred[-1]), '%', 1)} at the end"),
             ("tilt", f"{show(tilt[0], 'deg', 2)} at most, at {show(tilt[1], 's', 2)}" if tilt else ABSENT),
             *_yaw(recording, load),
-            *(turning_in_words(recording, load) if is_turned(recording, load) else _drift(recording, load)),
+            *(
+                turning_in_words(recording, load, in_t=False)
+                if is_turned(recording, load)
+                else _drift(recording, load)
+            ),
             ("height above start", f"{show(rise, 'm', 3)} at the end"),
         ]
     if not rows:

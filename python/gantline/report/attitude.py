@@ -65,7 +65,7 @@ def _of_load(subject: Subject, load: Load, lift_off: float | None) -> list[tuple
     if swing is not None:
         rows.append((f"swing after the last {swing[0]}", show(swing[1], "m", 3)))
     if is_turned(recording, load):
-        rows += turning_in_words(recording, load)
+        rows += turning_in_words(recording, load, in_t=True)
     elif clear.any():
         rows.append(("largest drift when clear", show(float(drift[clear].max()), "m", 3)))
     rows.append(("height gained", show(float(place[-1, 2] - place[0, 2]), "m", 2)))

@@ -19,6 +19,7 @@ from gantline.report.section import Section
 from gantline.report.sketch import sketches
 from gantline.report.steps import first_steps
 from gantline.report.subject import ABSENT, Subject, as_given, share, show, typeset
+from gantline.report.turning import turnings
 from gantline.results.metrics import energy_bound
 from gantline.results.refinement import in_per_cent, refinement_of
 from gantline.results.rig import Load, Rig
@@ -65,6 +66,7 @@ class FirstPage(Section):
             "slings": sling_rows(subject, most_slings),
             "slings_left_out": max(0, len(subject.rig.slings) - most_slings),
             "equalizers": [equalizer_row(subject, one) for one in subject.rig.equalizers],
+            "turnings": turnings(subject),
             "attitude": attitude(subject),
             "vessels": vessel_tables(subject),
             "afloat": afloat_facts(subject),

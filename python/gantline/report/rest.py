@@ -23,6 +23,8 @@ _FIRST = {
 }
 #: Cases that are not sound, of which the first page names so many.
 _MOST_TROUBLED = 3
+#: Quantities that are readings of hooks: in reports they are in t.
+_OF_HOOKS = ("hook_load", "hoist_load")
 _NAMES = {
     "sling_tension": "largest tension",
     "smallest_sling_tension": "smallest tension",
@@ -53,7 +55,7 @@ class Rest(Section):
             "hooks": [
                 (
                     hook.name,
-                    *(number(_last(rest, name, hook.name), "kN", 1) for name in ("hook_load", "hoist_load")),
+                    *(number(_last(rest, name, hook.name) / rest.rig.gravity, "t", 1) for name in _OF_HOOKS),
                 )
                 for hook in rest.rig.hooks
             ],
@@ -172,22 +174,27 @@ class Cases(Section):
                 for one in cases.cases
             ],
             "worst": [
-                {"quantity": _NAMES[one.quantity], "element": one.element, **_numbers(one)}
+                {"quantity": _NAMES[one.quantity], "element": one.element, **_numbers(subject, one)}
                 for one in cases.worst
             ],
         }
 
 
-def _numbers(one: SavedWorst) -> dict[str, str]:
+def _numbers(subject: Subject, one: SavedWorst) -> dict[str, str]:
     unit, digits = QUANTITIES[one.quantity]
-    given, value = show(one.given, unit, digits), show(one.value, unit, digits)
+    is_force = unit == "kN"
+    per_shown = 1.0
+    if one.quantity in _OF_HOOKS:
+        unit, digits, per_shown = "t", 1, subject.rig.gravity
+    given = show(None if one.given is None else one.given / per_shown, unit, digits)
+    value = show(one.value / per_shown, unit, digits)
     # Forces have a share of one another; a tilt or a travel that was next to nothing tells nothing by it.
     # As in the table of `gantline cases`: what nobody can tell from the lift as it is given has no case.
     cause = ("as given",) if value == given else (one.case or "as given", one.label)
     return {
         "given": given,
         "value": value,
-        "ratio": f"{one.value / one.given:.3f}" if one.given and unit == "kN" else ABSENT,
+        "ratio": f"{one.value / one.given:.3f}" if one.given and is_force else ABSENT,
         "case": ", ".join(part for part in cause if part),
     }
 
@@ -214,7 +221,7 @@ def what_if(subject: Subject) -> dict[str, Any] | None:
     rows = []
     for words, one in found:
         if one is not None:
-            numbers = _numbers(one)
+            numbers = _numbers(subject, one)
             case = "as given" if numbers["value"] == numbers["given"] else one.case or "as given"
             rows.append((f"{words} {one.element}", f"{numbers['value']}, {case}"))
     troubled = [one for one in cases.cases if one.troubles]

@@ -35,12 +35,13 @@ def is_turned(recording: Recording, load: Load) -> bool:
     return bool((recording.column("load_tilt", load.name)[clear] > TURNED_FROM).any())
 
 
-def turning_in_words(recording: Recording, load: Load) -> list[tuple[str, str]]:
+def turning_in_words(recording: Recording, load: Load, *, in_t: bool) -> list[tuple[str, str]]:
     """Largest hook loads and falls out of plumb of a load that is turned, while it is clear.
 
     Args:
         recording: The recording.
         load: A load that comes clear.
+        in_t: Whether hook loads are in t, as load cells show them, else in kN.
 
     Returns:
         What, and how much, in words.
@@ -54,9 +55,10 @@ def turning_in_words(recording: Recording, load: Load) -> list[tuple[str, str]]:
         when = f"at {format_quantity(float(recording.time[at]), 's', 1)}"
         return what, f"{most}, {when}, tilted by {format_quantity(float(tilt[at]), 'deg', 1)}"
 
+    unit, per_shown = ("t", recording.rig.gravity) if in_t else ("kN", 1.0)
     hooks = recording.coordinates.get("hook", ())
     rows = [
-        row("hook load when clear", hook, recording.column("hook_load", hook), "kN", 1)
+        row("hook load when clear", hook, recording.column("hook_load", hook) / per_shown, unit, 1)
         for hook in (hooks if len(hooks) <= _MOST_HOOKS else ())
     ]
     crane_hooks = recording.coordinates.get("crane_hook", ())

@@ -6,6 +6,7 @@ from typing import Annotated, Any, ClassVar, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ModelWrapValidatorHandler, model_validator
 
+from gantline.scenario.errors import is_or_are, shorten
 from gantline.scenario.quantities import Name, found, refuse
 from gantline.scenario.tree import MapNode
 
@@ -30,9 +31,10 @@ class Element(BaseModel):
         elif not isinstance(data, (dict, cls)):
             # What it cannot be without comes first: the others may be left out.
             keys = sorted(cls.keys(), key=lambda key: key not in cls.needed_keys())
-            raise refuse(
-                f"found {found(data)}; {cls.what} is a mapping with keys such as {', '.join(keys[:6])}"
-            )
+            of_it = f"{cls.what} {is_or_are(cls.what)} a mapping with keys such as {', '.join(keys[:6])}"
+            key, _, value = str(data).strip().partition(" ")
+            right = f"; write {{{key}: {shorten(value)}}}" if value and key in keys else ""
+            raise refuse(f"found {found(data)}; {of_it}{right}")
         return handler(data)
 
     def __setattr__(self, name: str, value: Any) -> None:

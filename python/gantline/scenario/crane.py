@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 from pydantic.json_schema import JsonSchemaValue
 
 from gantline.scenario.base import Element
+from gantline.scenario.errors import closest, shorten
 from gantline.scenario.quantities import (
     Angle,
     Flag,
@@ -167,7 +168,10 @@ class FixedHook(Element):
             return
         known = ", ".join(f"'{name}'" for name in _CRANES)
         if "type" not in data:
-            raise refuse(f"'type' is missing; a crane is one of {known}")
+            own = cls.keys()
+            misspelt = closest("type", [key for key in data if key not in own])
+            hint = "" if misspelt is None else f" (is '{shorten(misspelt)}' a misspelt 'type'?)"
+            raise refuse(f"'type' is missing; a crane is one of {known}{hint}")
         if isinstance(kind, str) and kind in _MEANT:
             raise refuse(f"a {found(kind)} is written as 'type: {_MEANT[str(kind)]}' here", "type")
         raise refuse(f"{found(kind)} is not a type of crane; known here: {known}", "type")

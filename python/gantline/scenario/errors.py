@@ -13,6 +13,7 @@ __all__ = [
     "ScenarioError",
     "StartError",
     "closest",
+    "is_or_are",
     "join_path",
     "nearest",
     "shorten",
@@ -89,7 +90,7 @@ def shorten(text: str) -> str:
 
 
 def closest(word: str, known: Iterable[str]) -> str | None:
-    """The known word that is written most like a word, alone ends in it after a dot, or is its first part.
+    """The known word that is written most like a word, alone ends in it after a dot, or begins with it.
 
     None if there is no such word.
     """
@@ -100,8 +101,16 @@ def closest(word: str, known: Iterable[str]) -> str | None:
     of_it = [name for lower, name in by_lower.items() if lower.startswith(f"{word.lower()}.")]
     if of_it and word.lower() not in by_lower:
         return of_it[-1]  # `row1` of `row1.1`, `row1.2`; they are in reverse
+    begun = [name for lower, name in by_lower.items() if "_" in word and lower.startswith(f"{word.lower()}_")]
+    if begun and word.lower() not in by_lower:
+        return begun[-1]  # `sling_angle` of `sling_angle_from_vertical`
     near = difflib.get_close_matches(word.lower()[:200], list(by_lower), n=1, cutoff=0.6)
     return by_lower[near[0]] if near else None
+
+
+def is_or_are(what: str) -> str:
+    """The verb of what a message names: "a sling" is, "the shackles of a sling" are."""
+    return "are" if what.partition(" of ")[0].endswith("s") else "is"
 
 
 def nearest(word: str, known: Iterable[str]) -> str:

@@ -34,7 +34,7 @@ from gantline.scenario.quantities import (
 )
 from gantline.scenario.rope_weight import NODES_SHOWN, WEIGHT_SHOWN, RopeNodes, RopeWeightWord
 from gantline.scenario.tolerance import LengthTolerance
-from gantline.units import quantity
+from gantline.units import format_quantity, quantity
 
 __all__ = ["RopeMaterial", "Shackle", "Sling", "SlingDefaults", "SlingShackles"]
 
@@ -226,9 +226,10 @@ class Shackle(Element):
     def _holds_its_limit(self) -> Shackle:
         force, limit = self.minimum_breaking_force, self.working_load_limit * _GRAVITY
         if force is not None and force < limit:
-            sentence = f"this shackle would break at {force / 1e3:.4g} kN, below its working load limit of"
+            breaks, holds = (format_quantity(one, "kN", 0) for one in (force, limit))
+            sentence = f"this shackle would break at {breaks}, below its working load limit of {holds}"
             right = "4 to 6 times the limit is usual, and one of both is wrong"
-            raise refuse(f"{sentence} {limit / 1e3:.4g} kN; {right}", "minimum_breaking_force")
+            raise refuse(f"{sentence}; {right}", "minimum_breaking_force")
         return self
 
     @model_validator(mode="after")

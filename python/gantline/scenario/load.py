@@ -7,6 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import Discriminator, Field, Tag
 
 from gantline.scenario.base import Element, Named
+from gantline.scenario.errors import shorten
 from gantline.scenario.lug import Lug
 from gantline.scenario.quantities import (
     Angle,
@@ -57,7 +58,9 @@ class Shape(Element):
         if "box" in data and "cad" in data:
             raise refuse("a shape is a 'box' or comes from 'cad', not both", "cad")
         if "box" not in data and "cad" not in data:
-            raise refuse("a shape is 'box: [10 m, 10 m, 5 m]' or 'cad: load.3docx'")
+            given = ", ".join(f"'{shorten(key)}'" for key in data)
+            says = f"found {given}; " if given else ""
+            raise refuse(f"{says}a shape is 'box: [10 m, 10 m, 5 m]' or 'cad: load.3docx'")
         for key in ("units", "thickness", "up"):
             if key in data and "cad" not in data:
                 raise refuse(f"'{key}' is for a shape from 'cad'; a box says its units", key)

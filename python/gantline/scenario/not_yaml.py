@@ -8,6 +8,7 @@ from typing import Any, Final
 from ruamel.yaml.error import MarkedYAMLError
 
 from gantline.scenario.errors import Problem, shorten
+from gantline.units import DIMENSIONS
 
 __all__ = ["problem_of"]
 
@@ -16,6 +17,13 @@ _ONE_COLUMN: Final = "keys of one mapping begin in one column"
 #: How a thing with a name begins, in a mapping.
 _NAMED: Final = re.compile(r"[\w.-]+:(?:\s|$)")
 _ENTRY: Final = "an entry of a list begins with '- ', a dash and a blank"
+#: Braces behind a name without a ':' and a blank.
+_OPENED: Final = re.compile(r"\s*(?:- )?([\w.-]+)\s*:?\{")
+#: Several keys in one line without braces: what stands before them, and the first of them.
+_SEVERAL_KEYS: Final = re.compile(
+    r"\s*((?:- )?(?:[\w.-]+:\s+(?=[\w.-]+:\s))?)([\w.-]+:\s+[^,'\"]+),\s*[\w.-]+:\s"
+)
+_UNITS: Final = frozenset(unit for units in DIMENSIONS.values() for unit in units if unit)
 #: Where a line ends in YAML.
 _NEW_LINE: Final = re.compile("\r\n|[\r\n\x85\u2028\u2029]")
 
@@ -71,7 +79,7 @@ def _in_line(found: str, context: str, at: Any, text: str) -> str:
         return f"'\\{rest[:1]}' means nothing between double quotes; use single ones"
     if found.startswith("mapping values"):
         if ":" in _before(text, at):
-            return "a second ':' in one value; a text with a colon is put into quotes"
+            return _second_colon(_before(text, at) + rest)
         return f"the line is indented more than the one above, which has its value already; {_ONE_COLUMN}"
     if found.endswith(("found '}'", "found ']'")):
         return f"'{rest[:1]}' closes what nothing opens"
@@ -80,6 +88,8 @@ def _in_line(found: str, context: str, at: Any, text: str) -> str:
             f"the line begins in column {at.column + 1}, and nothing to which it could belong; {_ONE_COLUMN}"
         )
     if found.endswith("'<scalar>'"):
+        if (right := _unit_behind_a_list(_before(text, at), rest)) is not None:
+            return right
         return f"'{rest}' stands behind a value; a quote is not closed, here or above, or ends too early"
     if context.endswith("collection"):
         of_mapping = "; named things of a mapping have none" if _NAMED.match(rest) else ""
@@ -102,10 +112,32 @@ def _in_brackets(found: str, begin: Any, at: Any, text: str) -> Problem:
         return Problem(
             begin.line + 1, "", f"{sentence}: a '{closing}' is missing, or a ',' at the end of a line"
         )
+    if (right := _unit_behind_a_list(_before(text, at), _shown(text, at))) is not None:
+        return Problem(at.line + 1, "", right)
     # The parser sees that a comma is missing only at the colon behind the next key.
     key = re.findall(r"[^\s,:{\[]*\s*$", _before(text, at))[0] if found.endswith("got ':'") else ""
     rest = shorten(key + _shown(text, at)) or "the end"
     return Problem(at.line + 1, "", f"a ',' or '{closing}' is missing before '{rest}'")
+
+
+def _second_colon(line: str) -> str:
+    """What is wrong with a line in which something has two values: braces, a blank or quotes are missing."""
+    if (opened := _OPENED.match(line)) is not None:
+        return f"'{opened[1]}' and its braces are parted by a ':' and a blank: write '{opened[1]}: {{'"
+    if (keys := _SEVERAL_KEYS.match(line)) is not None:
+        braces = f"{keys[1]}{{{keys[2].strip()}, ...}}"
+        return f"several keys in one line stand in braces, '{shorten(braces)}'; a text with a colon in quotes"
+    return "a second ':' in one value; a text with a colon is put into quotes"
+
+
+def _unit_behind_a_list(before: str, rest: str) -> str | None:
+    """What is to be said where one unit stands behind the numbers of a list; None where none does."""
+    numbers = re.search(r"\[([^\[\]]*)\]\s*$", before)
+    unit = re.split(r"[,}]", rest)[0].strip()
+    if numbers is None or unit not in _UNITS:
+        return None
+    items = ", ".join(f"{item.strip()} {unit}" for item in numbers[1].split(","))
+    return f"'{unit}' stands behind a list; each number in it has its own unit: {shorten(f'[{items}]')}"
 
 
 def _before(text: str, at: Any) -> str:

@@ -85,7 +85,7 @@ Step = Annotated[
     | Annotated[HoldStep, Tag("hold step")],
     Discriminator(
         _verb,
-        custom_error_type="gantline",
+        custom_error_type="no_verb",
         custom_error_message="a step says what is done: it has one of the keys 'hoist', 'lower', 'traverse', "
         "'travel', 'luff', 'slew', 'haul_in', 'pay_out', 'haul', 'veer', 'pump' and 'hold'",
     ),

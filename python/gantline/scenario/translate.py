@@ -7,8 +7,10 @@ from typing import Any
 
 from pydantic_core import ErrorDetails
 
-from gantline.scenario.errors import PathPart, Problem, closest, join_path, nearest, shorten
+from gantline.scenario.errors import PathPart, Problem, closest, is_or_are, join_path, nearest, shorten
+from gantline.scenario.plan import VERBS
 from gantline.scenario.quantities import found
+from gantline.scenario.steps import HoistStep, HoldStep
 from gantline.scenario.tree import ListNode, MapNode, line_of
 
 __all__ = ["translate"]
@@ -25,6 +27,7 @@ _MEANT = {
     "disconnect": ("detach",),
     "distance": ("by",),
     "connect": ("attach",),
+    "daf": ("dynamic_amplification_factor",),
     "during": ("from_step",),
     "ea": ("axial_stiffness",),
     "in_step": ("from_step",),
@@ -39,7 +42,9 @@ _MEANT = {
     "put_on": ("attach",),
     "radius": ("diameter", "pitch_diameter", "sheave_diameter"),
     "size": ("shape",),
+    "skl": ("skew_load_factor",),
     "slack": ("slings",),
+    "steps": ("plan",),
     "stiffness": ("axial_stiffness", "stops"),
     "take_off": ("detach",),
     "taut": ("slings",),
@@ -51,6 +56,17 @@ _MEANT = {
     "mbl": ("minimum_breaking_force",),
     "swl": ("working_load_limit", "rated_capacity", "capacity"),
     # <!-- words: on -->
+}
+#: What steps do, by other words.
+_VERBS = {
+    "lift": "hoist",
+    "move": "travel",
+    "pause": "hold",
+    "raise": "hoist",
+    "rotate": "slew",
+    "swing": "slew",
+    "turn": "slew",
+    "wait": "hold",
 }
 #: What else is to be known of them.
 _BESIDE = {"radius": ", twice as much"}
@@ -89,6 +105,8 @@ def _sentence(error: ErrorDetails, path: Sequence[PathPart], node: Any, parent: 
     last = str(error["loc"][-1]) if error["loc"] else ""
     if kind == "gantline":
         return error["msg"]
+    if kind == "no_verb":
+        return _no_verb(error["msg"], node)
     if kind == "missing":
         return _missing(last, node)
     if kind == "extra_forbidden":
@@ -108,6 +126,18 @@ def _sentence(error: ErrorDetails, path: Sequence[PathPart], node: Any, parent: 
     return f"found {found(node)}, which is not right here"
 
 
+def _no_verb(sentence: str, node: Any) -> str:
+    """What is to be said of a step that does nothing which is known here."""
+    known = {*HoistStep.keys(), *HoldStep.keys()}
+    for key in node if isinstance(node, MapNode) else ():
+        if key in known:
+            continue
+        verb = _VERBS.get(key.lower()) or closest(key, VERBS)
+        if verb is not None:
+            return f"'{shorten(key)}' is not what a step can do; did you mean '{verb}'?"
+    return sentence
+
+
 def _missing(key: str, node: Any) -> str:
     if not isinstance(node, MapNode):
         return f"'{key}' is missing"
@@ -116,7 +146,7 @@ def _missing(key: str, node: Any) -> str:
     misspelt = closest(key, [name for name in node if name not in node.allowed])
     hint = f" (is '{shorten(misspelt)}' a misspelt '{key}'?)" if misspelt is not None else ""
     what = node.what or "this mapping"
-    need = "need" if what.partition(" of ")[0].endswith("s") else "needs"
+    need = "need" if is_or_are(what) == "are" else "needs"
     return f"'{key}' is missing; {what} {need} it{hint}"
 
 

@@ -46,6 +46,8 @@ __all__ = [
 #: Largest lift file that is read [byte].
 LARGEST_FILE: Final = 5_000_000
 _DEEPEST: Final = 32
+#: A key and its value, such as `to block.L1` or `length 12 m`, and no words of a text.
+_KEY_AND_VALUE: Final = re.compile(r"[a-z_]+ (?:\S+|[-+]?[0-9.]+ \S+)$")
 #: How the rest of a number begins behind a comma between thousands.
 _THOUSANDS: Final = re.compile(r"[0-9]{3}(?![0-9])")
 #: What stands before such a comma, or a decimal one.
@@ -301,8 +303,15 @@ class _Builder:
                 whole = self._before_the_comma(key)
                 right = f"{whole}.{key}" if _WHOLE.fullmatch(whole) else "a point, such as 26.5 m"
                 sentence += f" (a decimal comma? write {shorten(right)})"
-            elif self._before_the_comma(key):  # `{title: one, two}` is two keys, too
-                sentence += " (several go into a list, [A, B]; a text with a comma in it stands in quotes)"
+            else:
+                # `{title: one, two}` is two keys, too, and `{from hook}` is one.
+                before = self._before_the_comma(key)
+                hints = [
+                    *(["several go into a list, [A, B]"] if before else []),
+                    *(["a text with a comma in it stands in quotes"] if before else []),
+                    *([f"is a ':' missing behind '{key.split()[0]}'?"] if _KEY_AND_VALUE.match(key) else []),
+                ]
+                sentence += f" ({'; '.join(hints)})" if hints else ""
             self.problems.append(Problem(key.line, self._path(key), sentence))
         else:
             self.problems.append(
