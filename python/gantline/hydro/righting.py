@@ -28,6 +28,7 @@ class Heeled:
         height: of its origin above the water [m].
         arm: horizontal distance of the centre of buoyancy from that of gravity, positive where it rights [m].
         work: energy of weight and water over the weight, up to a constant: what heeling takes [m].
+        across: metacentric height for trim there, above zero where it rests and does not lie over [m].
     """
 
     heel: float
@@ -35,6 +36,7 @@ class Heeled:
     height: float
     arm: float
     work: float
+    across: float
 
     @property
     def normal(self) -> Array:
@@ -66,7 +68,8 @@ class Righting:
         low, high = hull.box
         middle = float(low[0] + high[0]) / 2
         draft = float(low[2] + (high[2] - low[2]) * self._volume / whole)
-        # Height and trim by heel: each search begins where its neighbour ended.
+        # Height and trim by heel: each search begins where its neighbour towards upright ended. One beyond
+        # may have turned over, where the trim that upright leads to has an end.
         self._known = {0.0: (Attitude(draft, 0.0, 0.0, middle).height, 0.0)}
 
     def at(self, heel: float) -> Heeled:
@@ -75,14 +78,17 @@ class Righting:
         Raises:
             CannotFloatError: if no trim was found in which it rests.
         """
-        height, trim = self._known[min(self._known, key=lambda known: abs(known - heel))]
+        nearer = (known for known in self._known if 0.0 <= known / heel <= 1.0) if heel else iter((0.0,))
+        height, trim = self._known[max(nearer, key=abs)]
         state, _ = settle(self._hull, self._volume, self._centre, (height, heel, trim), heel=heel)
         self._known[heel] = (float(state[0]), float(state[2]))
         attitude = Attitude(0.0, heel, float(state[2]))
         below = self._hull.below(attitude.normal, float(state[0]))
         arm = (self._centre - below["moment"] / below["volume"]) @ attitude.port
-        work = energy_at(self._hull, self._volume, self._centre, state).value / self._volume
-        return Heeled(heel, attitude.trim, float(state[0]), float(arm), work)
+        energy = energy_at(self._hull, self._volume, self._centre, state)
+        (heave, both), (_, trims) = energy.curvature[np.ix_([0, 2], [0, 2])]
+        across = float(trims - both * both / heave) / self._volume
+        return Heeled(heel, attitude.trim, float(state[0]), float(arm), energy.value / self._volume, across)
 
 
 @dataclass(frozen=True)

@@ -280,19 +280,27 @@ class _Curve:
         return float((self.marks[mark] @ there.normal).min()) + there.height
 
     def looks(self, rest: float) -> list[Heeled]:
-        """From the angle of rest [rad] away from the load, to where the arms vanish."""
+        """From the angle of rest [rad] away from the load, to where it is righted no more."""
         found = [self.at(rest)]
         while found[-1].heel < rest + _FARTHEST:
             try:
                 there = self.at(found[-1].heel + _STEP)
             except CannotFloatError:
                 break
-            if there.arm < 0.0:
-                # At rest the arm is zero as well, but for rounding.
-                end = self.first(lambda one: -one.arm, [*found[1:], there])
-                return found if end is None else [*found, self.at(end)]
+            if not _is_righted(there):
+                return [*found, self.at(self._last_righted(found[-1].heel, there.heel))]
             found.append(there)
         return found
+
+    def _last_righted(self, low: float, high: float) -> float:
+        """The angle up to which it is righted, between one at which it is and one at which it is not [rad].
+
+        By halves: where it lies over, the arm jumps.
+        """
+        while high - low > _ANGLE:
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if _is_righted(self.at(middle)) else (low, middle)
+        return low
 
     def first(self, what: Callable[[Heeled], float], looks: Sequence[Heeled]) -> float | None:
         """The first angle on the way along some looks where something is not below zero [rad]."""
@@ -304,6 +312,11 @@ class _Curve:
 
                 return float(brentq(lambda angle: what(self.at(angle)), one.heel, other.heel, xtol=_ANGLE))
         return None
+
+
+def _is_righted(there: Heeled) -> bool:
+    """Whether arms push a vessel back, and it does not lie over across them."""
+    return there.arm >= 0.0 and there.across > 0.0
 
 
 def _measured(curve: _Curve, name: str, away: float, before: float, after: float) -> Swing:
