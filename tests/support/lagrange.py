@@ -120,7 +120,7 @@ class Lagrange:
     def run(self, q: Floats, v: Floats, times: Floats) -> Floats:
         """(q, q̇) at times that begin with 0 (time, 2 degrees of freedom)."""
         start = np.concatenate([q, v])
-        found = solve_ivp(self.rates, (0, times[-1]), start, "DOP853", times, rtol=1e-8, atol=1e-10)
+        found = solve_ivp(self.rates, (0, times[-1]), start, "DOP853", times, rtol=1e-11, atol=1e-12)
         assert found.success, found.message
         return np.asarray(found.y.T)
 
