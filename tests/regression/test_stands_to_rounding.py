@@ -52,7 +52,7 @@ plan: []
 
 @pytest.mark.parametrize("heading", [0.0, 5.0, 37.0, 217.0])
 def test_it_stands_where_it_was_put(heading: float) -> None:
-    """Sunk by W/(4 k), 4.3 mm, on four corners of the table, and held along it by its friction."""
+    """Held by friction, sunk by W/(4 k) (1 + (a/l)²): a = 1 m off the middle of corners l = 10 m away."""
     scenario = parse_scenario(lift(heading))
     centre = LOAD - 2.0
     wanted = np.array([math.cos(math.radians(heading)), math.sin(math.radians(heading))]) * centre
@@ -61,4 +61,4 @@ def test_it_stands_where_it_was_put(heading: float) -> None:
         place = recording.column("body_position", "hull")[-1]
         assert np.abs(place[:2] - wanted).max() < 1e-3
         sunk = TOP + 4.8 - place[2]
-        assert sunk == pytest.approx(350e3 * 9.81 / (4 * 200e6), rel=0.02)
+        assert sunk == pytest.approx(350e3 * 9.81 / (4 * 200e6) * 1.01, rel=2e-3)
