@@ -94,12 +94,18 @@ def travel_used(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 def _stopped(recording: Recording, clear: BoolArray) -> Iterator[Refused]:
     """Sheaves that met a stop while the load hung: between samples they may have been there and back."""
     sheaves = {sheave for equalizer in recording.rig.equalizers for sheave in equalizer.moving_sheaves}
-    hung = recording.time[clear]
     for time, kind, joint in recording.events():
-        if kind == "stop_hit" and joint in sheaves and hung.size and hung[0] <= time <= hung[-1]:
+        # Of a load that is lifted twice, what is met as it stands in between says nothing about it hanging.
+        if kind == "stop_hit" and joint in sheaves and clear[_around(recording, time)].any():
             reason = f"met its stop at {time:.2f} s, with the load hanging"
             yield Refused(joint, reason, _at_stop(recording, clear, joint, time))
             return
+
+
+def _around(recording: Recording, time: float) -> slice:
+    """The samples before and after a time [s]."""
+    after = int(np.searchsorted(recording.time, time))
+    return slice(max(after - 1, 0), after + 1)
 
 
 def _at_stop(recording: Recording, clear: BoolArray, sheave: str, time: float) -> Found | None:
@@ -110,11 +116,10 @@ def _at_stop(recording: Recording, clear: BoolArray, sheave: str, time: float) -
     furthest = max(_travel(recording, clear), key=lambda one: one.value, default=None)
     if furthest is not None and furthest.value > 1.0:
         return furthest
-    after = int(np.searchsorted(recording.time, time))
-    around = slice(max(after - 1, 0), after + 1)
     ways = [way for way in _ways(recording) if way.sheave == sheave]
     if not ways:
         return None
+    around = _around(recording, time)
     way = max(ways, key=lambda one: one.travel[around].max() / one.stroke)
     stroke = format_quantity(way.stroke, "m", 3)
     return Found(1.0, way.element, time, f"{stroke} / {stroke}")
