@@ -52,6 +52,8 @@ _KEY_AND_VALUE: Final = re.compile(r"[a-z_]+ (?:\S+|[-+]?[0-9.]+ \S+)$")
 _THOUSANDS: Final = re.compile(r"[0-9]{3}(?![0-9])")
 #: What stands before such a comma, or a decimal one.
 _WHOLE: Final = re.compile(r"[+-]?[0-9]+")
+#: A comment that YAML sees where a number may be meant: `Lift #3`.
+_NUMBERED: Final = re.compile(r"[ \t]+#[0-9]\w*")
 #: What the reader refuses as it stands comes by an escape of quoted text; no file can be written with it.
 _NO_TEXT: Final = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
 #: With what a text of two bytes for each letter begins, of either order.
@@ -133,7 +135,7 @@ def parse_text(text: str, source: str) -> MapNode:
         ScenarioError: if it is not YAML, is not a mapping, or uses what lift files do not have: aliases,
             tags, several documents, duplicate keys.
     """
-    builder = _Builder(source)
+    builder = _Builder(source, text)
     try:
         for event in YAML(typ="safe", pure=True).parse(text):
             builder.take(event)
@@ -194,8 +196,9 @@ def _whole(source: str, sentence: str) -> ScenarioError:
 class _Builder:
     """Builds the tree from events; keeps open collections on a stack of its own."""
 
-    def __init__(self, source: str) -> None:
+    def __init__(self, source: str, text: str) -> None:
         self.source = source
+        self.text = text
         self.root: Node | None = None
         self.stack: list[MapNode | ListNode] = []
         self.keys: list[TextNode | None] = []  # the key that waits for its value, for each open collection
@@ -259,6 +262,8 @@ class _Builder:
                 return
             if text == "" and event.style is None and self.stack:
                 self._empty(line)
+            elif event.style is None and (found := _NUMBERED.match(self.text, event.end_mark.index)):
+                self._numbered(text, found[0].strip())
             self._place(text)
             return
         if self.stack and isinstance(self.stack[-1], MapNode) and self.keys[-1] is None:
@@ -317,6 +322,15 @@ class _Builder:
             self.problems.append(
                 Problem(line, self._path(), "an item of the list is empty; write a value or remove it")
             )
+
+    def _numbered(self, text: TextNode, comment: str) -> None:
+        key = self.keys[-1]
+        quoted = f'"{shorten(f"{text} {comment}")}"'
+        sentence = (
+            f"'{comment}' behind a blank is a comment to YAML, and no part of '{shorten(text)}'; "
+            f"put the text into quotes, {quoted}, or a blank behind the '#' of a comment"
+        )
+        self.problems.append(Problem(text.line, self._path(*([key] if key is not None else [])), sentence))
 
     def _before_the_comma(self, key: TextNode) -> str:
         """The text of the key that stands before this one in its line; empty where none does."""
