@@ -112,15 +112,20 @@ def test_bad_input_is_named(lift: Path, arguments: tuple[str, ...], message: str
     assert "Traceback" not in result.stderr
 
 
-def test_hooks_under_trolleys_have_no_place_of_their_own() -> None:
-    result = statics(Path(__file__).parents[2] / "scenarios" / "goliath" / "scenario.yaml", "--plumb")
-    assert result.returncode == 2
-    assert result.stderr == (
-        "error: --plumb: the hook 'goliath.U1' has no place of its own in the lift file that could be moved; "
-        "only hooks of 'type: fixed_hook' have, by 'at'. 'keep_plumb' in a step of the plan lets its trolley "
-        "follow the load, and a sweep of 'cranes.goliath.trolleys.upper.position' shows how it hangs "
-        "elsewhere\n"
+def test_trolleys_and_their_crane_by_their_positions() -> None:
+    result = statics("goliath", "--plumb")
+    assert result.returncode == 0, result.stderr
+    one = (
+        r"  plumb: {set: {cranes\.goliath\.trolleys\.upper\.position: (\S+) m, "
+        r"cranes\.goliath\.trolleys\.lower\.position: (\S+) m, cranes\.goliath\.position: (\S+) m}}$"
     )
+    found = re.search(one, result.stdout, flags=re.M)
+    assert found is not None
+    # Of the trolleys' hooks, and of the crane's, whose hooks are 6 m, -6 m and 0 m across.
+    for hook, x, across in (("U1", found[1], 6.0), ("U2", found[1], -6.0), ("L", found[2], 0.0)):
+        row = next(line for line in result.stdout.splitlines() if line.startswith(f"  goliath.{hook} "))
+        assert row.split()[1] == x
+        assert float(row.split()[3]) == pytest.approx(float(found[3]) + across, abs=1e-9)
 
 
 def test_hooks_at_booms_have_no_place_of_their_own() -> None:

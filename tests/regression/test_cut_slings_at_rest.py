@@ -14,7 +14,7 @@ import gantline
 from gantline.checks import values_of
 from gantline.cli.app import app
 from gantline.results import series
-from gantline.study.inverse import adjust_lengths
+from gantline.study.lengths import adjust_lengths
 from gantline.study.state import State
 from gantline.study.state import values_of as quantities_of
 

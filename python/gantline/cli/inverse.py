@@ -180,11 +180,6 @@ def _hooks(answer: HookAnswer) -> list[str]:
             cells = [show(new_x, "m", 4), show(new_y, "m", 4), *moved]
         rows.append((name, *cells, *forces))
     head = ("Hook", "new x", "new y", "along x", "along y", "side pull", "new side pull")
-    places = {
-        f"cranes.{name}.at.{axis}": value
-        for name, place in answer.places.items()
-        for axis, value in zip("xy", place, strict=True)
-    }
     drift = []
     if answer.drift is not None:
         before, after = (show(one, "mm", 1) for one in answer.drift)
@@ -196,7 +191,7 @@ def _hooks(answer: HookAnswer) -> list[str]:
         *drift,
         f"  residual {answer.residual:.1e}, {_steps(answer.steps)}",
         "",
-        *_as_case("plumb", places),
+        *_as_case("plumb", answer.values),
     ]
 
 

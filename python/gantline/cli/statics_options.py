@@ -58,7 +58,7 @@ Want = Annotated[
     ),
 ]
 Plumb = Annotated[
-    bool, typer.Option("--plumb", help="Find places of the hooks from which none is pulled aside.")
+    bool, typer.Option("--plumb", help="Find places of hooks, trolleys, cranes: falls hang plumb.")
 ]
 Adjust = Annotated[
     str | None,

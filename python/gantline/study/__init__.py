@@ -3,15 +3,10 @@
 from gantline.study.afloat import VesselAttitude
 from gantline.study.ballast import BallastAnswer, solve_ballast
 from gantline.study.cases import CasesResult, run_cases
-from gantline.study.inverse import (
-    AdjustError,
-    CannotBeError,
-    HookAnswer,
-    LengthAnswer,
-    adjust_lengths,
-    plumb_hooks,
-)
+from gantline.study.lengths import LengthAnswer, adjust_lengths
 from gantline.study.lost_load import LostLoad, Swing, lose_load
+from gantline.study.newton import AdjustError, CannotBeError
+from gantline.study.plumb import HookAnswer, plumb_hooks
 from gantline.study.refinement import finer_simulation, refined
 from gantline.study.state import State, Worst, values_of, worst_of
 from gantline.study.steps import StepAtRest, run_steps

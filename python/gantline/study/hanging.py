@@ -128,19 +128,17 @@ class Hanging:
             raise ValueError(f"{sling.name} has no share: it hangs in no hook and ends on no load")
         return [one for one in self.slings if self.rig.hook_of(one) in self.hooks()]
 
-    def side_pull(self, hook: str) -> tuple[Row, Row]:
-        """Horizontal over vertical force of what hangs in a hook on it [1], along world x and y."""
-        pulls = [self._pull(one) for one in self.slings if self.rig.hook_of(one) == hook]
+    def side_pull(self, bearer: str, hooks: Sequence[str], axis: int) -> Row:
+        """Horizontal over vertical force of what hangs in hooks on their bearer [1], along world x or y."""
+        pulls = [self._pull(one) for one in self.slings if self.rig.hook_of(one) in hooks]
         value = sum((value for value, _ in pulls), start=np.zeros(3))
         change = sum((change for _, change in pulls), start=np.zeros((len(self._answers), 3)))
         # From the slings on the hook: against the way that a sling goes up.
-        rows = [
-            Row(-float(value[axis] / value[2]),
-                -(change[:, axis] - value[axis] / value[2] * change[:, 2]) / value[2],
-                f"the side pull on {hook} along {'xy'[axis]}")
-            for axis in (0, 1)
-        ]  # fmt: skip
-        return rows[0], rows[1]
+        return Row(
+            -float(value[axis] / value[2]),
+            -(change[:, axis] - value[axis] / value[2] * change[:, 2]) / value[2],
+            f"the side pull on {bearer} along {'xy'[axis]}",
+        )
 
     def pull_on(self, hook: str) -> Floats:
         """Force of what hangs in a hook on it, without its own weight [N], shape (3,)."""

@@ -20,7 +20,7 @@ from gantline.statics import NoEquilibriumError, Statics
 from gantline.study.hanging import Hanging, Row
 from gantline.units import format_quantity, si_text
 
-__all__ = ["CannotBeError", "Search", "Unknown"]
+__all__ = ["AdjustError", "CannotBeError", "Search", "Unknown"]
 
 Floats = npt.NDArray[np.float64]
 
@@ -40,6 +40,10 @@ _FAR = 10.0
 
 class CannotBeError(RuntimeError):
     """What is wanted cannot be had by these changes; the message is a plain sentence."""
+
+
+class AdjustError(ValueError):
+    """A sling or hook that may change is none."""
 
 
 @dataclass(frozen=True)
@@ -193,6 +197,21 @@ class Search:
         worst = int(np.argmax(beyond))
         if beyond[worst] > 0.0:
             raise CannotBeError(self._too_far(self._unknowns[worst], float(changes[worst])))
+
+    def refuse_unsound(self) -> None:
+        """Refuse an answer in which the lift cannot hang.
+
+        Raises:
+            CannotBeError: If it is unstable so, or a sling slack, or a sheave beyond its travel.
+        """
+        hanging = self.now.hanging
+        if not hanging.rest.is_stable:
+            raise CannotBeError("hung so it is unstable")
+        if hanging.slack():
+            raise CannotBeError(f"hung so {', '.join(hanging.slack())} would be slack")
+        beyond = hanging.beyond_travel()
+        if beyond is not None:
+            raise CannotBeError(f"hung so {beyond}")
 
     def _left(self) -> str:
         worst = max(self.now.rows, key=lambda row: abs(row.value))

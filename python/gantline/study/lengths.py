@@ -1,0 +1,121 @@
+"""What lengths of slings make a load hang as it is wanted."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from gantline.scenario import Scenario, load_scenario
+from gantline.scenario.errors import nearest
+from gantline.scenario.rigging import resolve
+from gantline.scenario.variants import without_cases
+from gantline.statics import Equilibrium
+from gantline.study.hanging import Hanging, Row
+from gantline.study.newton import AdjustError, CannotBeError, Search, Unknown
+
+__all__ = ["LengthAnswer", "adjust_lengths"]
+
+#: Most by which a length may change where it is not said, of the length.
+_MOST = 0.1
+
+
+@dataclass(frozen=True)
+class LengthAnswer:
+    """Unstretched lengths of slings with which a load hangs as wanted.
+
+    Attributes:
+        lengths: New length of each sling that may change [m].
+        given: Its length in the lift file [m].
+        before: The lift as it is given, at rest.
+        after: The same with the new lengths.
+        residual: What is left of slopes, heading and shares [rad, 1]; the largest.
+        steps: Steps of Newton's method.
+        scenario: The lift file with the new lengths.
+    """
+
+    lengths: Mapping[str, float]
+    given: Mapping[str, float]
+    before: Equilibrium
+    after: Equilibrium
+    residual: float
+    steps: int
+    scenario: Scenario
+
+
+def adjust_lengths(
+    lift: str | Path | Scenario,
+    *,
+    slopes: tuple[float, float] | None = None,
+    heading: float | None = None,
+    shares: Mapping[str, float] | None = None,
+    slings: Sequence[str] | None = None,
+    most: float | None = None,
+    time: float | None = None,
+) -> LengthAnswer:
+    """Unstretched lengths of slings with which a load hangs as wanted, changed as little as can be.
+
+    Args:
+        lift: A lift file, its folder, or a loaded scenario.
+        slopes: By what angle the load's own x and y axes shall rise [rad]; (0, 0) is level.
+        heading: Wanted angle of its own x axis from world x [rad].
+        shares: Wanted vertical force of slings over that of all beside them [1], by name: of all that end
+            on the load, or of all that hang in hooks for one above spreaders and extension sheaves.
+        slings: Slings that may change; all if not given.
+        most: Largest change of a length [m]; a tenth of it if not given.
+        time: Time of the plan [s] at which the load hangs; None for the end of the lift.
+
+    Raises:
+        AdjustError: If what may change is no sling.
+        CannotBeError: If it cannot be had, with the reason.
+        NoEquilibriumError: If the lift as it is given has no equilibrium.
+        ScenarioError: If the lift file is not right.
+        ValueError: If nothing is wanted, or a sling is asked for that there is not.
+    """
+    scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
+    known = {name: one.length for name, one in resolve(scenario).slings.items()}
+    chosen = list(known) if slings is None else list(slings)
+    for names, error in ((chosen, AdjustError), (shares or {}, ValueError)):
+        for name in names:
+            if name not in known:
+                raise error(f"'{name}' is not a sling; {nearest(name, known)}")
+    for name, share in (shares or {}).items():
+        if not 0.0 <= share <= 1.0:
+            sentence = f"{name}: {100.0 * share:g} % is no share of what all slings carry"
+            raise ValueError(f"{sentence}; one is written like '30 %' or '0.3'")
+    if slopes is None and heading is None and not shares:
+        raise ValueError("nothing is wanted of the load: slopes, a heading or shares are")
+    limit = {name: _MOST * known[name] if most is None else most for name in chosen}
+    unknowns = [
+        Unknown(f"slings.{name}.length", ("length", f"sling.{name}"), known[name], limit[name])
+        for name in chosen
+    ]
+
+    def rows(hanging: Hanging) -> list[Row]:
+        found: list[Row] = []
+        if slopes is not None:
+            found += [row.minus(wanted) for row, wanted in zip(hanging.slopes(), slopes, strict=True)]
+        if heading is not None:
+            row = hanging.heading()
+            found.append(replace(row, value=math.remainder(row.value - heading, math.tau)))
+        try:
+            found += [hanging.share(name).minus(wanted) for name, wanted in (shares or {}).items()]
+        except ValueError as problem:
+            raise CannotBeError(str(problem)) from None
+        return found
+
+    search = Search(scenario, unknowns, rows, time, "lengths of slings")
+    changes = search.run()
+    search.refuse_too_far(changes)
+    search.refuse_unsound()
+    lengths = {name: known[name] + float(more) for name, more in zip(chosen, changes, strict=True)}
+    return LengthAnswer(
+        lengths=lengths,
+        given={name: known[name] for name in chosen},
+        before=search.first.hanging.rest,
+        after=search.now.hanging.rest,
+        residual=search.now.residual,
+        steps=search.steps,
+        scenario=search.now.scenario,
+    )

@@ -1,0 +1,160 @@
+"""At what places of hooks, trolleys and cranes no fall is pulled aside."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.results.rotation import heading as heading_of
+from gantline.scenario import Scenario, load_scenario
+from gantline.scenario.errors import nearest
+from gantline.scenario.variants import without_cases
+from gantline.statics import Equilibrium, Statics
+from gantline.study.bearers import Bearer, bearers_of, why_not
+from gantline.study.hanging import Hanging, Row
+from gantline.study.newton import AdjustError, Search, Unknown
+
+__all__ = ["HookAnswer", "plumb_hooks"]
+
+Floats = npt.NDArray[np.float64]
+
+#: A drift counts like a slope over this height [m].
+_HEIGHT = 10.0
+#: What bears hooks has gone equally far if it has to this [m].
+_ALIKE = 1e-3
+
+
+@dataclass(frozen=True)
+class HookAnswer:
+    """Places of hooks from which no hook is pulled aside, or no trolley and no crane that bears several.
+
+    Attributes:
+        values: New places in the lift file, by path [m].
+        places: New place of each hook that moves at the start, along world x and y [m].
+        given: Its place in the lift file [m].
+        side_pulls: Horizontal force on each hook before and after, along world x and y [N], shape (2, 2).
+        drift: How far the load's centre of gravity moves aside when it comes off, before and after, against
+            what bears its hooks [m]; None of a load that stands on nothing at the start, or whose trolleys or
+            cranes go different ways.
+        before: The lift as it is given, at rest.
+        after: The same with the new places.
+        residual: What is left, the largest: side pull over vertical force, drift over 10 m, heading [rad].
+        steps: Steps of Newton's method.
+        scenario: The lift file with the new places.
+    """
+
+    values: Mapping[str, float]
+    places: Mapping[str, tuple[float, float]]
+    given: Mapping[str, tuple[float, float]]
+    side_pulls: Mapping[str, Floats]
+    drift: tuple[float, float] | None
+    before: Equilibrium
+    after: Equilibrium
+    residual: float
+    steps: int
+    scenario: Scenario
+
+
+def plumb_hooks(
+    lift: str | Path | Scenario, *, hooks: Sequence[str] | None = None, time: float | None = None
+) -> HookAnswer:
+    """Places of hooks from which no hook is pulled aside, so that falls hang plumb.
+
+    A fixed hook may stand elsewhere along x and y, a trolley along its girder, a Goliath crane along its
+    rails; those that bear several hooks are not pulled aside by all of them together. A load that stands at
+    the start shall also come off without drift, so that a single hook ends over its centre of gravity, and
+    keep its heading under several cranes.
+
+    Args:
+        lift: A lift file, its folder, or a loaded scenario.
+        hooks: Hooks that may move, with their trolleys; a crane moves if all its hooks may. All that slings
+            hang in if not given.
+        time: Time of the plan [s] at which the load hangs; None for the end of the lift.
+
+    Raises:
+        AdjustError: If what may move is no hook in which slings hang.
+        CannotBeError: If it cannot be had, with the reason.
+        NoEquilibriumError: If the lift as it is given has no equilibrium.
+        ScenarioError: If the lift file is not right.
+        ValueError: If a hook is asked for that there is not, or one at a boom.
+    """
+    scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
+    question = Statics(scenario)
+    used = Hanging(question, question.equilibrium(time)).hooks() if question.rig.loads else []
+    chosen = used if hooks is None else list(hooks)
+    bearers = bearers_of(scenario, used)
+    borne = {hook for one in bearers for hook in one.hooks}
+    for name in chosen:
+        if name not in used:
+            raise AdjustError(f"'{name}' is not a hook in which slings hang; {nearest(name, used)}")
+        if name not in borne:
+            raise ValueError(why_not(scenario.hooks[name]))
+    moving = [one for one in bearers if one.may_move(chosen)]
+    unknowns = [
+        Unknown(one.path, (f"place_{'xy'[one.axis]}", one.body), one.given, math.inf) for one in moving
+    ]
+    # What nothing here bears is not pulled aside either: a boom's hook that may not move, along both axes.
+    pulled = [(one.body, one.hooks, one.axis) for one in bearers]
+    pulled += [(name, (name,), axis) for name in used if name not in borne for axis in (0, 1)]
+    turns = len({scenario.hooks[name].crane for name in used}) > 1
+
+    def rows(hanging: Hanging) -> list[Row]:
+        found = [hanging.side_pull(body, those, axis) for body, those, axis in pulled]
+        drift = _drift(hanging, bearers)
+        if drift is not None:
+            found += [replace(row, value=row.value / _HEIGHT, change=row.change / _HEIGHT) for row in drift]
+            if turns:
+                row = hanging.heading()
+                stood = _heading_at_the_start(hanging)
+                found.append(replace(row, value=math.remainder(row.value - stood, math.tau)))
+        return found
+
+    search = Search(scenario, unknowns, rows, time, "places of hooks")
+    changes = [float(change) for change in search.run()]
+    search.refuse_unsound()
+    given = {name: scenario.hooks[name].place for one in moving for name in one.hooks}
+    places = {name: list(place) for name, place in given.items()}
+    for one, change in zip(moving, changes, strict=True):
+        for name in one.hooks:
+            places[name][one.axis] += change
+    first, now = search.first.hanging, search.now.hanging
+    drifts = [_drift(one, bearers) for one in (first, now)]
+    before, after = (math.hypot(*(row.value for row in one)) if one else None for one in drifts)
+    return HookAnswer(
+        values={one.path: one.given + change for one, change in zip(moving, changes, strict=True)},
+        places={name: (x, y) for name, (x, y) in places.items()},
+        given=given,
+        side_pulls={name: np.array([one.pull_on(name)[:2] for one in (first, now)]) for name in used},
+        drift=None if before is None or after is None else (before, after),
+        before=first.rest,
+        after=now.rest,
+        residual=search.now.residual,
+        steps=search.steps,
+        scenario=search.now.scenario,
+    )
+
+
+def _drift(hanging: Hanging, bearers: Sequence[Bearer]) -> list[Row] | None:
+    """How far a load that stood at the start has moved along x and y, against what bears its hooks [m]."""
+    recording = hanging.rest.recording
+    if len(recording.time) < 2 or not hanging.load.contacts:
+        return None
+    stood = recording.column("body_position", hanging.load.body)[0]
+    rows = []
+    for axis in (0, 1):
+        moved = [recording.column("body_position", one.body)[:, axis] for one in bearers if one.axis == axis]
+        gone = [float(place[-1] - place[0]) for place in moved]
+        if gone and max(gone) - min(gone) > _ALIKE:
+            return None
+        rows.append(hanging.place(axis).minus(float(stood[axis]) + (float(np.mean(gone)) if gone else 0.0)))
+    return rows
+
+
+def _heading_at_the_start(hanging: Hanging) -> float:
+    turned = hanging.rest.recording.column("body_orientation", hanging.load.body)
+    return float(heading_of(turned[0]))

@@ -1,0 +1,182 @@
+"""Where trolleys and Goliath cranes stand so that falls hang plumb: over lugs, over where the load stood."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from gantline.results.rotation import axes
+from gantline.scenario import Scenario, parse_scenario
+from gantline.statics import Equilibrium, Statics
+from gantline.study import CannotBeError, HookAnswer, plumb_hooks
+from mechanics import Floats, G
+
+LOAD = "load"
+WEIGHT = 120e3 * G
+#: Where the load stands, its centre of gravity and its lugs below the two trolleys in its own axes [m].
+STANDS, CENTRE = (1.0, 0.5, 0.0), (-0.7, 0.3, 2.0)
+LUGS = {"A1": (-9.0, 2.0, 4.0), "A2": (-9.0, -2.0, 4.0), "B1": (8.0, 2.0, 4.0), "B2": (8.0, -2.0, 4.0)}
+POSITIONS = {"one": "cranes.gol.trolleys.one.position", "two": "cranes.gol.trolleys.two.position"}
+CRANE = "cranes.gol.position"
+
+LIFT = """\
+format: 1
+lift: {title: Two trolleys}
+duration: 400 s
+ground: {level: 0 m, friction: 0.5, stiffness: 500 MN/m, damping: 5 MN s/m}
+ropes:
+  hoist: {axial_stiffness: 100 MN, mass: none, diameter: 42 mm}
+  sling: {axial_stiffness: 200 MN}
+hook_types:
+  H:
+    block: {mass: 6 t, height: 3 m}
+    reeving: {parts_each: 8, rope: hoist, sheave_diameter: 1 m, upper_sheaves_at: 60 m}
+    drum: {diameter: 1.6 m}
+    hoist: {speed: 5 m/min, acceleration: 0.05 m/s^2}
+load:
+  name: load
+  shape: {box: [24 m, 8 m, 4 m]}
+  position: STANDS
+  weight: {calculated: 120 t}
+  centre_of_gravity: {at: CENTRE}
+  stands_on: ground
+  lugs:
+LUGS
+cranes:
+  gol:
+    type: goliath
+    span: 100 m
+    girder: {underside: 62 m, mass: 900 t, vertical_stiffness: 60 MN/m}
+    legs: {fixed: 300 t, hinged: 200 t}
+    position: 0.2 m
+    travel: {speed: 30 m/min, acceleration: 0.03 m/s^2, range: [-40 m, 40 m]}
+    trolleys:
+      one:
+        mass: 60 t
+        position: -8.3 m
+        traverse: {speed: 30 m/min, acceleration: 0.03 m/s^2, range: [-40 m, 40 m]}
+        hooks: {A: {type: H, height: 13.6 m}}
+      two:
+        mass: 60 t
+        position: 8.8 m
+        traverse: {speed: 30 m/min, acceleration: 0.03 m/s^2, range: [-40 m, 40 m]}
+        hooks: {B: {type: H, height: 13.6 m}}
+sling_defaults: {rope: sling}
+slings:
+  A1: {from: gol.A, to: load.A1, length: 10 m}
+  A2: {from: gol.A, to: load.A2, length: 10 m}
+  B1: {from: gol.B, to: load.B1, length: 10 m}
+  B2: {from: gol.B, to: load.B2, length: 10 m}
+plan:
+  - {step: up, hoist: [gol.A, gol.B], speed: 1 m/min, by: 1.5 m}
+MORE
+"""
+
+
+def at(place: tuple[float, float, float]) -> str:
+    return "[" + ", ".join(f"{value} m" for value in place) + "]"
+
+
+def lift(more: str = "  - {step: end, hold: until_end}", text: str = LIFT) -> Scenario:
+    lugs = "\n".join(f"    {name}: {{at: {at(place)}}}" for name, place in LUGS.items())
+    for word, right in (("STANDS", at(STANDS)), ("CENTRE", at(CENTRE)), ("LUGS", lugs), ("MORE", more)):
+        text = text.replace(word, right)
+    return parse_scenario(text)
+
+
+def lug(rest: Equilibrium, name: str) -> Floats:
+    """Where a lug is."""
+    recording = rest.recording
+    own = axes(recording.column("body_orientation", LOAD)[-1])
+    centre = recording.column("body_position", LOAD)[-1]
+    found: Floats = centre + own @ (np.array(LUGS[name]) - CENTRE)
+    return found
+
+
+def hook_at(rest: Equilibrium, hook: str) -> Floats:
+    """Where a hook is, along x and y."""
+    found: Floats = rest.recording.column("body_position", hook)[-1, :2]
+    return found
+
+
+@pytest.fixture(scope="module")
+def answer() -> HookAnswer:
+    return plumb_hooks(lift())
+
+
+def test_trolleys_come_over_their_lugs_and_the_crane_over_the_load(answer: HookAnswer) -> None:
+    """Two plumb hooks in one line go through the centre of gravity, where it stood, each over its lugs."""
+    assert list(answer.values) == [*POSITIONS.values(), CRANE]
+    assert answer.residual < 1e-9
+    assert answer.values[CRANE] == pytest.approx(STANDS[1] + CENTRE[1], abs=1e-8)
+    assert answer.drift is not None
+    assert answer.drift[0] > 0.1
+    assert answer.drift[1] < 1e-8
+    for hook, name, letter in (("gol.A", "one", "A"), ("gol.B", "two", "B")):
+        place = (answer.values[POSITIONS[name]], answer.values[CRANE])
+        assert answer.places[hook] == place
+        # The falls are plumb: the hook hangs where its trolley is.
+        assert hook_at(answer.after, hook) == pytest.approx(place, abs=1e-8)
+        assert np.linalg.norm(hook_at(answer.before, hook) - answer.given[hook]) > 0.03
+        assert np.abs(answer.side_pulls[hook][1]).max() < 1e-9 * WEIGHT
+        # Above the middle of its lugs, but for the 0.1 mm that both are apart along x.
+        middle = (lug(answer.after, f"{letter}1") + lug(answer.after, f"{letter}2")) / 2
+        assert place[0] == pytest.approx(middle[0], abs=1e-4)
+
+
+def test_the_answer_hangs_as_it_says(answer: HookAnswer) -> None:
+    """Solved once more from the lift file with the new places, without derivatives."""
+    again = Statics(answer.scenario).equilibrium().recording
+    load = again.column("body_position", LOAD)
+    assert load[-1, :2] == pytest.approx(load[0, :2], abs=1e-8)
+    assert answer.scenario.hooks["gol.A"].place == pytest.approx(answer.places["gol.A"], abs=1e-12)
+
+
+def test_where_both_trolleys_go_alike_the_answer_is_the_same(answer: HookAnswer) -> None:
+    """Drift is against what bears the hooks: 20 m on and 10 m along the rails they hang as before."""
+    go = "  - {step: go, traverse: [gol.one, gol.two], speed: 20 m/min, by: 20 m}\n"
+    go += "  - {step: on, travel: gol, speed: 20 m/min, by: 10 m}"
+    gone = plumb_hooks(lift(go))
+    assert gone.values == pytest.approx(answer.values, abs=1e-7)
+    assert gone.drift is not None
+    assert gone.drift[1] < 1e-8
+
+
+def test_where_they_go_apart_there_is_no_drift_and_the_least_change_is_taken() -> None:
+    """One trolley by 0.4 m: nothing says where the load belongs, so both move alike, against each other."""
+    gone = plumb_hooks(lift("  - {step: apart, traverse: gol.two, speed: 2 m/min, by: 0.4 m}"))
+    assert gone.drift is None
+    one, two = gone.values[POSITIONS["one"]] + 8.3, gone.values[POSITIONS["two"]] - 8.8
+    assert one == pytest.approx(-two, abs=1e-7)
+    # 17 m between the lugs, on level to 2e-4; the hooks began 17.1 m apart and came to 17.5 m.
+    assert two - one == pytest.approx(17.0 - 17.5, abs=1e-4)
+    assert gone.values[CRANE] == pytest.approx(0.2, abs=1e-9)
+
+
+def test_one_hook_of_two_moves_with_its_trolley_alone(answer: HookAnswer) -> None:
+    """Without drift it takes both trolleys and the crane; where nothing stands, one trolley will do."""
+    with pytest.raises(CannotBeError, match=r"^places of hooks do not act on what is wanted$"):
+        plumb_hooks(lift(), hooks=["gol.A"])
+    gone = plumb_hooks(
+        lift("  - {step: apart, traverse: gol.two, speed: 2 m/min, by: 0.4 m}"), hooks=["gol.A"]
+    )
+    assert list(gone.values) == [POSITIONS["one"]]
+    assert list(gone.places) == ["gol.A"]
+    assert gone.values[POSITIONS["one"]] == pytest.approx(-8.3 + 0.5, abs=1e-4)
+
+
+def test_two_hooks_of_one_trolley_lean_against_each_other() -> None:
+    """The trolley is not pulled aside by both together; each is: 16 m apart, above lugs 17 m apart."""
+    hooks = [
+        f"{name}: {{type: H, height: 13.6 m, along: {along} m}}" for name, along in (("A", -8), ("B", 8))
+    ]
+    text = LIFT.replace("hooks: {A: {type: H, height: 13.6 m}}", f"hooks: {{{', '.join(hooks)}}}")
+    text = text.replace("position: -8.3 m", "position: 0.8 m")
+    text = text[: text.index("      two:")] + text[text.index("sling_defaults") :]
+    both = plumb_hooks(lift(text=text))
+    assert list(both.values) == [POSITIONS["one"], CRANE]
+    west, east = (both.side_pulls[hook][1] for hook in ("gol.A", "gol.B"))
+    assert west + east == pytest.approx([0, 0], abs=1e-9 * WEIGHT)
+    assert west[0] < -1e-3 * WEIGHT
+    assert both.drift is not None
+    assert both.drift[1] < 1e-8
