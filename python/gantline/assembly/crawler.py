@@ -26,7 +26,15 @@ from gantline.assembly.spatial import (
 )
 from gantline.scenario import Scenario
 from gantline.scenario.boom import boom_name
-from gantline.scenario.crawler import TRACK_CORNERS, Crawler, Tracks, tracks_body, turned_body, upper_body
+from gantline.scenario.crawler import (
+    TRACK_CORNERS,
+    Crawler,
+    Tracks,
+    along_body,
+    tracks_body,
+    turned_body,
+    upper_body,
+)
 
 __all__ = ["add_crawlers", "crawler_rig", "crawler_shape", "crawlers", "track_contact"]
 
@@ -66,9 +74,9 @@ def _add_tracks(parts: Parts, scenario: Scenario, name: str, crane: Crawler) -> 
     if crane.travel is not None:
         parts.add_drive(along_drive(name))
         along = _axis("slider", (1.0, 0.0, 0.0), drive=along_drive(name))
-    parts.add_body(f"{name}/along", along, position=place, orientation=heading)
+    parts.add_body(along_body(name), along, position=place, orientation=heading)
     up, over, across = _stands(scenario, name, crane)
-    parts.add_body(f"{name}/up", _axis("slider", (0.0, 0.0, 1.0), up), parent=f"{name}/along")
+    parts.add_body(f"{name}/up", _axis("slider", (0.0, 0.0, 1.0), up), parent=along_body(name))
     parts.add_body(f"{name}/over", _axis("hinge", (1.0, 0.0, 0.0), over), parent=f"{name}/up")
     mass = crane.base_mass - crane.upper_mass + crane.central_ballast
     tracks = crane.tracks

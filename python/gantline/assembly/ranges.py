@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from gantline.assembly.parts import Json
 from gantline.scenario import Scenario
-from gantline.scenario.crawler import Crawler
+from gantline.scenario.crawler import Crawler, along_body
 from gantline.scenario.movers import movers
 
 __all__ = ["range_rig"]
@@ -17,7 +17,7 @@ def range_rig(scenario: Scenario) -> Json:
         # A crawler crane travels on a joint of its own, everything else on that of its name.
         {
             "name": name,
-            "joint": f"{name}/along" if kind == "crane" and isinstance(cranes[name], Crawler) else one.name,
+            "joint": along_body(name) if kind == "crane" and isinstance(cranes[name], Crawler) else one.name,
             "range": list(one.range),
             "turns": kind == "upper",
         }

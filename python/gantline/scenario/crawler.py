@@ -44,6 +44,7 @@ __all__ = [
     "Settling",
     "Slewing",
     "Tracks",
+    "along_body",
     "crawler_boom",
     "tracks_body",
     "turned_body",
@@ -63,6 +64,11 @@ _Angles = Annotated[tuple[float, float] | None, ListOf(Quantity("angle"), 2)]
 def tracks_body(crane: str) -> str:
     """Name of what stands on the ground of a crawler crane."""
     return f"{crane}.tracks"
+
+
+def along_body(crane: str) -> str:
+    """Name of what goes along a crawler crane's heading, as it stands before the ground gives way."""
+    return f"{crane}/along"
 
 
 def upper_body(crane: str) -> str:

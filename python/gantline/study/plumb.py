@@ -10,9 +10,12 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from gantline.results.recording import Recording
+from gantline.results.rotation import axes
 from gantline.results.rotation import heading as heading_of
 from gantline.scenario import Scenario, load_scenario
 from gantline.scenario.errors import nearest
+from gantline.scenario.hooks import Hook
 from gantline.scenario.variants import without_cases
 from gantline.statics import Equilibrium, Statics
 from gantline.study.bearers import Bearer, bearers_of, why_not
@@ -27,6 +30,8 @@ Floats = npt.NDArray[np.float64]
 _HEIGHT = 10.0
 #: What bears hooks has gone equally far if it has to this [m].
 _ALIKE = 1e-3
+#: A crane that leans on its ground turns by less than this, one that slews or luffs by more [rad].
+_LEANS = 0.02
 
 
 @dataclass(frozen=True)
@@ -39,8 +44,8 @@ class HookAnswer:
         given: Its place in the lift file [m].
         side_pulls: Horizontal force on each hook before and after, along world x and y [N], shape (2, 2).
         drift: How far the load's centre of gravity moves aside when it comes off, before and after, against
-            what bears its hooks [m]; None of a load that stands on nothing at the start, or whose trolleys or
-            cranes go different ways.
+            what bears its hooks [m]; None of a load that stands on nothing at the start, or whose hooks go
+            different ways, as cranes slew and luff.
         before: The lift as it is given, at rest.
         after: The same with the new places.
         residual: What is left, the largest: side pull over vertical force, drift over 10 m, heading [rad].
@@ -65,10 +70,10 @@ def plumb_hooks(
 ) -> HookAnswer:
     """Places of hooks from which no hook is pulled aside, so that falls hang plumb.
 
-    A fixed hook may stand elsewhere along x and y, a trolley along its girder, a Goliath crane along its
-    rails; those that bear several hooks are not pulled aside by all of them together. A load that stands at
-    the start shall also come off without drift, so that a single hook ends over its centre of gravity, and
-    keep its heading under several cranes.
+    A fixed hook and a crawler crane may stand elsewhere along x and y, a trolley along its girder, a Goliath
+    crane along its rails; those that bear several hooks are not pulled aside by all of them together. A load
+    that stands at the start shall also come off without drift, so that a single hook ends over its centre of
+    gravity, and keep its heading under several cranes.
 
     Args:
         lift: A lift file, its folder, or a loaded scenario.
@@ -81,7 +86,7 @@ def plumb_hooks(
         CannotBeError: If it cannot be had, with the reason.
         NoEquilibriumError: If the lift as it is given has no equilibrium.
         ScenarioError: If the lift file is not right.
-        ValueError: If a hook is asked for that there is not, or one at a boom.
+        ValueError: If a hook is asked for that there is not, or one that floats.
     """
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
     question = Statics(scenario)
@@ -99,12 +104,12 @@ def plumb_hooks(
         Unknown(one.path, (f"place_{'xy'[one.axis]}", one.body), one.given, math.inf) for one in moving
     ]
     # What nothing here bears is not pulled aside either: a boom's hook that may not move, along both axes.
-    pulled = [(one.body, one.hooks, one.axis) for one in bearers]
+    pulled = [(one.name, one.hooks, one.axis) for one in bearers]
     pulled += [(name, (name,), axis) for name in used if name not in borne for axis in (0, 1)]
     turns = len({scenario.hooks[name].crane for name in used}) > 1
 
     def rows(hanging: Hanging) -> list[Row]:
-        found = [hanging.side_pull(body, those, axis) for body, those, axis in pulled]
+        found = [hanging.side_pull(name, those, axis) for name, those, axis in pulled]
         drift = _drift(hanging, bearers)
         if drift is not None:
             found += [replace(row, value=row.value / _HEIGHT, change=row.change / _HEIGHT) for row in drift]
@@ -117,7 +122,9 @@ def plumb_hooks(
     search = Search(scenario, unknowns, rows, time, "places of hooks")
     changes = [float(change) for change in search.run()]
     search.refuse_unsound()
-    given = {name: scenario.hooks[name].place for one in moving for name in one.hooks}
+    given = {
+        name: _place_of(search.first.hanging, scenario.hooks[name]) for one in moving for name in one.hooks
+    }
     places = {name: list(place) for name, place in given.items()}
     for one, change in zip(moving, changes, strict=True):
         for name in one.hooks:
@@ -139,10 +146,20 @@ def plumb_hooks(
     )
 
 
+def _place_of(hanging: Hanging, hook: Hook) -> tuple[float, float]:
+    """Where a hook is at the start along world x and y [m]; at a boom, where its falls hold it."""
+    if hook.carrier is None or hook.carrier.kind == "trolley":
+        return hook.place
+    x, y, _ = hanging.rest.recording.column("body_position", hook.name)[0]
+    return float(x), float(y)
+
+
 def _drift(hanging: Hanging, bearers: Sequence[Bearer]) -> list[Row] | None:
     """How far a load that stood at the start has moved along x and y, against what bears its hooks [m]."""
     recording = hanging.rest.recording
     if len(recording.time) < 2 or not hanging.load.contacts:
+        return None
+    if any(_turned(recording, body) > _LEANS for one in bearers for body in one.turning):
         return None
     stood = recording.column("body_position", hanging.load.body)[0]
     rows = []
@@ -153,6 +170,12 @@ def _drift(hanging: Hanging, bearers: Sequence[Bearer]) -> list[Row] | None:
             return None
         rows.append(hanging.place(axis).minus(float(stood[axis]) + (float(np.mean(gone)) if gone else 0.0)))
     return rows
+
+
+def _turned(recording: Recording, body: str) -> float:
+    """By what angle a body has turned since the start [rad]."""
+    then, now = axes(recording.column("body_orientation", body)[[0, -1]])
+    return float(np.arccos(np.clip((np.trace(then.T @ now) - 1.0) / 2.0, -1.0, 1.0)))
 
 
 def _heading_at_the_start(hanging: Hanging) -> float:

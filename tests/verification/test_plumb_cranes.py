@@ -1,10 +1,11 @@
-"""Where trolleys and Goliath cranes stand so that falls hang plumb: over lugs, over where the load stood."""
+"""Where trolleys and cranes stand so that falls hang plumb: over lugs, over where the load stood."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
+from crawler_pair import GEAR, MASSES
 from gantline.results.rotation import axes
 from gantline.scenario import Scenario, parse_scenario
 from gantline.statics import Equilibrium, Statics
@@ -19,7 +20,27 @@ LUGS = {"A1": (-9.0, 2.0, 4.0), "A2": (-9.0, -2.0, 4.0), "B1": (8.0, 2.0, 4.0), 
 POSITIONS = {"one": "cranes.gol.trolleys.one.position", "two": "cranes.gol.trolleys.two.position"}
 CRANE = "cranes.gol.position"
 
-LIFT = """\
+LOADED = """\
+load:
+  name: load
+  shape: {box: [24 m, 8 m, 4 m]}
+  position: STANDS
+  weight: {calculated: 120 t}
+  centre_of_gravity: {at: CENTRE}
+  stands_on: ground
+  lugs:
+LUGS
+sling_defaults: {rope: sling}
+slings:
+  A1: {from: FIRST, to: load.A1, length: 10 m}
+  A2: {from: FIRST, to: load.A2, length: 10 m}
+  B1: {from: SECOND, to: load.B1, length: 10 m}
+  B2: {from: SECOND, to: load.B2, length: 10 m}
+plan:
+  - {step: up, hoist: [FIRST, SECOND], speed: 1 m/min, by: 1.5 m}
+MORE
+"""
+GOLIATH = """\
 format: 1
 lift: {title: Two trolleys}
 duration: 400 s
@@ -33,15 +54,6 @@ hook_types:
     reeving: {parts_each: 8, rope: hoist, sheave_diameter: 1 m, upper_sheaves_at: 60 m}
     drum: {diameter: 1.6 m}
     hoist: {speed: 5 m/min, acceleration: 0.05 m/s^2}
-load:
-  name: load
-  shape: {box: [24 m, 8 m, 4 m]}
-  position: STANDS
-  weight: {calculated: 120 t}
-  centre_of_gravity: {at: CENTRE}
-  stands_on: ground
-  lugs:
-LUGS
 cranes:
   gol:
     type: goliath
@@ -61,15 +73,28 @@ cranes:
         position: 8.8 m
         traverse: {speed: 30 m/min, acceleration: 0.03 m/s^2, range: [-40 m, 40 m]}
         hooks: {B: {type: H, height: 13.6 m}}
-sling_defaults: {rope: sling}
-slings:
-  A1: {from: gol.A, to: load.A1, length: 10 m}
-  A2: {from: gol.A, to: load.A2, length: 10 m}
-  B1: {from: gol.B, to: load.B1, length: 10 m}
-  B2: {from: gol.B, to: load.B2, length: 10 m}
-plan:
-  - {step: up, hoist: [gol.A, gol.B], speed: 1 m/min, by: 1.5 m}
-MORE
+"""
+#: Each with its boom over the load, 16 m to the right; tandem, and alike but for the drive that slews one.
+CRAWLERS = f"""\
+format: 1
+lift: {{title: Two crawler cranes}}
+duration: 400 s
+{GEAR}cranes:
+  c1:
+    type: crawler
+    position: [-8.3 m, 17 m]
+    slew: -90 deg
+    tracks: {{length: 9 m, width: 1.5 m, gauge: 8.4 m, mats: 6 m}}
+{MASSES}    hooks:
+      H: {{type: H, height: 13.6 m}}
+  c2:
+    type: crawler
+    position: [8.8 m, 17 m]
+    slew: -90 deg
+    slewing: {{speed: 0.3 rev/min, acceleration: 0.1 deg/s^2}}
+    tracks: {{length: 9 m, width: 1.5 m, gauge: 8.4 m, mats: 6 m}}
+{MASSES}    hooks:
+      H: {{type: H, height: 13.6 m}}
 """
 
 
@@ -77,11 +102,16 @@ def at(place: tuple[float, float, float]) -> str:
     return "[" + ", ".join(f"{value} m" for value in place) + "]"
 
 
-def lift(more: str = "  - {step: end, hold: until_end}", text: str = LIFT) -> Scenario:
+def lift(
+    more: str = "  - {step: end, hold: until_end}",
+    cranes: str = GOLIATH,
+    hooks: tuple[str, str] = ("gol.A", "gol.B"),
+) -> Scenario:
     lugs = "\n".join(f"    {name}: {{at: {at(place)}}}" for name, place in LUGS.items())
+    text = LOADED.replace("FIRST", hooks[0]).replace("SECOND", hooks[1])
     for word, right in (("STANDS", at(STANDS)), ("CENTRE", at(CENTRE)), ("LUGS", lugs), ("MORE", more)):
         text = text.replace(word, right)
-    return parse_scenario(text)
+    return parse_scenario(cranes + text)
 
 
 def lug(rest: Equilibrium, name: str) -> Floats:
@@ -170,13 +200,44 @@ def test_two_hooks_of_one_trolley_lean_against_each_other() -> None:
     hooks = [
         f"{name}: {{type: H, height: 13.6 m, along: {along} m}}" for name, along in (("A", -8), ("B", 8))
     ]
-    text = LIFT.replace("hooks: {A: {type: H, height: 13.6 m}}", f"hooks: {{{', '.join(hooks)}}}")
+    text = GOLIATH.replace("hooks: {A: {type: H, height: 13.6 m}}", f"hooks: {{{', '.join(hooks)}}}")
     text = text.replace("position: -8.3 m", "position: 0.8 m")
-    text = text[: text.index("      two:")] + text[text.index("sling_defaults") :]
-    both = plumb_hooks(lift(text=text))
+    both = plumb_hooks(lift(cranes=text[: text.index("      two:")]))
     assert list(both.values) == [POSITIONS["one"], CRANE]
     west, east = (both.side_pulls[hook][1] for hook in ("gol.A", "gol.B"))
     assert west + east == pytest.approx([0, 0], abs=1e-9 * WEIGHT)
     assert west[0] < -1e-3 * WEIGHT
     assert both.drift is not None
     assert both.drift[1] < 1e-8
+
+
+def test_two_crawler_cranes_come_over_the_lugs_and_the_load_keeps_its_heading() -> None:
+    """Cranes that lean on their ground, solved anew: no drift, no turn, falls less than 1e-9 out of plumb."""
+    answer = plumb_hooks(lift(cranes=CRAWLERS, hooks=("c1.H", "c2.H")))
+    assert list(answer.values) == [
+        f"cranes.{crane}.position.{axis}" for crane in ("c1", "c2") for axis in (1, 2)
+    ]
+    assert answer.steps <= 3  # the derivatives are exact, and the crane leans by little
+    again = Statics(answer.scenario).equilibrium().recording
+    assert (
+        np.abs(again.column("body_position", LOAD)[-1, :2] - again.column("body_position", LOAD)[0, :2]).max()
+        < 1e-8
+    )
+    heading = axes(again.column("body_orientation", LOAD)[-1])[:, 0]
+    assert heading[1] == pytest.approx(0.0, abs=1e-9)
+    for hook, letter in (("c1.H", "A"), ("c2.H", "B")):
+        assert again.column("falls_out_of_plumb", hook)[-1] < 1e-9
+        assert answer.before.recording.column("falls_out_of_plumb", hook)[-1] > 5e-4
+        middle = (lug(answer.after, f"{letter}1") + lug(answer.after, f"{letter}2")) / 2
+        assert hook_at(answer.after, hook)[0] == pytest.approx(middle[0], abs=1e-4)
+        # Empty, as the lift starts, cranes lean back by some centimetres at their heads.
+        assert answer.places[hook] == pytest.approx(hook_at(answer.after, hook), abs=0.1)
+
+
+def test_a_crane_that_slews_leaves_no_drift() -> None:
+    """Slewed by 2 deg with its load, a crane has taken it along: only plumb falls are asked for then."""
+    slew = "  - {step: on, slew: c2, speed: 0.1 rev/min, by: 2 deg}"
+    gone = plumb_hooks(lift(slew, CRAWLERS, ("c1.H", "c2.H")))
+    assert gone.drift is None
+    for hook in ("c1.H", "c2.H"):
+        assert np.abs(gone.side_pulls[hook][1]).max() < 1e-8 * WEIGHT
