@@ -25,6 +25,7 @@ from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from gantline.statics import Statics
 from mechanics import G
+from shown import unsaid
 from upending import HOIST, LINE, TOP, TRAVERSE, WAIT, below_a_bar, between_trolleys, by_crawlers, upended
 
 #: Time between looks [s], as `crates/gantline-core/src/plan/follow.rs` has it.
@@ -119,7 +120,11 @@ def test_it_stops_with_the_hoist_as_far_as_it_can(end: str) -> None:
     fast = SPEED * np.sqrt(1.0 - cosine[at] ** 2) / cosine[at]
     farther = fast**2 / 2.0 / TRAVERSE - fast * SPEED / 2.0 / HOIST
     late = 0.0 if end.startswith("by") else LOOK / 2.0 * fast
-    assert way[-1] - way[at:].min() < farther + late
+    back = way[-1] - way[at:].min()
+    assert back < farther + late
+    if end.startswith("by"):
+        said = f"{farther:.3f} m for the trolleys of the table", f"({back:.3f} m in the run), and comes back"
+        assert unsaid("docs/concepts/plan_and_drives.md", *said) == []
 
 
 def test_it_keeps_its_limits_and_ends_by_itself() -> None:

@@ -29,6 +29,7 @@ from mechanics import (
     rope,
     slider,
 )
+from shown import unsaid
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from benchmarks.lifts import equalizer_lift
@@ -144,9 +145,9 @@ def test_equilibria_know_no_inertia(losses: str) -> None:
     assert at_rest(0.0) == pytest.approx(at_rest(INERTIA), rel=1e-9)
 
 
-def run_of(text: str, duration: float, tolerance: float) -> Any:
+def run_of(text: str, duration: float, tolerance: float, every: float = 0.01) -> Any:
     integrator = {"type": "adaptive", "tension_tolerance": tolerance, "position_tolerance": 1e-6 * tolerance}
-    settings = {"integrator": integrator, "duration": duration, "sample_interval": 0.01}
+    settings = {"integrator": integrator, "duration": duration, "sample_interval": every}
     return Simulation(text, json.dumps(settings))
 
 
@@ -183,11 +184,11 @@ def test_sheaves_that_hang_on_a_rope_below_the_tolerance(
     assert difference < 0.015
 
 
-def snatched(damping_time: float) -> str:
+def snatched(damping_time: float, inertia: float = 0.0) -> str:
     """A weight on a rope over a light sheave to a drum, which takes up the slack and goes on."""
     bodies = [
         body("weight", point((-RADIUS, 0.1, 0)), MASS),
-        flow("sheave", 0.0),
+        flow("sheave", inertia),
         flow("winch", 10.0, drive="winch"),
     ]
     over = half_turn(None, (0, 0, HIGH), RADIUS, over=True, flow="sheave", ratio=1.06)
@@ -211,6 +212,27 @@ def test_samples_where_rope_turns_over(damping_time: float) -> None:
     assert np.abs(tensions[0] - tensions[1]).max() < 10.0
     peaks = [run.columns()["rope_peak_tension"][0] for run in (coarse, fine)]
     assert peaks[0] == pytest.approx(peaks[1], abs=10.0)
+
+
+def damped(damping_time: float, inertia: float) -> tuple[float, float]:
+    """Largest ratio of tensions of samples at which both sides bear more than 5 kN [1], and the peak [N]."""
+    run = run_of(snatched(damping_time, inertia), 1.0, 1e-3, every=1e-4)
+    assert run.run()["status"] == "done"
+    columns = run.columns()
+    low, high = np.sort(columns["segment_tension"], axis=1).T
+    bears = low > 5e3
+    return float((high[bears] / low[bears]).max()), float(columns["rope_peak_tension"][0])
+
+
+def test_the_page_says_what_a_damped_rope_does() -> None:
+    """Beside a sheave with 10 g, which holds to its ratio but for what rings where nothing damps."""
+    rows = []
+    for name, damping_time in (("none", 0.0), ("2 ms", 2e-3), ("10 ms", 10e-3), ("30 ms", 30e-3)):
+        (light, peak), (ratio, other) = (damped(damping_time, inertia) for inertia in (0.0, 0.01))
+        forces = (f"{force:,.0f} N".replace(",", " ") for force in (peak, other))
+        rows.append(f"| {name} | {light:.3f} | {ratio:.3f} | {' | '.join(forces)} |")
+        assert peak > other - 1e-3, "on the safe side"
+    assert unsaid("docs/concepts/flows.md", *rows) == []
 
 
 @pytest.mark.parametrize(

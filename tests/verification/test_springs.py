@@ -59,7 +59,7 @@ def test_an_elastic_pendulum_that_starts_stretched(finer: float) -> None:
     run = gantline.simulate(_pendulum(stretched=True), tension_tolerance=tension, position_tolerance=position)
     x, z, pull = _exact(run.time)
     path = run.column("body_position", "bob")
-    # Tolerances are of one step; 45 to 174 of them add up to a few. EA/L is 1333 N/m.
+    # Tolerances are of one step; 45 to 173 of them add up to a few. EA/L is 1333 N/m.
     assert np.abs(path[:, [0, 2]].T - [x, z]).max() < 10 * position
     assert np.abs(run.column("rope_tension", "spring") - pull).max() < 5 * 1300 * position
     assert run.column("rope_tension", "spring")[0] == pytest.approx(

@@ -216,10 +216,18 @@ class Parts:
         """Names of all contacts of a group, in the order of the recording."""
         points = [contact["name"] for contact in self.contacts if contact["group"] == group]
         points += [support["name"] for support in self.supports if support["group"] == group]
-        pairs = [pair for pair in self.pairs if pair["group"] == group]
-        return points + [
-            f"{pair['name']}/{place}" for pair in pairs for place in range(1, pair["places"] + 1)
-        ]
+        return points + [place for pair in self._pairs_of(group) for place in _places(pair)]
+
+    def met_by(self, body: str) -> dict[str, str]:
+        """The other body of every contact of a body with one that may move, by the name of the contact."""
+        met: dict[str, str] = {}
+        for pair in self._pairs_of(body):
+            others = {self.shapes[shape]["body"] for shape in pair["shapes"]} - {body, None}
+            met |= {place: other for other in others for place in _places(pair)}
+        return met
+
+    def _pairs_of(self, group: str) -> list[Json]:
+        return [pair for pair in self.pairs if pair["group"] == group]
 
     def document(self, gravity: float) -> Json:
         """The document for the core; of shapes those that may touch something or are watched."""
@@ -352,3 +360,8 @@ def material(stiffness: float | None, damping_time: float) -> Json:
     if stiffness is None:
         return {"type": "inextensible"}
     return {"type": "elastic", "axial_stiffness": stiffness, "damping_time": damping_time}
+
+
+def _places(pair: Json) -> list[str]:
+    """Names of the contacts of a pair of shapes."""
+    return [f"{pair['name']}/{place}" for place in range(1, pair["places"] + 1)]

@@ -149,6 +149,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "other_ropes": _other_ropes(scenario, load.name),
         "contact_group": load.name if contacts else None,
         "contacts": contacts,
+        **({"meets": met} if (met := parts.met_by(load.name)) else {}),
         "lugs": {name: _lug(scenario, lug, lifted.lugs[name]) for name, lug in load.lugs.items()},
         "centre_of_gravity_from_datum": [float(part) for part in centre],
         "centre_envelope": [float(part) for part in load.centre_of_gravity.envelope],

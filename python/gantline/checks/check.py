@@ -76,6 +76,7 @@ class Check:
         step: Step of the plan whose end was checked; empty for the whole lift.
         remark: Why there is no verdict, or what else to know.
         is_vain: Whether the lift file sets the limit, and the lift has nothing that it is about.
+        is_beside: Whether all its values are of ropes by which nothing hangs: mooring and tag lines.
     """
 
     name: str
@@ -93,6 +94,7 @@ class Check:
     step: str = ""
     remark: str = ""
     is_vain: bool = False
+    is_beside: bool = False
 
     def shown(self, number: float | None) -> str:
         """A value or limit of this check as people read it; empty for None."""
@@ -210,7 +212,7 @@ def _shown_nothing(checks: Sequence[Check]) -> list[str]:
     names = (PLAN_FINISHED, LOAD_LIFTED, ALL_KNOWN)
     reasons = [check.remark for check in checks if check.name in names and _is_done(check)]
     strengths = [check for check in checks if check.name in _STRENGTHS]
-    if strengths and all(check.value is None for check in strengths) and _is_hung(checks):
+    if strengths and all(one.value is None or one.is_beside for one in strengths) and _is_hung(checks):
         reasons.append(_NO_STRENGTH)
     return reasons
 

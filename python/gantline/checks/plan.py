@@ -11,6 +11,8 @@ from gantline.checks.measure import named
 from gantline.results import progress
 from gantline.results.gear import Drum
 from gantline.results.recording import Recording
+from gantline.results.rig import Load
+from gantline.results.variable import FloatArray
 from gantline.units import format_quantity
 
 #: How a run ended that did not come to its end, by its status.
@@ -113,23 +115,50 @@ def came_down(recording: Recording) -> list[Check]:
 def hit(recording: Recording) -> list[Check]:
     """A warning for each load that comes down hard on what is below it, the hardest time of it.
 
-    Speeds are those of the centre of gravity at the sample before.
+    Speeds are those of the centre of gravity at the sample before, against the deck that it meets.
     """
     checks = []
     for load in recording.rig.loads:
         down = [time for time, _, name in recording.events("set_down") if name == load.name]
         if not down:
             continue
-        before = np.maximum(np.searchsorted(recording.time, down, side="left") - 1, 0)
-        speeds = -recording.column("body_velocity", load.body)[before, 2]
+        speeds = [_closing(recording, load, time) for time in down]
         worst = int(np.argmax(speeds))
         if speeds[worst] > _HARD:
-            met = format_quantity(float(speeds[worst]), "m/min", 1)
+            met = format_quantity(speeds[worst], "m/min", 1)
             remark = f"it meets what is below it at {met}; creep, or a brake before it, is usual"
             meaning = f"loads are set down with at most {format_quantity(_HARD, 'm/min', 0)}"
             check = Check("set_down_softly", Verdict.WARNING, meaning, element=load.name, remark=remark)
             checks.append(replace(check, time=float(down[worst])))
     return checks
+
+
+def _closing(recording: Recording, load: Load, time: float) -> float:
+    """How fast a load comes down on what it meets at a time [m/s]; of several the one that it meets fastest.
+
+    Which that is tell the contacts that bear at the first sample from then on at which any does.
+    """
+    after = int(np.searchsorted(recording.time, time, side="left"))
+    before = max(after - 1, 0)
+    place = recording.column("body_position", load.body)[before]
+    down = -float(recording.column("body_velocity", load.body)[before, 2])
+    forces = {contact: recording.column("contact_force", contact)[after:] for contact in load.contacts}
+    bears = np.flatnonzero(np.any([force > 0.0 for force in forces.values()], axis=0))
+    met = {
+        load.meets.get(contact) for contact, force in forces.items() if bears.size and force[bears[0]] > 0.0
+    }
+    return down + max((_rise(recording, body, place, before) for body in met), default=0.0)
+
+
+def _rise(recording: Recording, body: str | None, place: FloatArray, at: int) -> float:
+    """How fast a body goes up below a place [m], at a sample [m/s]; 0 of the ground."""
+    if body is None or body not in recording.coordinates["body"]:
+        return 0.0
+    position, velocity, spin = (
+        recording.column(name, body)[at]
+        for name in ("body_position", "body_velocity", "body_angular_velocity")
+    )
+    return float((velocity + np.cross(spin, place - position))[2])
 
 
 def fell_behind(recording: Recording) -> list[Check]:

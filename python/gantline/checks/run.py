@@ -124,9 +124,13 @@ def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> d
 
 @dataclass(frozen=True)
 class _Outcome:
-    """What a measure found: the governing value, the same between samples, and all that is not a value."""
+    """What a measure found: the governing value, the same between samples, and all that is not a value.
+
+    `of` are the elements that have a value.
+    """
 
     worst: Found | None
+    of: frozenset[str]
     between: float | None
     refused: tuple[Refused, ...]
     missing: str
@@ -142,6 +146,7 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
     return _Outcome(
         # Nothing compares with what is no number: that governs.
         worst=next((one for one in values if math.isnan(one.value)), worst),
+        of=frozenset(one.element for one in values),
         between=pick((one.between for one in values if one.between is not None), default=None),
         refused=tuple(one for one in findings if isinstance(one, Refused)),
         missing=_reasons(one for one in findings if isinstance(one, Missing)),
@@ -203,7 +208,7 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         if not found.cautions:
             return check
         return replace(check, verdict=Verdict.WARNING, remark=_joined([check.remark, found.cautions]))
-    check = _with_value(check, found.worst)
+    check = replace(_with_value(check, found.worst), is_beside=found.of <= set(rig.outer_ropes))
     remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
     if given is None and measure.alarm is not None:
         alarm = measure.alarm.value(recording)

@@ -38,6 +38,7 @@ class Load(HasLugs):
         weight: As simulated [N], with what slings and shackles lump onto it.
         simulated_mass: Mass of the load alone as simulated [kg].
         contacts: Names of the contact points on which it stands.
+        meets: What moves and is met at a contact, by the name of the contact; nothing of ground and supports.
         contact_group: Name that events of these contacts carry.
         calculated_mass: Before contingency [kg].
         contingency: Factor on the calculated mass.
@@ -51,6 +52,7 @@ class Load(HasLugs):
     body: str
     weight: float
     contacts: Sequence[str] = ()
+    meets: Mapping[str, str] = field(default_factory=dict)
     contact_group: str | None = None
     simulated_mass: float | None = None
     calculated_mass: float | None = None
