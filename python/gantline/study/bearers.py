@@ -1,4 +1,4 @@
-"""What bears the hooks of a lift and may stand elsewhere: fixed hooks, trolleys, cranes on rails or tracks."""
+"""What bears hooks and may stand elsewhere: fixed hooks, trolleys, cranes on rails or on tracks."""
 
 from __future__ import annotations
 
