@@ -341,7 +341,7 @@ LIMITS: dict[str, Measure] = {
         alarm=LUG_PLATE,
     ),
     "support_force_of_capacity": _utilisation(
-        "largest force of a support / its capacity", contacts.of_capacity
+        "largest force of a support, with the design weight / its capacity", contacts.of_capacity
     ),
     "clearance_margin": _margin(
         "smallest distance of a watched pair - the distance that it has to keep",
