@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass
 from enum import StrEnum
 from typing import Any
 
+from gantline.results.alike import ROUNDING, first_largest
 from gantline.units import format_quantity, telling_digits
 
 #: Checks that a run got through its plan, that it lifted what it should, and that nothing of it is lost.
@@ -189,7 +190,8 @@ def governing(checks: Sequence[Check]) -> Check | None:
         for index, check in enumerate(checks)
         if check.verdict is Verdict.FAILED or (check.utilisation is not None and _is_done(check))
     }
-    return checks[max(share, key=lambda index: share[index])] if share else None
+    index = first_largest(share, lambda index: share[index])
+    return None if index is None else checks[index]
 
 
 def past_limits(checks: Sequence[Check]) -> list[Check]:
@@ -230,7 +232,9 @@ def foremost(checks: Sequence[Check]) -> list[Check]:
     """Of checks of one name the one that uses most of its limit, most first; those without a number lead."""
 
     def used(check: Check) -> float:
-        return math.inf if check.utilisation is None else check.utilisation
+        share = math.inf if check.utilisation is None else check.utilisation
+        # Of shares that are one but for rounding the first leads.
+        return round(share / ROUNDING) if math.isfinite(share) else share
 
     worst: dict[str, Check] = {}
     for check in sorted(checks, key=used, reverse=True):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
+from gantline.results.alike import first_peak
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -134,7 +135,7 @@ def extreme(
     *,
     smallest: bool = False,
 ) -> Iterator[Found]:
-    """The largest (or smallest) of a series within a mask; nothing if the mask is empty.
+    """The largest (or smallest) of a series within a mask, when it first is so; nothing if the mask is empty.
 
     Args:
         recording: The recording.
@@ -147,11 +148,14 @@ def extreme(
     if not during.any():
         return
     upwards = -values if smallest else values
-    at = int(np.argmax(np.where(during, upwards, -np.inf)))
+    within = np.where(during, upwards, -np.inf)
+    at = first_peak(within)
+    most = float(within.max())
     text = formula(at) if formula is not None else ""
     crest = _crest(upwards, during)
-    between = None if crest is None or not crest > upwards[at] else -crest if smallest else crest
-    yield Found(float(values[at]), element, float(recording.time[at]), text, between=between)
+    between = None if crest is None or not crest > most else -crest if smallest else crest
+    value = -most if smallest else most
+    yield Found(value, element, float(recording.time[at]), text, between=between)
 
 
 def _crest(values: FloatArray, during: BoolArray) -> float | None:

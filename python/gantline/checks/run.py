@@ -21,6 +21,7 @@ from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_ou
 from gantline.checks.ranges import left_range
 from gantline.checks.slings import idle, taken_off
 from gantline.results import series
+from gantline.results.alike import first_largest
 from gantline.results.gaps import gaps
 from gantline.results.parting import PLANNED, Parting, partings
 from gantline.results.recording import Recording
@@ -142,10 +143,8 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
     findings = list(measure.findings(recording, inside)) if inside.any() else []
     values = [one for one in findings if isinstance(one, Found)]
     pick = min if measure.at_least else max
-    worst = pick(values, key=lambda one: one.value, default=None)
     return _Outcome(
-        # Nothing compares with what is no number: that governs.
-        worst=next((one for one in values if math.isnan(one.value)), worst),
+        worst=_worst(measure, values),
         of=frozenset(one.element for one in values),
         between=pick((one.between for one in values if one.between is not None), default=None),
         refused=tuple(one for one in findings if isinstance(one, Refused)),
@@ -158,10 +157,18 @@ def _look_one_by_one(measure: Measure, recording: Recording, during: BoolArray, 
     """The same with the worst of each sample: of many at once a measure finds the largest, or its least."""
     looks = [_look(measure, recording, one_sample(int(at), during)) for at in np.flatnonzero(during)]
     values = [look.worst for look in looks if look.worst is not None]
+    return replace(found, worst=_worst(measure, values))
+
+
+def _worst(measure: Measure, values: Sequence[Found]) -> Found | None:
+    """The worst value, with element and time of the first that is so but for rounding; None of none."""
+    # Nothing compares with what is no number: that governs.
+    unknown = next((one for one in values if math.isnan(one.value)), None)
+    first = first_largest(values, lambda one: one.value, measure.unit, smallest=measure.at_least)
+    if unknown is not None or first is None:
+        return unknown
     pick = min if measure.at_least else max
-    worst = pick(values, key=lambda one: one.value, default=None)
-    nothing = next((one for one in values if math.isnan(one.value)), None)
-    return replace(found, worst=nothing or worst)
+    return replace(first, value=pick(one.value for one in values))
 
 
 def _reasons(missing: Iterable[Missing]) -> str:

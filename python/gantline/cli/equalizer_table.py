@@ -8,6 +8,7 @@ import numpy as np
 
 from gantline.cli.table import ABSENT, pairs, show
 from gantline.results import series, upper_end
+from gantline.results.alike import first_peak
 from gantline.results.equalising import equalising
 from gantline.results.gear import Equalizer
 from gantline.results.parting import stops_met
@@ -67,8 +68,8 @@ def _pins(recording: Recording, equalizer: Equalizer) -> list[tuple[str, str]]:
     if not pins:
         return []
     force = {pin: np.abs(recording.column("pin_force", pin)) for pin in pins}
-    pin = max(pins, key=lambda name: float(force[name].max()))
-    time = float(recording.time[int(force[pin].argmax())])
+    pin = pins[first_peak([float(force[name].max()) for name in pins])]
+    time = float(recording.time[first_peak(force[pin])])
     text = f"{show(float(force[pin].max()), 'kN', 1)} at most ({pin} at {show(time, 's', 2)})"
     for kind, words in (("pin_pulled", "pulled"), ("pin_put_in", "put in")):
         times = sorted({when for when, _, name in recording.events(kind) if name in pins})
@@ -94,18 +95,18 @@ def _lengthening(recording: Recording, equalizer: Equalizer) -> Iterator[tuple[s
     yield "mechanism", f"approximated{factor}: no sheave moves, slings change their length"
     change = {rope: recording.column("rope_lengthening", rope) for rope in equalizer.slings}
     for title, sign in (("longer", 1.0), ("shorter", -1.0)):
-        rope = max(change, key=lambda name: float((sign * change[name]).max()))
+        rope = list(change)[first_peak([float((sign * one).max()) for one in change.values()])]
         curve = sign * change[rope]
-        most, time = float(curve.max()), float(recording.time[int(curve.argmax())])
+        most, time = float(curve.max()), float(recording.time[first_peak(curve)])
         sling = rope.removeprefix("sling.")
         yield title, f"{show(most, 'm', 3)} at most ({sling} at {show(time, 's', 2)}), not limited"
 
 
 def _travel(recording: Recording, equalizer: Equalizer, sign: float, stroke: float) -> str:
     travel = {sheave: sign * recording.column("sheave_travel", sheave) for sheave in equalizer.moving_sheaves}
-    sheave = max(travel, key=lambda name: float(travel[name].max()))
+    sheave = list(travel)[first_peak([float(one.max()) for one in travel.values()])]
     furthest = max(0.0, float(travel[sheave].max()))
-    time = float(recording.time[int(travel[sheave].argmax())])
+    time = float(recording.time[first_peak(travel[sheave])])
     text = f"{show(furthest / stroke, '%', 1)} of {show(stroke, 'm', 3)} ({sheave} at {show(time, 's', 2)})"
     clear = series.is_clear(recording)
     if clear.any():

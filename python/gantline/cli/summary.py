@@ -15,6 +15,7 @@ from gantline.cli.refinement import refinement_table
 from gantline.cli.table import ABSENT, cut, pairs, show, table
 from gantline.cli.vessels import vessels
 from gantline.results import series, upper_end
+from gantline.results.alike import first_peak
 from gantline.results.drift import load_drift
 from gantline.results.lift_off import lift_off_in_words
 from gantline.results.metrics import energy_bound
@@ -222,7 +223,7 @@ def _hooks(recording: Recording) -> list[str]:
         for name in ("hook_load", "hoist_load"):
             force = recording.column(name, hook.name)
             static, _ = series.greatest_static(recording, force)
-            highest, time = float(force.max()), float(recording.time[int(force.argmax())])
+            highest, time = float(force.max()), float(recording.time[first_peak(force)])
             is_rated_for = name == ("hoist_load" if hook.rating_includes_hook_block else "hook_load")
             used = shares.get(hook.name) if is_rated_for else None
             rows.append(
@@ -282,7 +283,7 @@ def _losses(recording: Recording) -> list[str]:
     for rope in dict.fromkeys(sheave.rope for sheave in lossy):
         own = [sheave for sheave in lossy if sheave.rope == rope]
         ratios = {sheave.name: series.tension_ratio(recording, sheave) for sheave in own}
-        worst = max(own, key=lambda sheave: float(ratios[sheave.name].max()))
+        worst = own[first_peak([float(ratios[sheave.name].max()) for sheave in own])]
         ratio = ratios[worst.name]
         force = np.array([recording.column("sheave_tension", sheave.name)[-1] for sheave in own])
         unit, digits = ("kN", 1) if force.max() >= 1e3 else ("N", 3)
@@ -292,7 +293,7 @@ def _losses(recording: Recording) -> list[str]:
                 f"{float(ratio.max()):.4f}",
                 f"{float(series.slip_ratio(recording, worst)[int(ratio.argmax())]):.4f}",
                 worst.name,
-                show(float(recording.time[int(ratio.argmax())]), "s", 2),
+                show(float(recording.time[first_peak(ratio)]), "s", 2),
                 show(float(force.min()), unit, digits),
                 show(float(force.max()), unit, digits),
             )

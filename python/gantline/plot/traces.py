@@ -26,6 +26,7 @@ from gantline.plot.style import (
     widen,
 )
 from gantline.results import series
+from gantline.results.alike import first_peak
 from gantline.results.aside import drift_of, not_worth_a_plot, swing_of, tilt_of
 from gantline.results.drift import is_taken_along
 from gantline.results.families import MOST, families
@@ -218,8 +219,9 @@ def hook_load(recording: Recording) -> Figure | None:
     loads = recording.rig.loads
     figure, panels = time_figure(recording, "Hook load", [2.6, 1.2] if loads else [1.0], 4.6)
     forces = {hook.name: recording.column("hook_load", hook.name) for hook in hooks}
-    name, force = max(forces.items(), key=lambda item: float(item[1].max()))
-    at = int(force.argmax())
+    name = list(forces)[first_peak([float(force.max()) for force in forces.values()])]
+    force = forces[name]
+    at = first_peak(force)
     _force_panel(
         recording, panels[0], forces, "Hook load", (float(force[at]), float(recording.time[at]), name)
     )
@@ -265,7 +267,7 @@ def _rope_panel(recording: Recording, panel: Axes, ropes: Mapping[str, str]) -> 
     """
     tensions = {name: recording.column("rope_tension", rope) for name, rope in ropes.items()}
     peaks = {name: series.rope_peak(recording, rope) for name, rope in ropes.items()}
-    highest = max(peaks, key=lambda name: peaks[name][0])
+    highest = list(peaks)[first_peak([force for force, _ in peaks.values()])]
     peak = (*peaks[highest], highest)
     if len(ropes) <= MOST:
         _force_panel(recording, panel, tensions, "Tension", peak)
@@ -274,7 +276,7 @@ def _rope_panel(recording: Recording, panel: Axes, ropes: Mapping[str, str]) -> 
     members: dict[str, list[str]] = {}
     for name, rope in ropes.items():
         members.setdefault(family[rope], []).append(name)
-    foremost = {one: max(names, key=lambda name: peaks[name][0]) for one, names in members.items()}
+    foremost = {one: names[first_peak([peaks[name][0] for name in names])] for one, names in members.items()}
     shade = {name: colour(index) for index, names in enumerate(members.values()) for name in names}
     scale, unit = _force_frame(panel, "Tension", peak)
     scaled = {name: tension / scale for name, tension in tensions.items()}

@@ -15,6 +15,7 @@ import numpy as np
 
 from gantline.report.subject import ABSENT, Subject, number, share, show
 from gantline.results import series
+from gantline.results.alike import first_peak
 from gantline.results.parting import PLANNED, partings
 from gantline.results.progress import spans
 from gantline.results.rotation import axes
@@ -204,7 +205,7 @@ def _moorings(subject: Subject) -> list[tuple[str, str]]:
     rows = []
     pulls = [(*series.rope_peak(recording, line.rope), line) for line in rig.mooring_lines]
     if pulls:
-        force, time, line = max(pulls, key=lambda one: one[0])
+        force, time, line = pulls[first_peak([one[0] for one in pulls])]
         used = share(force, line.minimum_breaking_force)
         text = f"{line.name} {show(force, 'kN', 0)} at {show(time, 's', 1)}"
         rows.append(("largest mooring force", text + (f", {show(used, '%', 0)} of breaking" if used else "")))
@@ -214,7 +215,7 @@ def _moorings(subject: Subject) -> list[tuple[str, str]]:
         if (peak := subject.peak(recording.column("fender_force", fender.name))) is not None
     ]
     if presses:
-        (force, time), fender = max(presses, key=lambda one: one[0][0])
+        (force, time), fender = presses[first_peak([one[0][0] for one in presses])]
         used = share(force, fender.capacity)
         text = f"{fender.name} {show(force, 'kN', 0)} at {show(time, 's', 1)}"
         rows.append(("largest fender force", text + (f", {show(used, '%', 0)} of capacity" if used else "")))

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from gantline.results import series
+from gantline.results.alike import first_largest
 from gantline.results.common_time import CommonTime, Deviation
 from gantline.results.gaps import without_gaps
 from gantline.results.parting import Parting, partings
@@ -243,7 +244,8 @@ def peak_sling(recording: Recording) -> str | None:
     slings = recording.rig.slings
     if not slings or not len(recording.time):
         return None
-    return max(slings, key=lambda sling: series.rope_peak(recording, sling.rope)).name
+    most = first_largest(slings, lambda sling: series.rope_peak(recording, sling.rope)[0], "kN")
+    return None if most is None else most.name
 
 
 def _short(value: float, unit: str) -> str:

@@ -127,6 +127,7 @@ class Recording:
     def _repr_html_(self) -> str:
         """For notebooks: what was lifted, how long it is, how it ended, its warnings."""
         from gantline.html import facts_table
+        from gantline.results.alike import first_largest
         from gantline.units import format_quantity
 
         sizes = ", ".join(f"{size} {dim}" for dim, size in self.sizes.items() if dim in self.coordinates)
@@ -137,7 +138,7 @@ class Recording:
         slings = [sling.rope for sling in self.rig.slings]
         if slings and "rope_tension" in self:
             peaks = {rope: float(self.column("rope_tension", rope).max(initial=0.0)) for rope in slings}
-            rope = max(peaks, key=lambda name: peaks[name])
+            rope = first_largest(peaks, lambda name: peaks[name], "kN") or slings[0]
             rows.append(("largest sling tension", f"{format_quantity(peaks[rope], 'kN', 1)} ({rope})"))
         rows += [("names", sizes), ("variables", ", ".join(self._variables))]
         rows += [("warning", str(warning)) for warning in self._attributes.get("warnings") or ()]

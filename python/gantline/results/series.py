@@ -21,6 +21,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from gantline.results.alike import first_peak
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
 from gantline.results.parting import DETACHED, PARTING, while_there
 from gantline.results.recording import Recording
@@ -445,9 +446,9 @@ def rope_peak(recording: Recording, rope: str) -> tuple[float, float]:
 def peak(
     recording: Recording, values: FloatArray, during: BoolArray | None = None
 ) -> tuple[float, float] | None:
-    """Largest sample and its time [s]; None if `during` holds no sample."""
+    """Largest sample, and the time [s] at which it first is so; None if `during` holds no sample."""
     inside = np.ones(len(values), dtype=np.bool_) if during is None else during
     if not inside.any():
         return None
-    at = int(np.argmax(np.where(inside, values, -np.inf)))
-    return float(values[at]), float(recording.time[at])
+    within = np.where(inside, values, -np.inf)
+    return float(within.max()), float(recording.time[first_peak(within)])

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
+from gantline.results.alike import first_peak
 from gantline.results.gear import Sling
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
@@ -46,7 +47,9 @@ class LooseTilt:
     depth: float
 
     def __str__(self) -> str:
-        about = "" if self.line is None else f" about ({self.line[0]:.2f}, {self.line[1]:.2f}, 0)"
+        # What is left of rounding has no sign.
+        x, y = (round(part, 2) + 0.0 for part in self.line or (0.0, 0.0))
+        about = "" if self.line is None else f" about ({x:.2f}, {y:.2f}, 0)"
         names = ", ".join(self.equalizers)
         no_stiffness = f"the slings of {names} give {self.load} no tilt stiffness{about}"
         if self.depth <= 0.0:
@@ -121,6 +124,6 @@ def _loose(
         return None
     line = None
     if sizes[0] > 1e-3 * reach:
-        way = ways[0] if ways[0][int(np.argmax(np.abs(ways[0])))] > 0 else -ways[0]
+        way = ways[0] if ways[0][first_peak(np.abs(ways[0]))] > 0 else -ways[0]
         line = (float(way[0]) + 0.0, float(way[1]) + 0.0)
     return LooseTilt(load.name, tuple(middles), line, float(lugs[:, 2].mean()))

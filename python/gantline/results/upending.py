@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.results import series
+from gantline.results.alike import first_peak
 from gantline.results.progress import spans
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
@@ -64,7 +65,8 @@ def turning_in_words(recording: Recording, load: Load, *, in_t: bool) -> list[tu
     crane_hooks = recording.coordinates.get("crane_hook", ())
     aside = {hook: recording.column("falls_out_of_plumb", hook) for hook in crane_hooks}
     if aside:
-        worst = max(aside, key=lambda hook: float(aside[hook][during].max()))
+        peaks = [float(one[during].max()) for one in aside.values()]
+        worst = list(aside)[first_peak(peaks)]
         rows.append(row("falls out of plumb", worst, aside[worst], "deg", 2))
     return rows
 

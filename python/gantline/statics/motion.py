@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.results.alike import ROUNDING, first_peak
 from gantline.statics.answers import Floats
 
 Body = Mapping[str, Any]
@@ -35,8 +36,10 @@ def in_words(motion: Floats, names: Sequence[str], bodies: Mapping[str, Body], t
     if total.sum() <= 0.0:
         return "rope runs over sheaves"
     share = total / total.sum()
-    named = [index for index in np.argsort(-share) if share[index] >= _TAKES_PART][:2]
-    named = named or [int(np.argmax(share))]
+    # Shares that are one but for rounding stand in the order of the bodies.
+    share = np.round(share / ROUNDING) * ROUNDING
+    order = np.argsort(-share, kind="stable")
+    named = [index for index in order if share[index] >= _TAKES_PART][:2] or order[:1]
     return ", ".join(_moves(names[index], motion[index], energies[index]) for index in named)
 
 
@@ -72,5 +75,5 @@ def _direction(vector: Floats) -> str:
     for axis, name in enumerate("xyz"):
         if abs(unit[axis]) >= _ALONG:
             return name
-    unit = unit if unit[int(np.argmax(np.abs(unit)))] > 0 else -unit
+    unit = unit if unit[first_peak(np.abs(unit))] > 0 else -unit
     return f"({', '.join(f'{round(part, 2) + 0.0:.2f}' for part in unit)})"

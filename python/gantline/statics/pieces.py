@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy as np
-
+from gantline.results.alike import first_peak
 from gantline.results.rig import Rig
 from gantline.statics.answers import Floats, Sensitivity
 
@@ -54,4 +53,4 @@ class Pieces:
 
     def _most_loaded(self, rope: str, loads: Floats) -> int:
         places = [self._core_ropes.index(piece) for piece in self._of.get(rope, [rope])]
-        return places[int(np.argmax(loads[places]))]
+        return places[first_peak(loads[places])]

@@ -16,7 +16,7 @@ from gantline.checks import (
     past_limits,
     verdict_of,
 )
-from gantline.results import series
+from gantline.results import alike, series
 from gantline.results.recording import Recording
 from gantline.results.saved import LOSSES, QUANTITIES
 from gantline.scenario import StartError
@@ -34,10 +34,6 @@ __all__ = [
     "values_of",
     "worst_of",
 ]
-
-#: Values that differ by less are alike: a share, and by unit what is nothing beside any lift [SI].
-_ROUNDING = 1e-9
-_NOTHING = {"kN": 1e-3, "deg": 1e-9, "m": 1e-9}
 
 
 @dataclass(frozen=True)
@@ -259,7 +255,7 @@ def _is_worse(quantity: str, value: float, than: float) -> bool:
 
 def differs(quantity: str, one: float, other: float) -> bool:
     """Whether two values of one of `QUANTITIES` differ by more than rounding."""
-    return abs(one - other) > max(_ROUNDING * abs(other), _NOTHING[QUANTITIES[quantity][0]])
+    return alike.differs(one, other, QUANTITIES[quantity][0])
 
 
 def _without(recording: Recording, cut: Sequence[str]) -> Recording:

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.results import series
+from gantline.results.alike import first_peak
 from gantline.results.rig import Load
 from gantline.results.rotation import axes
 from gantline.results.tilting import LooseTilt, loose_tilt
@@ -202,7 +203,7 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
 def _ways(plumb: Floats) -> Iterator[tuple[str, Floats]]:
     """Where a centre of gravity is moved, in the load's own axes: up, and to all sides."""
     yield "up", plumb
-    upright = int(np.argmax(np.abs(plumb)))
+    upright = first_peak(np.abs(plumb))
     for place, axis in enumerate("xyz"):
         if place != upright:
             yield f"+{axis}", np.eye(3)[place]
@@ -296,6 +297,6 @@ def _period(
 
 
 def _named(direction: Floats) -> tuple[float, float]:
-    """A direction with its larger part positive."""
-    way = direction if direction[int(np.argmax(np.abs(direction)))] > 0.0 else -direction
+    """A direction with its larger part positive, of parts alike the first."""
+    way = direction if direction[first_peak(np.abs(direction))] > 0.0 else -direction
     return float(way[0]), float(way[1])

@@ -27,7 +27,7 @@ mod winding;
 use thiserror::Error;
 
 use crate::audit::Ledger;
-use crate::constraint::Law;
+use crate::constraint::{AnyConstraint, Law};
 use crate::event::afloat::Vessel;
 use crate::force::{self, AnyForce};
 use crate::solver::complementarity::Mode;
@@ -218,10 +218,22 @@ impl Statics {
             return Err(NoEquilibrium { element: vessel.name.clone(), cause: SINKS.to_owned() });
         }
         self.store(system, state);
+        self.stand(system);
         self.sliding.retain(|group| !self.slid.contains(group));
         self.slid.append(&mut self.sliding);
         self.is_found = true;
         Ok(())
+    }
+
+    /// Sheaves that hold where a lift stands stick, those at their bounds too: which of these are past them is rounding.
+    fn stand(&mut self, system: &System) {
+        for (row, bearing) in self.bearings.iter().enumerate() {
+            let is_lossy =
+                matches!(system.constraint_of_row(row), AnyConstraint::Brake(brake) if !brake.grip.is_none());
+            if is_lossy && matches!(bearing.part, Part::Hold(bound) if bound > 0.0) {
+                self.search.here.follows[row] = true;
+            }
+        }
     }
 
     /// T̂ = T of rows without compliance, unless all their lengths are right: forces are those that balance then. The row

@@ -1,0 +1,61 @@
+"""The largest of several values, where it is not for rounding to choose among those that are alike."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from typing import TypeVar
+
+import numpy as np
+
+from gantline.results.variable import FloatArray
+
+#: Values that differ by less are alike: a share, and by unit what is nothing beside any lift [SI].
+ROUNDING = 1e-9
+_NOTHING = {"kN": 1e-3}
+
+_T = TypeVar("_T")
+
+
+def differs(one: float, other: float, unit: str) -> bool:
+    """Whether two values, SI, of a quantity that people read in a unit differ by more than rounding."""
+    if math.isinf(one) or math.isinf(other):
+        return one != other
+    return abs(one - other) > max(ROUNDING * abs(other), nothing(unit))
+
+
+def nothing(unit: str) -> float:
+    """What is nothing of a quantity that people read in a unit, SI."""
+    return _NOTHING.get(unit, ROUNDING)
+
+
+def first_largest(
+    items: Iterable[_T], value: Callable[[_T], float], unit: str = "", *, smallest: bool = False
+) -> _T | None:
+    """The item with the largest value, or smallest, of those alike but for rounding the first.
+
+    Args:
+        items: In the order in which they count.
+        value: Gives the value of one, SI.
+        unit: Unit in which people read it.
+        smallest: Whether the smallest is looked for.
+
+    Returns:
+        None where there is no item.
+    """
+    known = list(items)
+    values = [value(one) for one in known]
+    if not values:
+        return None
+    extreme = min(values) if smallest else max(values)
+    alike = (one for one, its in zip(known, values, strict=True) if not differs(its, extreme, unit))
+    return next(alike, known[values.index(extreme)])
+
+
+def first_peak(values: FloatArray | Sequence[float]) -> int:
+    """Index of the largest of a series, shape (n,), SI: of those alike but for rounding the first."""
+    series = np.asarray(values, dtype=float)
+    at = int(np.argmax(series))
+    if not np.isfinite(series[at]):
+        return at
+    return int(np.argmax(series >= series[at] - ROUNDING * max(abs(float(series[at])), 1.0)))
