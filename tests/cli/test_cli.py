@@ -38,8 +38,20 @@ def gantline_says(*words: str) -> tuple[int, str, str]:
     return result.exit_code, result.stdout, result.stderr
 
 
-@pytest.mark.parametrize("words", [["--help"], ["--version"]])
-def test_help_loads_only_the_command_line(words: list[str]) -> None:
+#: Each takes half a second or more, and no lift ashore at rest needs them.
+SLOW = ("scipy", "matplotlib", "xarray", "pandas")
+
+
+@pytest.mark.parametrize(
+    ("words", "needless"),
+    [
+        (["--help"], HEAVY),
+        (["--version"], HEAVY),
+        (["check", "equalizer"], SLOW),
+        (["statics", "equalizer"], SLOW),
+    ],
+)
+def test_a_command_loads_only_what_it_needs(words: list[str], needless: tuple[str, ...]) -> None:
     code = f"""
 import sys
 sys.argv = ["gantline", *{words!r}]
@@ -48,7 +60,7 @@ try:
     main()
 except SystemExit as end:
     assert not end.code, end.code
-loaded = [name for name in {HEAVY!r} if name in sys.modules]
+loaded = [name for name in {needless!r} if name in sys.modules]
 sys.exit(", ".join(loaded) or 0)
 """
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)

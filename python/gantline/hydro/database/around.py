@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from scipy.interpolate import CubicSpline
 
 __all__ = ["ForcesAround", "beside"]
 
@@ -64,6 +63,8 @@ class ForcesAround:
             frequency: of waves (n,) [rad/s].
             directions: as the attribute.
         """
+        from scipy.interpolate import CubicSpline  # takes a second to load
+
         given = (frequency <= known[-1] * (1 + _ROUNDED))[:, np.newaxis, np.newaxis]
         wanted = np.clip(frequency, known[0], known[-1])
         smooth = CubicSpline(known, forces)(wanted) if len(known) > 1 else forces
@@ -100,6 +101,8 @@ def _fill(
     places = run % len(gaps)
     if len(run) < 3:
         return  # a straight line, as it is
+    from scipy.interpolate import CubicSpline  # takes a second to load
+
     steps = gaps[places[:-1]]
     way = np.concatenate([[0.0], np.cumsum(steps)])
     spline = CubicSpline(way, forces[:, places], axis=1, bc_type="periodic" if periodic else "not-a-knot")

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
-from scipy.interpolate import CubicSpline
 
 from gantline.hydro.database.around import ForcesAround, beside
 from gantline.hydro.waves import wave_number
@@ -271,6 +270,8 @@ class HydrodynamicDatabase:
         if len(self.frequencies) == 1:
             only: Array = values[0]
             return only
+        from scipy.interpolate import CubicSpline  # takes a second to load
+
         between: Array = CubicSpline(self.frequencies, values)(np.clip(wanted, low, high))
         return between
 
