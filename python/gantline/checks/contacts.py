@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from gantline.checks.forces import design_ratio, kilonewton, to_design
+from gantline.checks.forces import design_ratio, raised_of_capacity
 from gantline.checks.measure import Finding, Missing, extreme
 from gantline.results.clearances import watched_during
 from gantline.results.recording import Recording
@@ -22,11 +22,8 @@ def of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
             continue
         stand = [load.name for load in recording.rig.loads if support.name in load.contacts]
         ratio = max((design_ratio(recording, load) for load in stand), default=1.0)
-        used = ratio * recording.column("contact_force", support.name) / support.capacity
-        for found in extreme(recording, used, during, support.name):
-            force, capacity = (kilonewton(share * support.capacity) for share in (found.value / ratio, 1.0))
-            raised = f"({force}{to_design(ratio)})" if ratio > 1.0 else force
-            yield replace(found, formula=f"{raised} / {capacity}")
+        force = recording.column("contact_force", support.name)
+        yield from raised_of_capacity(recording, during, support.name, force, ratio, support.capacity)
 
 
 def clearance_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.forces import NO_STATIC, kilonewton, over, sum_force
+from gantline.checks.forces import (
+    NO_STATIC,
+    design_ratio,
+    kilonewton,
+    over,
+    raised_of_capacity,
+    sum_force,
+)
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, everywhere, extreme
 from gantline.results import series
 from gantline.results.gear import Equalizer, Sling, Spreader
@@ -24,18 +31,20 @@ _OFF_PLUMB = math.radians(1.0)
 
 
 def pin_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Force on a locking pin, either way, over its capacity."""
+    """Force on a locking pin, either way, raised to the design weight, over its capacity."""
     pins = set(recording.coordinates.get("pin", ()))
     for equalizer in recording.rig.equalizers:
         own = [sheave for sheave in equalizer.moving_sheaves if sheave in pins]
         if not equalizer.pin_capacity:
             yield from (Missing(f"pins of {equalizer.name}", "no capacity") for _ in own[:1])
             continue
+        borne = {sling.to_load for sling in recording.rig.slings if sling.rope in equalizer.slings}
+        ratio = max((design_ratio(recording, load) for load in borne), default=1.0)
         for sheave in own:
-            used = np.abs(recording.column("pin_force", sheave)) / equalizer.pin_capacity
-            for found in extreme(recording, used, during, f"pin of {sheave}"):
-                force = kilonewton(found.value * equalizer.pin_capacity)
-                yield replace(found, formula=f"{force} / {kilonewton(equalizer.pin_capacity)}")
+            force = np.abs(recording.column("pin_force", sheave))
+            yield from raised_of_capacity(
+                recording, during, f"pin of {sheave}", force, ratio, equalizer.pin_capacity
+            )
 
 
 def tension_spread(recording: Recording, during: BoolArray) -> Iterator[Finding]:

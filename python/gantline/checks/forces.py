@@ -16,7 +16,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from gantline.checks.measure import Caution, Finding, Found, Missing
+from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
 from gantline.results.gear import Sling
 from gantline.results.recording import Recording
@@ -297,7 +297,7 @@ def _force(recording: Recording, values: FloatArray, ratio: float, window: BoolA
         static = series.static_value(recording, values, window)
     if static is None:
         return _without_static(recording, ratio)
-    text = f"static {kilonewton(static)}{to_design(ratio)}"
+    text = f"static {kilonewton(static)}{_to_design(ratio)}"
     return with_rule(recording, Force(static * ratio, text, window=window))
 
 
@@ -306,7 +306,17 @@ def _without_static(recording: Recording, ratio: float) -> Force:
     return Force(None, "", lacks_static=is_raised)
 
 
-def to_design(ratio: float) -> str:
+def raised_of_capacity(
+    recording: Recording, during: BoolArray, element: str, force: FloatArray, ratio: float, capacity: float
+) -> Iterator[Found]:
+    """Largest force of an element [N], all of it raised to the design weight, over its capacity [N]."""
+    for found in extreme(recording, ratio * force / capacity, during, element):
+        simulated = kilonewton(found.value / ratio * capacity)
+        raised = f"({simulated}{_to_design(ratio)})" if ratio > 1.0 else simulated
+        yield replace(found, formula=f"{raised} / {kilonewton(capacity)}")
+
+
+def _to_design(ratio: float) -> str:
     """In words, how a force of the simulated weight is raised; nothing where that is the design weight."""
     return f" x {ratio:.4g} to the design weight" if ratio > 1.0 else ""
 
@@ -328,7 +338,7 @@ def _with_skew(recording: Recording, force: Force, perfect: float, ratio: float,
     """
     if force.static is None:
         return force
-    by_rule = f"{kilonewton(perfect)} with perfect lengths{to_design(ratio)} x {rule:.4g}"
+    by_rule = f"{kilonewton(perfect)} with perfect lengths{_to_design(ratio)} x {rule:.4g}"
     text = f"max({force.static_text}, {by_rule})"
     static = max(force.static, perfect * ratio * rule)
     return with_rule(recording, Force(static, text, factors=(SKEW,), window=force.window))
