@@ -129,15 +129,21 @@ class Hanging:
         return [one for one in self.slings if self.rig.hook_of(one) in self.hooks()]
 
     def side_pull(self, bearer: str, hooks: Sequence[str], axis: int) -> Row:
-        """Horizontal over vertical force of what hangs in hooks on their bearer [1], along world x or y."""
+        """Horizontal over vertical force of what hangs in hooks on their bearer [1], along world x or y.
+
+        Where all slings in them are slack it is none, and nothing acts on it.
+        """
         pulls = [self._pull(one) for one in self.slings if self.rig.hook_of(one) in hooks]
         value = sum((value for value, _ in pulls), start=np.zeros(3))
         change = sum((change for _, change in pulls), start=np.zeros((len(self._answers), 3)))
+        name = f"the side pull on {bearer} along {'xy'[axis]}"
+        if not value.any():
+            return Row(0.0, np.zeros(len(self._answers)), name)
         # From the slings on the hook: against the way that a sling goes up.
         return Row(
             -float(value[axis] / value[2]),
             -(change[:, axis] - value[axis] / value[2] * change[:, 2]) / value[2],
-            f"the side pull on {bearer} along {'xy'[axis]}",
+            name,
         )
 
     def pull_on(self, hook: str) -> Floats:
