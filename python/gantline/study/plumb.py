@@ -16,11 +16,13 @@ from gantline.results.rotation import heading as heading_of
 from gantline.scenario import Scenario, load_scenario
 from gantline.scenario.errors import nearest
 from gantline.scenario.hooks import Hook
+from gantline.scenario.movers import mover
+from gantline.scenario.steps import TravelStep, TraverseStep
 from gantline.scenario.variants import without_cases
 from gantline.statics import Equilibrium, Statics
 from gantline.study.bearers import Bearer, bearers_of, why_not
 from gantline.study.hanging import Hanging, Row
-from gantline.study.newton import AdjustError, Search, Unknown
+from gantline.study.newton import AdjustError, CannotBeError, Search, Unknown
 
 __all__ = ["HookAnswer", "plumb_hooks"]
 
@@ -99,7 +101,8 @@ def plumb_hooks(
             raise AdjustError(f"'{name}' is not a hook in which slings hang; {nearest(name, used)}")
         if name not in borne:
             raise ValueError(why_not(scenario.hooks[name]))
-    moving = [one for one in bearers if one.may_move(chosen)]
+    placed = _placed(question, bearers)
+    moving = [one for one in bearers if one.may_move(chosen) and one not in placed]
     unknowns = [
         Unknown(one.path, (f"place_{'xy'[one.axis]}", one.body), one.given, math.inf) for one in moving
     ]
@@ -110,7 +113,7 @@ def plumb_hooks(
 
     def rows(hanging: Hanging) -> list[Row]:
         found = [hanging.side_pull(name, those, axis) for name, those, axis in pulled]
-        drift = _drift(hanging, bearers)
+        drift = None if placed else _drift(hanging, bearers)
         if drift is not None:
             found += [replace(row, value=row.value / _HEIGHT, change=row.change / _HEIGHT) for row in drift]
             if turns:
@@ -120,7 +123,10 @@ def plumb_hooks(
         return found
 
     search = Search(scenario, unknowns, rows, time, "places of hooks")
-    changes = [float(change) for change in search.run()]
+    try:
+        changes = [float(change) for change in search.run()]
+    except CannotBeError as problem:
+        raise CannotBeError(f"{problem}{_where_the_plan_says(placed)}") from None
     search.refuse_unsound()
     given = {
         name: _place_of(search.first.hanging, scenario.hooks[name]) for one in moving for name in one.hooks
@@ -130,7 +136,7 @@ def plumb_hooks(
         for name in one.hooks:
             places[name][one.axis] += change
     first, now = search.first.hanging, search.now.hanging
-    drifts = [_drift(one, bearers) for one in (first, now)]
+    drifts = [None if placed else _drift(one, bearers) for one in (first, now)]
     before, after = (math.hypot(*(row.value for row in one)) if one else None for one in drifts)
     return HookAnswer(
         values={one.path: one.given + change for one, change in zip(moving, changes, strict=True)},
@@ -144,6 +150,38 @@ def plumb_hooks(
         steps=search.steps,
         scenario=search.now.scenario,
     )
+
+
+def _placed(question: Statics, bearers: Sequence[Bearer]) -> list[Bearer]:
+    """What goes `to` a place, or after its load, wherever it starts, and others that bear hooks do not.
+
+    One alone along its axis shall still come off without drift, which its start decides.
+    """
+    found = []
+    for step in question.scenario.plan:
+        if not isinstance(step, TraverseStep | TravelStep):
+            continue
+        began, ended = question.times_of(step.step)
+        for text in step.moved:
+            moved = mover(question.scenario, step.kind, text)
+            for one in bearers:
+                beside = [other for other in bearers if other.axis == one.axis and other != one]
+                # The way of a crawler crane is counted from where it stands.
+                is_there = step.to is not None and ended is not None and one.path.endswith(".position")
+                follows = step.keep_plumb is not None and began is not None
+                if moved is not None and moved.name == one.name and beside and (is_there or follows):
+                    found.append(one)
+    return found
+
+
+def _where_the_plan_says(placed: Sequence[Bearer]) -> str:
+    if not placed:
+        return ""
+    names = [f"'{name}'" for name in dict.fromkeys(one.name for one in placed)]
+    they = "is where the plan says, wherever it starts"
+    if len(names) > 1:
+        they = "are where the plan says, wherever they start"
+    return f"; {' and '.join(names)} {they}: ask at a time before that"
 
 
 def _place_of(hanging: Hanging, hook: Hook) -> tuple[float, float]:
