@@ -1,10 +1,10 @@
 """A run that ended before its waves and gusts had grown.
 
-Waves grow over three of their longest peak periods and gusts over 20 s, so that what rests at the start begins to
-move without a jerk. A run of 20 s of `crane_barge_in_swell`, whose waves are whole from 21 s on, had a dynamic
-factor of 1.011, one of 300 s has 1.05: it was a GO with 0 warnings, and so was a module that hung for 15 s in gusts
-of 18 m/s. A load that came off its supports in the first seconds was lifted in a calm, whatever the lift file says
-of the sea.
+Waves grow over three of their longest peak periods and gusts over 20 s, so that what rests at the start
+begins to move without a jerk. A run of 20 s of `crane_barge_in_swell`, whose waves are whole from 21 s on,
+had a dynamic factor of 1.011, one of 300 s has 1.044: it was a GO with 0 warnings, and so was a module that
+hung for 15 s in gusts of 18 m/s. A load that came off its supports in the first seconds was lifted in a calm,
+whatever the lift file says of the sea.
 """
 
 from __future__ import annotations
