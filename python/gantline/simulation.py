@@ -36,6 +36,7 @@ from gantline.results.run_warnings import (
     missed_incidents,
     missed_peaks,
     sheave_warnings,
+    still_growing,
 )
 from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
@@ -336,6 +337,7 @@ class Simulation:
         warnings += contact_warnings(rig, columns, names)
         warnings += missed_peaks(rig, columns, names) + missed_bumps(rig, columns, names)
         warnings += missed_crests(rig, columns)
+        warnings += still_growing(self.assembly.document, rig, columns, names)
         warnings += missed_incidents(self.assembly.document, rig, self.duration)
         warnings += drum_warnings(rig, columns, names) + longer_falls(rig, columns, names)
         warnings += tipping_warnings(columns, names, rig.crawlers)

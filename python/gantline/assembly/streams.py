@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gantline.assembly.doubtful_streams import doubtful_streams
 from gantline.assembly.gusts import gusts, wind_of_limit
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Json, Parts
@@ -51,6 +52,7 @@ def add_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> 
         parts.forces += _pushed(load.name, "wind", load.wind_areas, origin, air)
         parts.forces += _pushed(load.name, "current", load.current_areas, origin, water)
     parts.warnings += _idle(parts, scenario) + _strong(scenario)
+    parts.warnings += doubtful_streams(parts, scenario, lifted)
 
 
 def _idle(parts: Parts, scenario: Scenario) -> list[str]:

@@ -19,6 +19,7 @@ __all__ = [
     "missed_incidents",
     "missed_peaks",
     "sheave_warnings",
+    "still_growing",
 ]
 
 #: Share by which the peak of a rope over all steps may be more than that of samples without a word.
@@ -114,6 +115,40 @@ def missed_crests(rig: Rig, columns: Columns) -> list[str]:
     of_samples = "heel, trim, freeboard, angles and distances are those of samples"
     right = f"a 'sample_interval' of {_OF_PERIOD * period:.2g} s has their peaks"
     return [f"{missed} waves every {format_quantity(period, 's', 1)}: {of_samples}; {right}"]
+
+
+def still_growing(document: Mapping[str, Any], rig: Rig, columns: Columns, names: Names) -> list[str]:
+    """Warnings of a run that sees little of its waves or gusts, and of loads lifted before they are whole.
+
+    Both grow at the start. They should be whole for as long again, over which what they do averages.
+
+    Args:
+        document: What has been assembled of the lift.
+        rig: Its rig.
+        columns: What was recorded, with events.
+        names: Names along their dimensions.
+    """
+    forces = document.get("forces", ())
+    gusts = None if rig.wind is None else rig.wind.gusts
+    grow = {
+        "waves": (rig.sea, any(one["type"] == "wave" for one in forces)),
+        "gusts": (gusts, any(one.get("gusty", False) for one in forces)),
+    }
+    time, found = columns["time"], []
+    events = list(zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True))
+    for what, (trains, push) in grow.items():
+        if trains is None or not push or not len(time):
+            continue
+        whole, end = trains.rise_time, float(time[-1])
+        if end < 2 * whole:
+            there = f"the run ends at {end:g} s, and its {what} grow until {whole:g} s"
+            found.append(f"{there}: it sees little of them; {2 * whole:g} s at least are right")
+        for load in rig.loads:
+            lifted = [float(at) for at, kind, name in events if (kind, name) == ("lift_off", load.name)]
+            if lifted and lifted[0] < min(whole, end):
+                when = f"{load.name} lifts off at {lifted[0]:.2f} s, while {what} grow, until {whole:g} s"
+                found.append(f"{when}: not in those of the lift file; hold it so long before")
+    return found
 
 
 def missed_bumps(rig: Rig, columns: Columns, names: Names) -> list[str]:

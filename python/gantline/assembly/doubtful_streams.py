@@ -1,0 +1,86 @@
+"""What can be said of wind and current and cannot well be meant: speeds, directions, areas that have slipped."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.parts import Parts
+from gantline.scenario import Scenario
+from gantline.scenario.load import Load
+from gantline.scenario.stream import Stream, StreamArea
+from gantline.scenario.tanks import bodies_afloat
+from gantline.units import format_quantity
+
+__all__ = ["doubtful_streams"]
+
+#: No wind but in the worst of storms, and no current where vessels work, is faster [m/s].
+_FASTEST = {"wind": 60.0, "current": 5.0}
+#: A stream meets an area that is turned from it by less than this share of a right angle, as a sine, and
+#: next to nothing of its pressure is along the area's axis [1].
+_ALONG = 0.02
+#: An area may be so far off the box of its load [m], and all along an axis so many times the box's side [1].
+_OFF, _LARGEST = 1.0, 2.0
+_AXES = ("x", "y", "z")
+
+
+def doubtful_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> list[str]:
+    """A sentence for each thing that cannot well be meant of wind and current.
+
+    Args:
+        parts: The system, with its bodies at the start.
+        scenario: The lift.
+        lifted: Its load; None if it has none.
+    """
+    streams = {"wind": scenario.wind, "current": scenario.current}
+    doubts = []
+    for kind, stream in streams.items():
+        if isinstance(stream, Stream) and stream.speed > 0.0:
+            doubts += [*_fast(kind, stream), *_passing(parts, scenario, kind, stream)]
+    if scenario.load is not None and lifted is not None:
+        doubts += _off_the_load(scenario.load, lifted)
+    return doubts
+
+
+def _fast(kind: str, stream: Stream) -> Iterator[str]:
+    if stream.speed > _FASTEST[kind]:
+        speed, most = (format_quantity(one, "m/s", 1) for one in (stream.speed, _FASTEST[kind]))
+        yield f"the {kind} of {speed} is faster than {most}; a unit has slipped, m/s for km/h"
+
+
+def _passing(parts: Parts, scenario: Scenario, kind: str, stream: Stream) -> Iterator[str]:
+    """Of bodies all of whose areas lie along the stream at the start: it passes them and pushes nothing."""
+    bodies: dict[str, Mapping[str, StreamArea] | None] = {
+        name: getattr(body, f"{kind}_areas") for name, body in bodies_afloat(scenario).items()
+    }
+    if scenario.load is not None:
+        bodies[scenario.load.name] = getattr(scenario.load, f"{kind}_areas")
+    towards = np.array(stream.velocity) / stream.speed
+    for name, areas in bodies.items():
+        if not areas:
+            continue
+        turned = parts.pose(name)[1]
+        met = [abs(float(turned[:, _AXES.index(area.along)] @ towards)) for area in areas.values()]
+        if max(met) < _ALONG:
+            direction = format_quantity(stream.direction, "deg", 0)
+            what = f"the {kind} towards {direction} pushes {name} nowhere at the start"
+            yield f"{what}: all of its '{kind}_areas' lie along it; see 'direction' and 'along'"
+
+
+def _off_the_load(load: Load, lifted: LiftedLoad) -> Iterator[str]:
+    """Of areas that the load's box has no room for, or that push where the load is not."""
+    corners = lifted.corners + lifted.centre
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    for kind, areas in (("wind", load.wind_areas), ("current", load.current_areas)):
+        for name, area in (areas or {}).items():
+            off = float(np.max(np.maximum(low - area.at, np.array(area.at) - high)))
+            if off > _OFF:
+                yield f"the {kind} area {name} of {load.name} pushes {off:.3g} m outside the load's box"
+        for axis, along in enumerate(_AXES):
+            whole = sum(area.area for area in (areas or {}).values() if area.along == along)
+            side = float(np.prod(np.delete(high - low, axis)))
+            if whole > _LARGEST * side:
+                shown = f"{whole:.4g} m^2 of {kind} areas along {along}"
+                yield f"{load.name} has {shown}, and its box {side:.4g} m^2; a number has slipped"
