@@ -49,7 +49,7 @@ def test_gusts() -> None:
     """The plan lifts at once; what lifts off then does so in nearly steady wind."""
     (said,) = told(in_gusts())
     assert said.startswith("module lifts off at ")
-    rest = "not in those of the lift file; hold it so long before"
+    rest = "smaller than the lift file has them; hold it that long first"
     assert said.endswith(f" s, while gusts grow, until 20 s: {rest}")
     assert not told(in_gusts("  - {step: wait, hold: 20 s}\n"))
     assert not told(in_gusts(wind=WIND.replace(", gusts: {speed: 18 m/s}", "")))

@@ -147,7 +147,7 @@ def still_growing(document: Mapping[str, Any], rig: Rig, columns: Columns, names
             lifted = [float(at) for at, kind, name in events if (kind, name) == ("lift_off", load.name)]
             if lifted and lifted[0] < min(whole, end):
                 when = f"{load.name} lifts off at {lifted[0]:.2f} s, while {what} grow, until {whole:g} s"
-                found.append(f"{when}: not in those of the lift file; hold it so long before")
+                found.append(f"{when}: smaller than the lift file has them; hold it that long first")
     return found
 
 
