@@ -1,4 +1,4 @@
-"""What is said of wind and current and cannot well be meant: speeds, directions, areas that have slipped."""
+"""Wind and current that cannot well be meant: speeds, directions and areas that have slipped."""
 
 from __future__ import annotations
 

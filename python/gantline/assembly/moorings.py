@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from gantline.assembly.parts import Json, Parts, end, material
 from gantline.assembly.route import taut_length
+from gantline.assembly.underground import under_bottom, under_ground
 from gantline.scenario import Scenario
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.hooks import full_name
@@ -13,11 +16,15 @@ from gantline.scenario.mooring import Fender, MooringLine, fender_contact, line_
 from gantline.scenario.movers import movers
 from gantline.scenario.parting import Parting, partings
 from gantline.scenario.steps import LineStep
+from gantline.units import format_quantity
 
 __all__ = ["add_moorings", "mooring_rig", "warn_of_hauled", "winch_drive", "winch_flow"]
 
 #: Inertia of a winch [kg]: next to nothing beside a vessel.
 _INERTIA = 1.0
+#: Ropes of steel have 4000 to 5000 kg in a cubic metre of the circle about them, chains more, fibre ropes
+#: less than 1200 [kg/m^3].
+_STEEL_ROPE = 2500.0
 
 
 def winch_flow(line: str) -> str:
@@ -44,6 +51,7 @@ def add_moorings(parts: Parts, scenario: Scenario) -> None:
             motor = {} if line.winch.capacity is None else {"capacity": line.winch.capacity}
             parts.add_flow(winch_flow(name), _INERTIA, drive=winch_drive(name), **motor)
         kind = kinds[line.rope]
+        parts.warnings += _doubtful(scenario, name, line, kind)
         _check_length(parts, scenario, name, line, kind, parting[line_rope(name)])
         if line.type == "spring":
             _add_spring(parts, scenario, name, line, kind)
@@ -53,6 +61,22 @@ def add_moorings(parts: Parts, scenario: Scenario) -> None:
                 parts.flows[winch_flow(name)]["parent"] = line.vessel
     for name, fender in (scenario.fenders or {}).items():
         parts.contacts.append(_fender(name, fender))
+
+
+def _doubtful(scenario: Scenario, name: str, line: MooringLine, kind: RopeMaterial) -> list[str]:
+    """What cannot well be meant of where a line is made fast, and of what it weighs under water."""
+    doubts = []
+    below = under_ground(scenario, line.to) or under_bottom(scenario, line.to)
+    if below is not None:
+        doubts.append(f"mooring line {name} is made fast {below}: 'to' is a place in the world")
+    if line.type == "catenary" and line.is_under_water and kind.diameter:
+        density = kind.mass_per_length / (math.pi / 4 * kind.diameter**2)
+        if density < _STEEL_ROPE:
+            thick = format_quantity(kind.diameter, "mm", 0)
+            shown = f"{kind.mass_per_length:.3g} kg/m of {thick}"
+            weighs = f"mooring line {name} weighs under water what is left of as much steel"
+            doubts.append(f"{weighs}; {shown} are no steel, and weigh less there, if they do not float")
+    return doubts
 
 
 def warn_of_hauled(parts: Parts, scenario: Scenario, rope: str, length: float) -> None:

@@ -10,10 +10,10 @@ from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.moorings import warn_of_hauled, winch_drive
 from gantline.assembly.parts import Json, Parts, end, material
 from gantline.assembly.route import MOST_STRAIN, taut_length, too_far
+from gantline.assembly.underground import under_ground
 from gantline.scenario import Scenario
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.parting import partings
-from gantline.scenario.structures import dock_of
 from gantline.scenario.tag_line import TUGGER_MASS, TUGGER_SPEED, TagLine, tag_rope, tag_tugger
 from gantline.units import format_by_size, format_quantity
 
@@ -78,16 +78,10 @@ def _doubtful(name: str, line: TagLine, chord: float) -> Iterator[str]:
 
 def _under_ground(scenario: Scenario, name: str, line: TagLine, height: float) -> list[str]:
     """What is said of a line that is held in the yard at this height [m], under what one stands on there."""
-    if scenario.ground is None or line.held_by not in (None, "world"):
+    if line.held_by not in (None, "world"):
         return []
-    level, where, dock = scenario.ground.level, "the ground", dock_of(scenario)
-    if dock is not None and all(
-        least <= at <= most for at, (least, most) in zip(line.to, dock.extents().values(), strict=False)
-    ):
-        level, where = dock.floor, "the floor of the dock"
-    depth = level - height
-    said = f"tag line {name} is held {depth:.3g} m under {where}"
-    return [f"{said}: 'to' is a place in the world"] if depth > _ONE_PLACE else []
+    found = under_ground(scenario, (line.to[0], line.to[1], height))
+    return [f"tag line {name} is held {found}: 'to' is a place in the world"] if found else []
 
 
 def _length(scenario: Scenario, name: str, line: TagLine, chord: float, stiffness: float) -> float:
