@@ -11,41 +11,14 @@ import pytest
 
 from gantline.scenario import Scenario, parse_scenario
 from gantline.study import CannotBeError, plumb_hooks
+from trolley_pair import TROLLEYS
 
-LIFT = """\
-format: 1
-lift: {title: Two trolleys}
-duration: 200 s
-ropes: {hoist: {axial_stiffness: 100 MN, mass: none, diameter: 42 mm}, sling: {axial_stiffness: 200 MN}}
-hook_types:
-  H:
-    block: {mass: 6 t, height: 3 m}
-    reeving: {parts_each: 8, rope: hoist, sheave_diameter: 1 m, upper_sheaves_at: 60 m}
-    drum: {diameter: 1.6 m}
-    hoist: {speed: 5 m/min, acceleration: 0.05 m/s^2}
-cranes:
-  gol:
-    type: goliath
-    span: 100 m
-    girder: {underside: 62 m, mass: 900 t, vertical_stiffness: 60 MN/m}
-    legs: {fixed: 300 t, hinged: 200 t}
-    position: 0 m
-    travel: {speed: 30 m/min, acceleration: 0.03 m/s^2, range: [-40 m, 40 m]}
-    trolleys:
-      one:
-        mass: 60 t
-        position: -8.3 m
-        traverse: {speed: 30 m/min, acceleration: 0.03 m/s^2, range: [-40 m, 40 m]}
-        hooks: {A: {type: H, height: 14 m}}
-      two:
-        mass: 60 t
-        position: 8.8 m
-        traverse: {speed: 30 m/min, acceleration: 0.03 m/s^2, range: [-40 m, 40 m]}
-        hooks: {B: {type: H, height: 14 m}}
+#: What hangs from the start.
+HUNG = """\
 load:
   name: load
   shape: {box: [24 m, 8 m, 4 m]}
-  position: [0.5 m, 0 m, 0.2 m]
+  position: [0.5 m, 0.2 m, 0.2 m]
   weight: {calculated: 120 t}
   centre_of_gravity: {at: [0 m, 0 m, 2 m]}
   lugs:
@@ -55,10 +28,10 @@ load:
     B2: {at: [8 m, -2 m, 4 m]}
 sling_defaults: {rope: sling}
 slings:
-  A1: {from: gol.A, to: load.A1, length: 10 m}
-  A2: {from: gol.A, to: load.A2, length: 10 m}
-  B1: {from: gol.B, to: load.B1, length: 10 m}
-  B2: {from: gol.B, to: load.B2, length: 10 m}
+  A1: {from: gol.A, to: load.A1, length: 9.6 m}
+  A2: {from: gol.A, to: load.A2, length: 9.6 m}
+  B1: {from: gol.B, to: load.B1, length: 9.6 m}
+  B2: {from: gol.B, to: load.B2, length: 9.6 m}
 plan:
   - {step: go, traverse: gol.one, speed: 20 m/min, to: -9 m}
 """
@@ -67,7 +40,7 @@ ONE, TWO = (f"cranes.gol.trolleys.{name}.position" for name in ("one", "two"))
 
 
 def lift(more: str = "  - {step: rest, hold: until_end}\n") -> Scenario:
-    return parse_scenario(LIFT + more)
+    return parse_scenario(TROLLEYS + HUNG + more)
 
 
 def test_the_other_trolley_moves_alone() -> None:

@@ -11,6 +11,7 @@ from gantline.scenario import Scenario, parse_scenario
 from gantline.statics import Equilibrium, Statics
 from gantline.study import CannotBeError, HookAnswer, plumb_hooks
 from mechanics import Floats, G
+from trolley_pair import TROLLEYS
 
 LOAD = "load"
 WEIGHT = 120e3 * G
@@ -39,40 +40,6 @@ slings:
 plan:
   - {step: up, hoist: [FIRST, SECOND], speed: 1 m/min, by: 1.5 m}
 MORE
-"""
-GOLIATH = """\
-format: 1
-lift: {title: Two trolleys}
-duration: 400 s
-ground: {level: 0 m, friction: 0.5, stiffness: 500 MN/m, damping: 5 MN s/m}
-ropes:
-  hoist: {axial_stiffness: 100 MN, mass: none, diameter: 42 mm}
-  sling: {axial_stiffness: 200 MN}
-hook_types:
-  H:
-    block: {mass: 6 t, height: 3 m}
-    reeving: {parts_each: 8, rope: hoist, sheave_diameter: 1 m, upper_sheaves_at: 60 m}
-    drum: {diameter: 1.6 m}
-    hoist: {speed: 5 m/min, acceleration: 0.05 m/s^2}
-cranes:
-  gol:
-    type: goliath
-    span: 100 m
-    girder: {underside: 62 m, mass: 900 t, vertical_stiffness: 60 MN/m}
-    legs: {fixed: 300 t, hinged: 200 t}
-    position: 0.2 m
-    travel: {speed: 30 m/min, acceleration: 0.03 m/s^2, range: [-40 m, 40 m]}
-    trolleys:
-      one:
-        mass: 60 t
-        position: -8.3 m
-        traverse: {speed: 30 m/min, acceleration: 0.03 m/s^2, range: [-40 m, 40 m]}
-        hooks: {A: {type: H, height: 13.6 m}}
-      two:
-        mass: 60 t
-        position: 8.8 m
-        traverse: {speed: 30 m/min, acceleration: 0.03 m/s^2, range: [-40 m, 40 m]}
-        hooks: {B: {type: H, height: 13.6 m}}
 """
 #: Each with its boom over the load, 16 m to the right; tandem, and alike but for the drive that slews one.
 CRAWLERS = f"""\
@@ -104,7 +71,7 @@ def at(place: tuple[float, float, float]) -> str:
 
 def lift(
     more: str = "  - {step: end, hold: until_end}",
-    cranes: str = GOLIATH,
+    cranes: str = TROLLEYS,
     hooks: tuple[str, str] = ("gol.A", "gol.B"),
 ) -> Scenario:
     lugs = "\n".join(f"    {name}: {{at: {at(place)}}}" for name, place in LUGS.items())
@@ -200,7 +167,7 @@ def test_two_hooks_of_one_trolley_lean_against_each_other() -> None:
     hooks = [
         f"{name}: {{type: H, height: 13.6 m, along: {along} m}}" for name, along in (("A", -8), ("B", 8))
     ]
-    text = GOLIATH.replace("hooks: {A: {type: H, height: 13.6 m}}", f"hooks: {{{', '.join(hooks)}}}")
+    text = TROLLEYS.replace("hooks: {A: {type: H, height: 13.6 m}}", f"hooks: {{{', '.join(hooks)}}}")
     text = text.replace("position: -8.3 m", "position: 0.8 m")
     both = plumb_hooks(lift(cranes=text[: text.index("      two:")]))
     assert list(both.values) == [POSITIONS["one"], CRANE]
