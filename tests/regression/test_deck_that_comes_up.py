@@ -61,7 +61,7 @@ def told(recording: Recording) -> list[float]:
 
 
 def test_a_deck_that_comes_up_under_a_load_that_hangs_still() -> None:
-    """At 0.3 m/s from 4 s on, 18 m/min; the load has moved no faster than its sling rings."""
+    """At 0.3 m/s from 4 s on, 18 m/min; the load moves no faster than its sling rings. Told to 0.1 m/min."""
     recording = run("{at: 4 s, duration: 1 s, velocity: 0.3 m/s}", "{step: look, hold: 1 s}")
     first, *_ = [time for time, _, name in recording.events("set_down") if name == "box"]
     # It goes 0.15 m in its ramp and has 0.85 m left, less what the sling has stretched by.

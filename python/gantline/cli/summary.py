@@ -285,15 +285,16 @@ def _losses(recording: Recording) -> list[str]:
         ratios = {sheave.name: series.tension_ratio(recording, sheave) for sheave in own}
         worst = own[first_peak([float(ratios[sheave.name].max()) for sheave in own])]
         ratio = ratios[worst.name]
+        at = first_peak(ratio)
         force = np.array([recording.column("sheave_tension", sheave.name)[-1] for sheave in own])
         unit, digits = ("kN", 1) if force.max() >= 1e3 else ("N", 3)
         rows.append(
             (
                 rope,
                 f"{float(ratio.max()):.4f}",
-                f"{float(series.slip_ratio(recording, worst)[int(ratio.argmax())]):.4f}",
+                f"{float(series.slip_ratio(recording, worst)[at]):.4f}",
                 worst.name,
-                show(float(recording.time[first_peak(ratio)]), "s", 2),
+                show(float(recording.time[at]), "s", 2),
                 show(float(force.min()), unit, digits),
                 show(float(force.max()), unit, digits),
             )

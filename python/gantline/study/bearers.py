@@ -28,6 +28,7 @@ class Bearer:
         given: That place [m].
         is_whole: Whether it moves only if all its hooks may: a crane, and no trolley.
         turning: Bodies by whose turning its hooks go elsewhere.
+        counts_from_it: Whether the plan counts its way `to` a place from there: a crawler crane.
     """
 
     name: str
@@ -38,6 +39,7 @@ class Bearer:
     given: float
     is_whole: bool = False
     turning: tuple[str, ...] = ()
+    counts_from_it: bool = False
 
     def may_move(self, chosen: Sequence[str]) -> bool:
         """Whether it may, if these hooks may."""
@@ -67,7 +69,17 @@ def _of_crane(scenario: Scenario, name: str, used: Sequence[str]) -> Iterator[Be
         turning = (turned_body(name), boom_name(name))
         for axis, place in enumerate(crane.position):
             path = f"cranes.{name}.position.{axis + 1}"
-            yield Bearer(name, along_body(name), axis, own, path, place, is_whole=True, turning=turning)
+            yield Bearer(
+                name,
+                along_body(name),
+                axis,
+                own,
+                path,
+                place,
+                is_whole=True,
+                turning=turning,
+                counts_from_it=True,
+            )
 
 
 def why_not(hook: Hook) -> str:

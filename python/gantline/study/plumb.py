@@ -111,9 +111,12 @@ def plumb_hooks(
     pulled += [(name, (name,), axis) for name in used if name not in borne for axis in (0, 1)]
     turns = len({scenario.hooks[name].crane for name in used}) > 1
 
+    def drift_of(hanging: Hanging) -> list[Row] | None:
+        return None if placed else _drift(hanging, bearers)
+
     def rows(hanging: Hanging) -> list[Row]:
         found = [hanging.side_pull(name, those, axis) for name, those, axis in pulled]
-        drift = None if placed else _drift(hanging, bearers)
+        drift = drift_of(hanging)
         if drift is not None:
             found += [replace(row, value=row.value / _HEIGHT, change=row.change / _HEIGHT) for row in drift]
             if turns:
@@ -136,8 +139,9 @@ def plumb_hooks(
         for name in one.hooks:
             places[name][one.axis] += change
     first, now = search.first.hanging, search.now.hanging
-    drifts = [None if placed else _drift(one, bearers) for one in (first, now)]
-    before, after = (math.hypot(*(row.value for row in one)) if one else None for one in drifts)
+    before, after = (
+        math.hypot(*(row.value for row in drift)) if drift else None for drift in map(drift_of, (first, now))
+    )
     return HookAnswer(
         values={one.path: one.given + change for one, change in zip(moving, changes, strict=True)},
         places={name: (x, y) for name, (x, y) in places.items()},
@@ -166,8 +170,7 @@ def _placed(question: Statics, bearers: Sequence[Bearer]) -> list[Bearer]:
             moved = mover(question.scenario, step.kind, text)
             for one in bearers:
                 beside = [other for other in bearers if other.axis == one.axis and other != one]
-                # The way of a crawler crane is counted from where it stands.
-                is_there = step.to is not None and ended is not None and one.path.endswith(".position")
+                is_there = step.to is not None and ended is not None and not one.counts_from_it
                 follows = step.keep_plumb is not None and began is not None
                 if moved is not None and moved.name == one.name and beside and (is_there or follows):
                     found.append(one)
