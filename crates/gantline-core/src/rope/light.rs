@@ -4,11 +4,12 @@
 //! end of the route, the tension after it is ρ times the one before it, towards the start 1/ρ times:
 //!
 //! ```text
-//! c_j T_j = x_j + s_j − s_{j−1}      1/ρ ≤ T_{j+1}/T_j ≤ ρ,  s_j > 0 only at ρ,  s_j < 0 only at 1/ρ
+//! c_j T_j/(1 + k T_j) = x_j + s_j − s_{j−1}      1/ρ ≤ T_{j+1}/T_j ≤ ρ,  s_j > 0 only at ρ,  s_j < 0 only at 1/ρ
 //! ```
 //!
-//! x being what every span is stretched by if nothing passes and s what does. Over a row of sheaves that slip all tensions
-//! are shares of one, which the sum over its spans gives; so what is to be found is which sheaves slip. Written as
+//! x being what every span is stretched by if nothing passes, s what does, and k what its strain takes off that:
+//! stretched rope is longer than the rope that it holds. Over a row of sheaves that slip all tensions are shares of one, which
+//! the sum over its spans gives; so what is to be found is which sheaves slip. Written as
 //!
 //! ```text
 //! max( T_j − ρ T_{j+1}, min( s_j, ρ T_j − T_{j+1} ) ) = 0
@@ -34,6 +35,10 @@ const ROUNDING: f64 = 1e-12;
 const TOUCHING: f64 = 1e-9;
 /// What has passed and is rounding [m, m/s].
 const NOTHING: f64 = 1e-12;
+/// Newton's steps for the tension of a row of spans, at most: strains are small, so that one is enough nearly always.
+const STEPS: usize = 6;
+/// Change of a strain after which the next step would be rounding.
+const CLOSE: f64 = 1e-8;
 
 /// Which way every sheave slips.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -71,6 +76,8 @@ pub struct Spans<'a> {
     pub stretch: &'a [f64],
     /// c of every span.
     pub compliance: &'a [f64],
+    /// k, the same for all: 1/EA, or 0 for rates and small changes.
+    pub softening: f64,
 }
 
 /// Rope over a row of light sheaves. Reused.
@@ -83,6 +90,8 @@ pub struct Division {
     /// Which sheaves slip.
     pub slips: Slips,
     weight: Vec<f64>,
+    /// Which sheaves have turned over since tensions were shared.
+    turned: Vec<bool>,
 }
 
 impl Division {
@@ -93,6 +102,7 @@ impl Division {
             passed: vec![0.0; sheaves],
             slips: Slips { way: vec![0; sheaves], is_loose: false },
             weight: vec![1.0; sheaves + 1],
+            turned: vec![true; sheaves],
         }
     }
 
@@ -119,7 +129,6 @@ impl Division {
             if !self.turn_over(spans, |_| true, &may) {
                 return;
             }
-            self.share(spans);
         }
         for _ in 0..NESTED_ROUNDS {
             // Each of these rounds settles at least one sheave for good.
@@ -127,18 +136,16 @@ impl Division {
                 if !self.turn_over(spans, |way| way > 0, &may) {
                     break;
                 }
-                self.share(spans);
             }
             if !self.turn_over(spans, |way| way < 0, &may) {
                 return;
             }
-            self.share(spans);
         }
         self.tension.fill(f64::NAN);
     }
 
     /// Lets the sheaves that slip one of these ways hold where rope runs against them, and those that hold slip where
-    /// they cannot; true where any changed.
+    /// they cannot; true where any changed, and tensions with them.
     fn turn_over(
         &mut self,
         spans: Spans,
@@ -147,8 +154,8 @@ impl Division {
     ) -> bool {
         let mut any = false;
         let sides = self.tension.windows(2).zip(spans.ratio);
-        let sheaves = self.slips.way.iter_mut().zip(&self.passed).zip(sides);
-        for (sheave, ((slip, passed), (sides, ratio))) in sheaves.enumerate() {
+        let sheaves = self.slips.way.iter_mut().zip(&mut self.turned).zip(&self.passed).zip(sides);
+        for (sheave, (((slip, turned), passed), (sides, ratio))) in sheaves.enumerate() {
             let slips = |low: f64, high: f64| high - ratio * low > ROUNDING * (high.abs() + low.abs());
             *slip = match *slip {
                 0 if is_asked(1) && slips(sides[0], sides[1]) && may(sheave, 1) => 1,
@@ -156,49 +163,69 @@ impl Division {
                 way if is_asked(way) && f64::from(way) * passed < -NOTHING => 0,
                 _ => continue,
             };
+            *turned = true;
             any = true;
+        }
+        if any {
+            self.share_beside(spans);
         }
         any
     }
 
     /// Tensions, and what passes, with the sheaves slipping as they do.
     pub fn share(&mut self, spans: Spans) {
-        let (mut first, mut weight, mut long, mut soft) = (0, 1.0, 0.0, 0.0);
-        let sheaves = spans.ratio.len();
-        let rope = spans.stretch.iter().zip(spans.compliance);
-        for (sheave, ((stretch, compliance), ratio)) in rope.zip(spans.ratio).enumerate() {
-            self.weight[sheave] = weight;
-            long += stretch;
-            soft += weight * compliance;
-            match self.slips.step(sheave, *ratio) {
-                Some(step) => weight *= step,
-                None => {
-                    self.share_row(spans, first..sheave + 1, long / soft);
-                    (first, weight, long, soft) = (sheave + 1, 1.0, 0.0, 0.0);
-                }
-            }
-        }
-        self.weight[sheaves] = weight;
-        let common = (long + spans.stretch[sheaves]) / (soft + weight * spans.compliance[sheaves]);
-        self.share_row(spans, first..sheaves + 1, common);
+        self.turned.fill(true);
+        self.share_beside(spans);
     }
 
-    /// The same for spans between which all sheaves slip, by the tension that the weights are shares of.
-    fn share_row(&mut self, spans: Spans, row: Range<usize>, common: f64) {
-        let last = row.end - 1;
-        let tensions = self.tension[row.clone()].iter_mut().zip(&self.weight[row.clone()]);
-        tensions.for_each(|(tension, weight)| *tension = weight * common);
-        let own = spans.compliance[row.clone()].iter().zip(&spans.stretch[row.clone()]);
-        let mut so_far = 0.0;
-        for (passed, (tension, (compliance, stretch))) in
-            self.passed[row.start..last].iter_mut().zip(self.tension[row].iter().zip(own))
-        {
-            so_far += compliance * tension - stretch;
-            *passed = so_far;
+    /// The same of the spans that a sheave which has turned over bounds or joins.
+    fn share_beside(&mut self, spans: Spans) {
+        let mut first = 0;
+        while first < self.tension.len() {
+            let (mut end, mut weight) = (first + 1, 1.0);
+            let mut is_asked = first > 0 && self.turned[first - 1];
+            self.weight[first] = weight;
+            while let Some(&ratio) = spans.ratio.get(end - 1) {
+                is_asked |= self.turned[end - 1];
+                let Some(step) = self.slips.step(end - 1, ratio) else { break };
+                weight *= step;
+                self.weight[end] = weight;
+                end += 1;
+            }
+            if is_asked {
+                self.share_row(spans, first..end);
+            }
+            first = end;
         }
+        self.turned.fill(false);
+    }
+
+    /// Tensions of spans between which all sheaves slip, and what passes these.
+    fn share_row(&mut self, spans: Spans, row: Range<usize>) {
+        let last = row.end - 1;
         // Where the rope goes on, a sheave holds.
         if let Some(passed) = self.passed.get_mut(last) {
             *passed = 0.0;
+        }
+        let (stretch, compliance) = (&spans.stretch[row.clone()], &spans.compliance[row.clone()]);
+        let long: f64 = stretch.iter().sum();
+        // What is loose has no strain.
+        let k = if long > 0.0 { spans.softening } else { 0.0 };
+        if let [compliance] = compliance {
+            self.tension[last] = long / (compliance - k * long);
+            return;
+        }
+        let weights = &self.weight[row.clone()];
+        let common = common((weights, compliance), (long, k));
+        let tensions = &mut self.tension[row.clone()];
+        for (tension, weight) in tensions.iter_mut().zip(weights) {
+            *tension = weight * common;
+        }
+        let mut so_far = 0.0;
+        let own = tensions.iter().zip(compliance).zip(stretch);
+        for (passed, ((tension, compliance), stretch)) in self.passed[row.start..last].iter_mut().zip(own) {
+            so_far += compliance * tension / (1.0 + k * tension) - stretch;
+            *passed = so_far;
         }
     }
 
@@ -217,4 +244,34 @@ impl Division {
             };
         }
     }
+}
+
+/// The tension that the weights of spans are shares of, if they are stretched by `long` [m] together.
+fn common((weights, compliances): (&[f64], &[f64]), (long, k): (f64, f64)) -> f64 {
+    let (mut soft, mut plain, mut largest) = (0.0, 0.0, 0.0_f64);
+    for (weight, compliance) in weights.iter().zip(compliances) {
+        soft += weight * compliance;
+        plain += compliance;
+        largest = largest.max(*weight);
+    }
+    // Right where all weights are one, and where strains do not count.
+    let mut common = long / (soft * (1.0 - k * long / plain));
+    if k == 0.0 {
+        return common;
+    }
+    for _ in 0..STEPS {
+        let (mut excess, mut slope) = (-long, 0.0);
+        for (weight, compliance) in weights.iter().zip(compliances) {
+            let share = 1.0 / (1.0 + k * weight * common);
+            let soft = weight * compliance * share;
+            excess += soft * common;
+            slope += soft * share;
+        }
+        let change = excess / slope;
+        common -= change;
+        if k * largest * change.abs() <= CLOSE {
+            break;
+        }
+    }
+    common
 }

@@ -163,7 +163,7 @@ impl LightRope {
             division.slips.way.fill(0);
             division.tension.fill(0.0);
         } else {
-            division.divide(Spans { ratio: &light.ratio, stretch, compliance });
+            division.divide(Spans { ratio: &light.ratio, stretch, compliance, softening: 0.0 });
         }
         let change = |k: usize| self.found[k].iter().zip(&self.here[k]);
         let moved = change(0).map(|(found, here)| found - here);

@@ -34,7 +34,7 @@ impl Loosening {
                 continue;
             }
             let stretch = &frame.value[light.rows.clone()];
-            division.share(Spans { ratio: &light.ratio, stretch, compliance });
+            division.share(Spans { ratio: &light.ratio, stretch, compliance, softening: 0.0 });
             for (&position, passed) in light.positions.iter().zip(&division.passed) {
                 if passed.abs() > NOTHING {
                     state.q[position] += passed;

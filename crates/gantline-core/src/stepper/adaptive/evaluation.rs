@@ -59,11 +59,9 @@ pub struct Evaluation {
     pub v: Vec<f64>,
     /// What passes light sheaves, by [`System::light`].
     pub light: Vec<Light>,
-    /// Work space by row: what spans of their ropes are stretched by, how they answer, and what is tried.
+    /// Work space by row: what spans of their ropes are stretched by, and how they answer.
     pub(super) stretch: Vec<f64>,
     pub(super) compliance: Vec<f64>,
-    pub(super) known: Vec<f64>,
-    pub(super) tried: Vec<f64>,
     /// Where the forces of the rows act; not set by [`Evaluation::all`].
     pub(super) lines: Vec<Line>,
     /// First degree of freedom of every joint's rotations in body axes.
@@ -94,8 +92,6 @@ impl Evaluation {
             light: Light::all(system),
             stretch: vec![0.0; rows],
             compliance: vec![0.0; rows],
-            known: vec![0.0; rows],
-            tried: vec![0.0; rows],
             lines: vec![Line::default(); system.rows.lines.last().copied().unwrap_or(0)],
             rotations: system.tree.bodies.iter().filter_map(first_rotation).collect(),
             rigid_scale: 1e6,

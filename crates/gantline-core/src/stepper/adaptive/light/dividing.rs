@@ -15,11 +15,6 @@ use crate::stepper::adaptive::point::Point;
 use crate::stepper::coils::feeding;
 use crate::system::{LightSheaves, System};
 
-/// Newton's steps for the tensions of a rope, at most: strains are small, so that two are enough nearly always.
-const STEPS: usize = 6;
-/// Change of a tension, relative to EA, after which the next step would be rounding.
-const CLOSE: f64 = 1e-8;
-
 /// The rope that runs over a row of light sheaves, if it is one, and where its first span stands among its spans.
 fn rope_of<'a>(system: &'a System, light: &LightSheaves) -> Option<(&'a Rope, usize)> {
     match &system.constraints[light.rope] {
@@ -122,45 +117,23 @@ impl Evaluation {
         lies: &mut Division,
         is_frozen: bool,
     ) {
-        // ℓ T/(EA + T) = x + s_j − s_{j−1}, x = ℓ − L̂, linearised about what the tensions would be if nothing passed.
+        // ℓ T/(EA + T) = x + s_j − s_{j−1}, x = ℓ − L̂.
         let (rows, stiffness) = (light.rows.clone(), rope.material.axial_stiffness);
-        let length = &self.frame.value[rows.clone()];
-        let known = &mut self.known[rows.clone()];
-        let mut excess = 0.0;
-        let starts = length.iter().zip(&mut *known).zip(&mut lies.tension);
-        for (span, ((length, known), tension)) in rope.spans[spans].iter().zip(starts) {
-            let unstretched = span.unstretched(&self.q);
-            *known = length - unstretched;
-            excess += *known;
-            *tension = stiffness * *known / unstretched;
-        }
-        if !is_frozen {
-            lies.slips.is_loose = excess <= 0.0;
-        }
         let (stretch, compliance) = (&mut self.stretch[rows.clone()], &mut self.compliance[rows.clone()]);
-        let tried = &mut self.tried[rows];
-        for _ in 0..STEPS {
-            tried.copy_from_slice(&lies.tension);
-            let linear = stretch.iter_mut().zip(&mut *compliance);
-            let about = length.iter().zip(&*known).zip(&*tried);
-            for ((stretch, compliance), ((length, known), tension)) in linear.zip(about) {
-                let share = tension / (stiffness + tension);
-                *compliance = length * (1.0 - share) * (1.0 - share) / stiffness;
-                *stretch = known - length * share * share;
-            }
-            let given = Spans { ratio: &light.ratio, stretch, compliance };
-            if is_frozen {
-                lies.share(given)
-            } else {
-                lies.divide(given)
-            }
-            let changes = lies.tension.iter().zip(&*tried);
-            let change = changes.fold(0.0_f64, |most, (now, tried)| most.max((now - tried).abs()));
-            if change <= CLOSE * stiffness {
-                break;
-            }
+        let mut excess = 0.0;
+        let measured = self.frame.value[rows].iter().zip(&rope.spans[spans]);
+        for ((stretch, compliance), (length, span)) in stretch.iter_mut().zip(&mut *compliance).zip(measured)
+        {
+            *stretch = length - span.unstretched(&self.q);
+            *compliance = length / stiffness;
+            excess += *stretch;
         }
-        if !is_frozen {
+        let given = Spans { ratio: &light.ratio, stretch, compliance, softening: 1.0 / stiffness };
+        if is_frozen {
+            lies.share(given);
+        } else {
+            lies.slips.is_loose = excess <= 0.0;
+            lies.divide(given);
             lies.mark(&light.ratio);
         }
         for (&position, passed) in light.positions.iter().zip(&lies.passed) {
@@ -203,6 +176,7 @@ impl Evaluation {
             ratio: &light.ratio,
             stretch: &self.stretch[rows.clone()],
             compliance: &self.compliance[rows],
+            softening: 0.0,
         };
         if is_frozen {
             runs.slips.copy_from(&lies.slips);
