@@ -1,7 +1,7 @@
 """A lift in a storm that was meant as a breeze, and does not come to rest in it.
 
-`start: rest` and `gantline statics` ended in "no step brings its forces closer to balance (module)", of use to
-nobody: the message is to say with what the wind pushes.
+`start: rest` and `gantline statics` ended in "no step brings its forces closer to balance (module)", of use
+to nobody: the message says now with what the wind pushes.
 """
 
 from __future__ import annotations

@@ -292,7 +292,7 @@ def _wind(subject: Subject) -> list[str]:
 
 
 def _current(subject: Subject) -> list[str]:
-    """The lift was simulated in its own current; of a faster one and of other directions nothing here tells."""
+    """The lift was simulated in its own current; of any other nothing here tells."""
     current = subject.rig.current
     return [] if current is None else [f"current is over {show(current.speed, 'm/s', 1)}, or from elsewhere"]
 
