@@ -8,11 +8,18 @@ from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart, Problem, StartError
 from gantline.scenario.rigging import resolve
 from gantline.scenario.slinging import starts_off
+from gantline.scenario.stream import Wind
+from gantline.units import format_quantity
 
 __all__ = ["FALLS", "origin_of", "refused", "with_advice"]
 
 #: What the core says of a body that nothing holds.
 FALLS = "nothing holds it, it falls without end"
+#: What it says where its search ends without an equilibrium, and where a stream is why.
+_NO_STEP = "no step brings its forces closer to balance"
+_DRIVEN = "wind or current drives it over its supports, which without friction hold nothing"
+#: Share of its weight with which wind pushes a load that may not rest in it [1]: 11 deg out of plumb.
+_BLOWN = 0.2
 #: What it says of a rope of which nothing is left between two of its guides.
 _USED_UP = "the rope is hauled in until two of the places that it passes have come together"
 
@@ -59,6 +66,8 @@ def with_advice(scenario: Scenario, element: str, cause: str) -> str:
         element: As the core names it.
         cause: Why the lift comes to rest nowhere, as the core says it.
     """
+    if cause.endswith((_NO_STEP, _DRIVEN)):
+        return cause + _blown(scenario)
     if not cause.endswith(_USED_UP):
         return cause
     equalizers = resolve(scenario).equalizers
@@ -67,6 +76,19 @@ def with_advice(scenario: Scenario, element: str, cause: str) -> str:
         return cause
     runs_up = "a moving sheave that less hangs on than on the others runs up to the fixed ones"
     return f"{cause}: {runs_up}; 'stops: true' under 'travel' ends its way, 'locked: true' holds it"
+
+
+def _blown(scenario: Scenario) -> str:
+    """With what wind pushes a load that it may have blown away, after a semicolon; nothing of less wind."""
+    load, wind = scenario.load, scenario.wind
+    if load is None or not isinstance(wind, Wind):
+        return ""
+    push = wind.push(load.wind_areas or {}, load.heading)
+    share = push / (load.weight.simulated * scenario.simulation.gravity)
+    if share < _BLOWN:
+        return ""
+    speed, force = format_quantity(wind.speed, "m/s", 1), format_quantity(push, "kN", 0)
+    return f"; the wind of {speed} pushes {load.name} with {force}, {share * 100:.0f} % of its weight"
 
 
 def origin_of(scenario: Scenario, element: str) -> tuple[PathPart, ...] | None:

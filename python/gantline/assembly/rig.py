@@ -52,6 +52,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
         **({} if parts.sea is None else {"sea": {**parts.sea, "trains": _wave_trains(scenario)}}),
         **({"wind": wind_rig(wind, parts.gusts)} if isinstance(wind := scenario.wind, Wind) else {}),
+        **_current(scenario),
         **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
         **mooring_rig(scenario),
         **tag_rig(scenario),
@@ -129,6 +130,12 @@ def _wave_trains(scenario: Scenario) -> list[Json]:
         }
         for name, train in (scenario.waves or {}).items()
     ]
+
+
+def _current(scenario: Scenario) -> Json:
+    """What results need to know of the current; SI."""
+    current = scenario.current
+    return {} if current is None else {"current": {"speed": current.speed, "direction": current.direction}}
 
 
 def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:

@@ -70,12 +70,13 @@ def summary(
 
 
 def heading(rig: Rig) -> list[str]:
-    """Number, revision, title and remark of a lift, and the waves and the wind that it is in."""
+    """Number, revision, title and remark of a lift, and the waves, the wind and the current that it is in."""
     revision = f" rev {rig.revision}" if rig.number and rig.revision else ""
     title = "  ".join(word for word in (f"{rig.number or ''}{revision}", rig.title) if word)
     waves = [] if rig.sea is None else [f"Waves: {'; '.join(train.in_words for train in rig.sea.trains)}"]
     wind = [] if rig.wind is None else [f"Wind: {rig.wind.in_words}"]
-    return [*(line for line in (title, rig.remark) if line), *waves, *wind]
+    current = [] if rig.current is None else [f"Current: {rig.current.in_words}"]
+    return [*(line for line in (title, rig.remark) if line), *waves, *wind, *current]
 
 
 def weights(rig: Rig) -> list[str]:

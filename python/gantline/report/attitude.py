@@ -18,6 +18,8 @@ def attitude(subject: Subject) -> list[tuple[str, str]]:
     """Wind, lift-off, tilt, yaw, drift, swing and tightest clearance, in words."""
     recording = subject.recording
     rows = _wind(subject)
+    if subject.rig.current is not None:
+        rows.append(("current", subject.rig.current.in_words))
     lift_off = subject.metrics.get("lift_off_time")
     if any(load.contacts for load in subject.rig.loads):
         rows.append(("lift-off", lift_off_in_words(recording, 1)))

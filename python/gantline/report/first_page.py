@@ -247,7 +247,7 @@ def stop_if(subject: Subject) -> list[str]:
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
         travel = limits.get("equalizer_travel_used")
         found.append(f"travel is over {show(float(travel) if travel else 0.9, '%', 0)} of its stroke")
-    return [*found, *_waves(subject), *_wind(subject)]
+    return [*found, *_waves(subject), *_wind(subject), *_current(subject)]
 
 
 def _tilt(subject: Subject, limit: Any) -> str:
@@ -289,6 +289,12 @@ def _wind(subject: Subject) -> list[str]:
         what, most = ("wind is", rig.wind.speed) if gusts is None else ("gusts are", gusts)
         found.append(f"{what} over {show(most, 'm/s', 1)}, or from elsewhere")
     return found
+
+
+def _current(subject: Subject) -> list[str]:
+    """The lift was simulated in its own current; of any other nothing here tells."""
+    current = subject.rig.current
+    return [] if current is None else [f"current is over {show(current.speed, 'm/s', 1)}, or from elsewhere"]
 
 
 def _trust(subject: Subject) -> str:

@@ -22,7 +22,7 @@ from gantline.results.sea import Sea
 from gantline.results.strength import Bend, Factor, FromJson, HasLugs, Lug, Rating, SideLoad
 from gantline.results.tag_lines import TagLine
 from gantline.results.vessels import Vessel
-from gantline.results.wind import Wind
+from gantline.results.wind import Current, Wind
 
 #: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
 EQUALISED_BELOW = 0.05
@@ -182,6 +182,7 @@ class Rig(FromJson):
         hooks: Hooks of all cranes.
         sea: Waves on the water; None where it is still.
         wind: Wind with a direction; None where there is none.
+        current: Current; None where there is none.
         vessels: Vessels.
         mooring_lines: Mooring lines.
         fenders: Fenders.
@@ -223,6 +224,7 @@ class Rig(FromJson):
     hooks: Sequence[Hook] = ()
     sea: Sea | None = None
     wind: Wind | None = None
+    current: Current | None = None
     vessels: Sequence[Vessel] = ()
     mooring_lines: Sequence[MooringLine] = ()
     fenders: Sequence[Fender] = ()
@@ -262,6 +264,7 @@ class Rig(FromJson):
             "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
             "sea": Sea.from_json(document["sea"]) if document.get("sea") else None,
             "wind": Wind.from_json(document["wind"]) if document.get("wind") else None,
+            "current": Current.from_json(document["current"]) if document.get("current") else None,
             "vessels": tuple(Vessel.from_json(d) for d in document.get("vessels") or ()),
             "mooring_lines": tuple(MooringLine.from_json(d) for d in document.get("mooring_lines") or ()),
             "fenders": tuple(Fender.from_json(d) for d in document.get("fenders") or ()),

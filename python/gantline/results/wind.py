@@ -1,4 +1,4 @@
-"""The wind of a lift, steady or in gusts."""
+"""The wind of a lift, steady or in gusts, and its current."""
 
 from __future__ import annotations
 
@@ -13,7 +13,25 @@ from gantline.results.trains import Trains
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 from gantline.units import format_quantity
 
-__all__ = ["Wind", "wind_at_loads"]
+__all__ = ["Current", "Wind", "wind_at_loads"]
+
+
+@dataclass(frozen=True)
+class Current(FromJson):
+    """Steady current.
+
+    Attributes:
+        speed: Its speed [m/s].
+        direction: In which it moves, from world x towards y [rad].
+    """
+
+    speed: float
+    direction: float
+
+    @property
+    def in_words(self) -> str:
+        """Speed and direction."""
+        return _shown(self.speed, self.direction)
 
 
 @dataclass(frozen=True)
@@ -45,10 +63,9 @@ class Wind(FromJson):
     @property
     def in_words(self) -> str:
         """Speed, direction, gusts and record."""
-        towards = format_quantity(self.direction, "deg", 0)
         gusty = "" if self.gust_speed is None else f", gusts of {format_quantity(self.gust_speed, 'm/s', 1)}"
         record = "" if self.seed is None else f", record {self.seed}"
-        return f"{format_quantity(self.speed, 'm/s', 1)} towards {towards}{gusty}{record}"
+        return f"{_shown(self.speed, self.direction)}{gusty}{record}"
 
     def speed_at(self, time: FloatArray, place: FloatArray) -> FloatArray:
         """Its speed [m/s].
@@ -63,6 +80,10 @@ class Wind(FromJson):
         if self.gusts is None:
             return np.full(place.shape[:-1], self.speed)
         return self.speed + self.gusts.at(time, place)
+
+
+def _shown(speed: float, direction: float) -> str:
+    return f"{format_quantity(speed, 'm/s', 1)} towards {format_quantity(direction, 'deg', 0)}"
 
 
 def wind_at_loads(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Field, Tag
@@ -112,6 +113,21 @@ class Wind(Stream):
     gusts: Gusts | None = Field(
         None, description="Gusts about 'speed', which is the mean over ten minutes then. None if not given."
     )
+
+    def push(self, areas: Mapping[str, StreamArea], heading: float) -> float:
+        """Level force of its mean on areas of a body that stands level and still, by (WC1) [N].
+
+        Args:
+            areas: The areas by name.
+            heading: Of the body's x axis, from world x towards y [rad].
+        """
+        aside = self.direction - heading
+        along = {"x": math.cos(aside), "y": math.sin(aside), "z": 0.0}
+        forces = {axis: 0.0 for axis in along}
+        for area in areas.values():
+            pressure = 0.5 * self.density * self.speed**2
+            forces[area.along] += pressure * area.coefficient * area.area * along[area.along]
+        return math.hypot(*forces.values())
 
 
 class Current(Stream):
