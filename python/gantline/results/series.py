@@ -201,7 +201,7 @@ def has_hung_so(recording: Recording, time: float) -> bool:
     still = np.any([_no_sample(recording), *quiet_windows(recording)], axis=0)
     # Between two samples either may be right: what comes or goes is slack.
     last = len(recording.time) - 1
-    after = min(int(np.searchsorted(recording.time, time)), last)
+    after = min(int(np.searchsorted(recording.time, time, side="right")), last)
     for load in recording.rig.loads:
         upright = axes(recording.column("body_orientation", load.body))[:, :, 2]
         still &= upright @ upright[after] >= math.cos(_TURNED)
