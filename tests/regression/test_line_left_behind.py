@@ -13,9 +13,11 @@ import pytest
 
 from gantline.checks import Verdict, check_recording
 from gantline.checks.check import Check
+from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
+from mechanics import G
 
 PULL, EA = 1500.0, 150e3
 #: Where the line is made fast, from below the hook, and where the tugger stands [m].
@@ -80,6 +82,18 @@ def test_a_tugger_that_is_too_slow_is_told() -> None:
     assert check.time == pytest.approx(recording.time[int(np.argmax(tension < PULL / 2))])
     assert check.remark.startswith(f"for {recording.time[-1] - check.time:.3g} s it pulls less than half of 1.50 kN")
     assert "is slack at times: its tugger hauls in at 0.3 m/min at most" in check.remark
+
+
+def test_a_load_whose_line_is_slack_hangs_still() -> None:
+    """Static is what hangs once the hoist stands, m g: the tugger hauls at its speed, and does no work.
+
+    As if its motor still worked the load never hung still, and static was the mean of the whole lift.
+    """
+    recording = run("0.3 m/min")
+    window = recording.time[series.quiet_window(recording)]
+    (end,) = (time for time, _, name in recording.events("step_end") if name == "down")
+    assert window[0] == pytest.approx(end, abs=0.05) and window[-1] == recording.time[-1]
+    assert recording.metrics()["static_hook_load"] == pytest.approx(45e3 * G, rel=1e-5)
 
 
 def test_one_that_follows_is_not() -> None:
