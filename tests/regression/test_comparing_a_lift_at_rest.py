@@ -1,8 +1,8 @@
 """`gantline compare` of a lift at rest with a run of it, and of runs that end between two samples.
 
-A recording of `gantline statics -o` has two samples: where the lift starts, with no force in anything, and the
-equilibrium. Both were compared: slings differed by all of their tension, the load by where it is given from
-where it rests, and the second sample counted as energy from nowhere of a run that had "FAILED".
+A recording of `gantline statics -o` has two samples: where the lift starts, with no force in anything, and
+the equilibrium. Both were compared: slings differed by all of their tension, the load by where it is given
+from where it rests, and the second sample counted as energy from nowhere of a run that had "FAILED".
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def test_a_run_is_compared_with_it_at_its_moment(at_rest_first: bool) -> None:
     (load,) = found.loads
     assert load.position is not None and load.position.largest < 1e-6
     of_rest, of_run = found.stability if at_rest_first else reversed(found.stability)
-    assert list(of_rest.sentences())[0] == "at rest at 5 s"
+    assert next(iter(of_rest.sentences())) == "at rest at 5 s"
     assert of_rest.is_sound and of_run.is_sound and of_rest.energy_gain is None
     assert "  Compared at 5 s alone, at rest." in comparison_table(found, (None, None))
 
@@ -60,4 +60,4 @@ def test_a_run_ends_at_its_duration() -> None:
     found = gantline.compare(Simulation(lift()).run(), run)
     assert [side.end for side in found.stability] == [10.0, 10.0]
     assert found.common is not None and np.allclose(found.common.times, [0.0, 3.0, 6.0, 9.0])
-    assert list(found.stability[1].sentences())[0] == "ran to its end, 10 s"
+    assert next(iter(found.stability[1].sentences())) == "ran to its end, 10 s"

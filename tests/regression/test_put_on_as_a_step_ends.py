@@ -1,8 +1,8 @@
 """What a step requires of slings, where the next step puts others on.
 
-A step ends as the next begins, and the sample there had the slings of both: one that the next step puts on, slack
-as it goes on, failed what the step before required of every sling, or of the spread of an equalizer. At rest
-the same step was ok.
+A step ends as the next begins, and the sample there had the slings of both: one that the next step puts on,
+slack as it goes on, failed what the step before required of every sling, or of the spread of an equalizer. At
+rest the same step was ok.
 """
 
 from __future__ import annotations
@@ -34,7 +34,8 @@ LATER = "require: {sling_tension: above 900 kN}"
 def lift(held: float, required: str = "report: [sling_tension]") -> Scenario:
     more = PLAN.replace("HELD", str(held)).replace("REQUIRED", required)
     text = hooked_lift(HOOKS, LUGS, SLINGS, mass=MASS, position=(0.0, 0.0, 6.0), more=more)
-    return parse_scenario(text.replace("as_given", "rest").replace("duration: 10 s", f"duration: {held + 5.0} s"))
+    lasting = text.replace("duration: 10 s", f"duration: {held + 5.0} s")
+    return parse_scenario(lasting.replace("as_given", "rest"))
 
 
 def required(scenario: Scenario) -> dict[str | None, Check]:
@@ -44,7 +45,7 @@ def required(scenario: Scenario) -> dict[str | None, Check]:
 
 @pytest.mark.parametrize("held", [5.0, 5.2])
 def test_a_sling_that_the_next_step_puts_on_is_not_asked(held: float) -> None:
-    """m g/2 in each of both, and a little more since they are not plumb: at the end of a sample, and between two."""
+    """m g/2 in each of both, and a little more since they are not plumb: at a sample, and between two."""
     check = required(lift(held))["look"]
     assert check.verdict is Verdict.OK and check.element in ("A1", "A2")
     assert check.value == pytest.approx(MASS * G / 2, rel=0.01)

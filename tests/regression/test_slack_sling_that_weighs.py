@@ -71,7 +71,7 @@ def off(recording: Recording) -> float:
 
 
 def test_its_own_weight_may_hang_in_it() -> None:
-    """At its upper end hangs all but what its lower end bears, 7/16 of a segment (docs/concepts/rope_weight.md).
+    """At its upper end hangs all but what its lower end bears, 7/16 of a segment (page on rope weight).
 
     The last segment is slack: that is m g (1 - 7/16/6) = 21.83 kN, and 1 % of the largest is 1.5 kN.
     """

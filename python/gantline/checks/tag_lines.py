@@ -45,4 +45,6 @@ def _left_behind(recording: Recording, line: TagLine, clear: BoolArray) -> Check
         f"{pulls}: its tugger hauls in at {speed} at most, and the load comes faster"
     )
     meaning = "tuggers keep the pull of their lines while the load hangs clear"
-    return Check("tag_lines_pull", Verdict.WARNING, meaning, element=line.name, time=float(begin), remark=remark)
+    return Check(
+        "tag_lines_pull", Verdict.WARNING, meaning, element=line.name, time=float(begin), remark=remark
+    )

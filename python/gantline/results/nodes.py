@@ -27,8 +27,9 @@ def joined(columns: Columns, names: Names, rig: Rig) -> tuple[Columns, Names, di
     """Columns and names in which each rope with nodes is one rope.
 
     Its tension is the largest anywhere along it, and 0 from when it parts or is taken off, as of every rope:
-    what is left of it falls and whips, which its segments and ends have. Events of its pieces become those of the rope: slack when
-    the first piece goes slack, taut when no piece is slack any more, and neither once the rope has parted.
+    what is left of it falls and whips, which its segments and ends have. Events of its pieces become those of
+    the rope: slack when the first piece goes slack, taut when no piece is slack any more, and neither once
+    the rope has parted.
 
     Args:
         columns: columns of the core by name.

@@ -138,8 +138,8 @@ def _found_quiet(recording: Recording) -> list[BoolArray]:
 def _drives_stand(recording: Recording) -> BoolArray:
     """Whether no drive does work from sample to sample, shape (time - 1,), but for tuggers that only pull.
 
-    Those ask for hauling in all the time, and slip: their drives do the work of pull times speed. One whose line
-    is slack hauls at that speed and does none.
+    Those ask for hauling in all the time, and slip: their drives do the work of pull times speed. One whose
+    line is slack hauls at that speed and does none.
     """
     work = recording.column("energy", "drive_work")
     tuggers = [line for line in recording.rig.tag_lines if line.pull is not None and line.speed is not None]

@@ -45,7 +45,7 @@ class Stability:
 
     Attributes:
         status: `done`, `stopped` or `failed`; of an equilibrium, that it is at rest and when.
-        end: When it ended [s]: at its duration, or at the last sample of what broke off; None without samples.
+        end: When it ended [s]: at its duration, what broke off at its last sample; None without samples.
         failure: Why it could not go on; None if it could, or if an old recording does not tell.
         energy_remainder: Largest energy that the audit cannot place, of the largest energy [1]; None if not
             kept.
@@ -121,7 +121,7 @@ def stability_of(recording: Recording) -> Stability:
         recording: Any recording, also of a run that failed.
     """
     attributes = recording.attributes
-    # An equilibrium is found, and its first sample is where the lift starts: no motion leads from one to the other.
+    # An equilibrium is found, and its first sample is where the lift starts: no motion leads there.
     at_rest = recording.is_equilibrium and str(attributes.get("status", "done")) != "done"
     gain, since = (None, None) if at_rest else _energy_gain(recording)
     remainder = attributes.get("energy_remainder")
@@ -141,7 +141,7 @@ def stability_of(recording: Recording) -> Stability:
 
 
 def _end(recording: Recording) -> float | None:
-    """When a run ended [s]: one that is done went on to its duration, which need not be the time of a sample."""
+    """When a run ended [s]: one that is done at its duration, which need not be the time of a sample."""
     if not len(recording.time):
         return None
     last, settings = float(recording.time[-1]), recording.attributes["settings"]
