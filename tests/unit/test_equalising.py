@@ -49,3 +49,15 @@ def test_other_bounds() -> None:
     never = recording(equalised_below=0.01)
     assert "time_to_equalise.e1" not in never.metrics()
     assert lines(never) == ["time to equalise -, the spread does not end below 1 % with all slings taut"]
+
+
+@pytest.mark.parametrize(("begin", "end"), [(2.5, 2.96), (2.98, 2.98)])
+def test_a_spread_that_comes_below_the_bound_between_two_samples(begin: float, end: float) -> None:
+    """The last sling is slack at 2 s, with a spread of 5/4, and taut before 3 s, where the spread is none.
+
+    5 % are 0.96 of the way: with no sample of that spread after the last sling is taut it was 0 s whenever.
+    """
+    tension = np.full((6, 5), 1e5)
+    tension[:3, 4] = 0.0
+    found = sample_recording(TIME, tension=tension, events=[(begin, "taut", "sling.S5")], rig=sample_rig())
+    assert found.metrics()["time_to_equalise.e1"] == pytest.approx(end - begin)

@@ -20,6 +20,7 @@ from gantline.checks.overlaps import run_into
 from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_out, stood_still, unfinished
 from gantline.checks.ranges import left_range
 from gantline.checks.slings import idle, taken_off
+from gantline.checks.tag_lines import left_behind
 from gantline.results import series
 from gantline.results.alike import first_largest
 from gantline.results.gaps import gaps
@@ -85,6 +86,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     every += turns_left(recording) + on_their_tip(recording)
     every += (
         held_by_tag_lines(recording)
+        + left_behind(recording)
         + run_through(recording)
         + run_into(recording)
         + left_ground(recording)

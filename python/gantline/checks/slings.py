@@ -44,28 +44,40 @@ def idle(recording: Recording) -> list[Check]:
 def taken_off(recording: Recording) -> list[Check]:
     """A check for each rope that a step takes off: nobody gets a shackle out of one that carries.
 
-    It has failed where more than a hundredth of the largest tension up to then is left. The simulation goes
-    on without the rope all the same. What is left of a tension is no share of a limit that a lift comes near.
-    Whether those carried that an equilibrium no longer has, it does not know.
+    It has failed where more is left than a hundredth of the largest tension up to then, beyond what hangs of
+    the rope itself at its upper end. The simulation goes on without the rope all the same. What is left of a
+    tension is no share of a limit that a lift comes near. Whether those carried that an equilibrium no longer
+    has, it does not know.
     """
     checks = []
     for one in partings(recording):
         if one.kind != DETACHED:
             continue
         before = recording.column("rope_tension", one.rope)[recording.time <= one.time]
-        failed = one.tension > _NOTHING * float(before.max(initial=0.0))
+        hanging = _own_weight(recording, one.rope)
+        failed = one.tension > hanging + _NOTHING * float(before.max(initial=0.0))
         carried = f"it carried {format_quantity(one.tension, 'kN', 1)}"
+        weighs = f" and weighs {format_quantity(hanging, 'kN', 1)}" if hanging else ""
         right = "let its hook down until it is slack, and some decimetres more"
         check = Check(
             "detached_slack",
             Verdict.FAILED if failed else Verdict.OK,
-            "a sling that is taken off is slack: 1 % of its largest tension may be left",
+            "a sling that is taken off is slack: 1 % of its largest tension may be left"
+            + (", beside its own weight" if hanging else ""),
             element=one.rope,
             time=one.time,
-            remark=f"{carried}; {right}" if failed else carried,
+            remark=f"{carried}{weighs}; {right}" if failed else f"{carried}{weighs}",
         )
         checks.append(check)
     return checks
+
+
+def _own_weight(recording: Recording, rope: str) -> float:
+    """What a slack rope with nodes may have of itself at its upper end [N]; lumped weight is no tension."""
+    known = recording.rig.rope(rope)
+    if known is None or not known.nodes:
+        return 0.0
+    return known.mass * recording.rig.gravity
 
 
 def no_slings(recording: Recording) -> Iterator[Missing]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 
 from gantline.cli.table import ABSENT, show, table
@@ -17,6 +17,7 @@ from gantline.results.comparison import (
     tolerances_of,
 )
 from gantline.results.recording import Recording
+from gantline.results.stability import Stability
 from gantline.units import quantity
 
 _Row = tuple[str, ...]
@@ -136,7 +137,7 @@ def _run(comparison: Comparison, integration: Difference) -> list[str]:
         ("method", *(method_of(one, with_tolerances=False) for one in (a, b)), "", ""),
         *_tolerances(a, b),
         ("status", sides[0].status, sides[1].status, "", ""),
-        _row("simulated", Difference(sides[0].end, sides[1].end), "s", lambda v: show(v, "s", 2)),
+        _row("simulated", Difference(*_simulated(sides)), "s", lambda v: show(v, "s", 2)),
     ]
     for name, title in _COUNTS:
         if name in comparison.counters:
@@ -148,6 +149,11 @@ def _run(comparison: Comparison, integration: Difference) -> list[str]:
     residual = Difference(sides[0].complementarity_residual, sides[1].complementarity_residual)
     rows.append((*_row("complementarity residual", residual, "N", lambda v: f"{v:.2g} N")[:3], "", ""))
     return table(("Run", "A", "B", "B - A", "of A"), rows, "lrrrr")
+
+
+def _simulated(sides: Iterable[Stability]) -> Iterator[float | None]:
+    """Until when each was simulated [s]; an equilibrium was not."""
+    return (None if side.is_at_rest else side.end for side in sides)
 
 
 def _row(title: str, value: Difference, unit: str, write: Callable[[float], str]) -> _Row:
@@ -250,6 +256,8 @@ def _stability(comparison: Comparison) -> list[str]:
         lines += [f"{letter}  {first}", *(f"   {sentence}" for sentence in rest)]
     if comparison.common is None:
         lines.append("There is no time that both recorded: nothing over time can be compared.")
+    elif any(side.is_at_rest for side in comparison.stability):
+        lines.append(f"Compared at {comparison.common.times[0]:g} s alone, at rest.")
     elif min(side.end or 0.0 for side in comparison.stability) < max(
         side.end or 0.0 for side in comparison.stability
     ):

@@ -65,8 +65,7 @@ def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
     """Values of a measure that a step reports, at one sample."""
     rig = recording.rig
     hooks = {hook.name: hook.name for hook in rig.carried_hooks}
-    before = max(sample - 1, 0)  # at the end of a step what the next one puts on is on already
-    slings = {one.name: one.rope for one in rig.slings if series.is_on(recording, one.rope)[before]}
+    slings = {one.name: one.rope for one in rig.slings if series.is_on(recording, one.rope)[sample]}
     at_booms = {hook.name: hook.name for boom in rig.booms for hook in boom.hooks}
     sources: dict[str, tuple[str, str, int, dict[str, str]]] = {
         "sling_tension": ("rope_tension", "kN", 1, slings),

@@ -184,6 +184,15 @@ def _hooks(answer: HookAnswer) -> list[str]:
     if answer.drift is not None:
         before, after = (show(one, "mm", 1) for one in answer.drift)
         drift = [f"  drift when it comes off: {before}, then {after}"]
+    if answer.steps == 0:
+        within = show(math.atan(answer.residual), "deg", 4)
+        return [
+            *table(head, rows, "lrrrrrr"),
+            "",
+            *_attitude(answer.before, answer.after),
+            *drift,
+            f"  falls hang plumb already, to {within}: nothing has to move",
+        ]
     return [
         *table(head, rows, "lrrrrrr"),
         "",

@@ -55,8 +55,19 @@ def watched_span(watch: Watch, events: Iterable[tuple[float, str, str]]) -> tupl
 def watched_during(recording: Recording, watch: Watch) -> BoolArray:
     """Samples at which a pair is held against its distance, shape (time,)."""
     begin, end = watched_span(watch, recording.events())
-    during: BoolArray = (recording.time >= begin) & (recording.time <= end)
-    return during
+    if recording.is_equilibrium:
+        # It has its own moment alone, and steps that are over then are not looked at.
+        during: BoolArray = (recording.time >= begin) & (recording.time <= end)
+        return during
+    return _samples_of(recording.time, begin, end)
+
+
+def _samples_of(time: FloatArray, begin: float, end: float) -> BoolArray:
+    """Samples within a span, shape (time,); of one that lies between two samples the one nearest to it."""
+    inside: BoolArray = (time >= begin) & (time <= end)
+    if len(time) and not inside.any() and time[0] < begin <= end < time[-1]:
+        inside[int(np.argmin(np.abs(time - 0.5 * (begin + end))))] = True
+    return inside
 
 
 def _span(watch: Watch, columns: Columns, names: Names) -> tuple[float, float]:
@@ -72,11 +83,11 @@ def _margin(watch: Watch, columns: Columns, names: Names) -> FloatArray:
 
 def _crossings(watch: Watch, columns: Columns, names: Names) -> Iterator[tuple[float, str, str]]:
     begin, end = _span(watch, columns, names)
-    during = (columns["time"] >= begin) & (columns["time"] <= end)
+    during = _samples_of(columns["time"], begin, end)
     time, margin = columns["time"][during], _margin(watch, columns, names)[during]
     close = _is_close(watch, margin)
     if len(time) and close[0]:
-        yield float(max(time[0], begin)), "too_close", watch.name
+        yield float(min(max(time[0], begin), end)), "too_close", watch.name
     for at in np.flatnonzero(close[1:] != close[:-1]):
         before, after = margin[at], margin[at + 1]
         # Where ropes have parted there is no distance any more.
@@ -96,7 +107,7 @@ def contact_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:
     time = columns["time"]
     for watch in rig.watches if len(time) else ():
         begin, end = _span(watch, columns, names)
-        during = (time >= begin) & (time <= end)
+        during = _samples_of(time, begin, end)
         margin = np.where(during, _margin(watch, columns, names), np.inf)
         close = _is_close(watch, margin)
         if not close.any():

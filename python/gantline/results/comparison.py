@@ -13,6 +13,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from gantline.results import series
 from gantline.results.alike import first_largest
 from gantline.results.common_time import CommonTime, Deviation
@@ -183,7 +185,7 @@ def compare(
         ValueError: If a file is not a recording of gantline.
     """
     a, b = (one if isinstance(one, Recording) else open_recording(one) for one in (a, b))
-    common = CommonTime.of(a.time, b.time)
+    common = _common_time(a, b)
     rig_a, rig_b = a.rig, b.rig
     loads = _pairs((load.name for load in rig_a.loads), (load.name for load in rig_b.loads), lone=True)
     bodies_a, bodies_b = ({load.name: load.body for load in rig.loads} for rig in (rig_a, rig_b))
@@ -208,6 +210,16 @@ def compare(
         stability=(stability_of(a), stability_of(b)),
         parted=(partings(a), partings(b)),
     )
+
+
+def _common_time(a: Recording, b: Recording) -> CommonTime | None:
+    """The times at which two recordings are compared; of one at rest its moment alone, which is its last."""
+    moments = {float(one.time[-1]) for one in (a, b) if one.is_equilibrium and len(one.time)}
+    if not moments:
+        return CommonTime.of(a.time, b.time)
+    moment = moments.pop()
+    is_in_both = all(len(one.time) and one.time[0] <= moment <= one.time[-1] for one in (a, b))
+    return CommonTime(np.array([moment]), a.time, b.time) if is_in_both and not moments else None
 
 
 def tolerances_of(recording: Recording) -> tuple[float | None, float | None]:

@@ -54,14 +54,16 @@ def equalising(recording: Recording, equalizer: Equalizer) -> Equalising | None:
     begin = max(moment for moment in begins if moment is not None)
     time, bound = recording.time, recording.rig.equalised_below
     spread = series.tension_spread(recording, equalizer)
-    over = np.flatnonzero((spread > bound) & (time >= begin))
+    over = np.flatnonzero(spread > bound)
     if not over.size:
         return Equalising(begin, begin) if begin <= time[-1] else None
+    # The last may be a sample before the begin: what comes below the bound until the next one does so later.
     last = int(over[-1])
     if last + 1 == len(time):
         return None
     share = (spread[last] - bound) / (spread[last] - spread[last + 1])
-    return Equalising(begin, float(time[last] + share * (time[last + 1] - time[last])))
+    below = float(time[last] + share * (time[last + 1] - time[last]))
+    return Equalising(begin, max(begin, below))
 
 
 def _taut_from(recording: Recording, rope: str) -> float | None:

@@ -18,14 +18,18 @@ from gantline.results.variable import Columns, FloatArray, Names, Variable
 
 __all__ = ["joined"]
 
+#: Rounding of the time of an event [s].
+_AT_ONCE = 1e-9
 _OF_BODIES = ("body_position", "body_orientation", "body_velocity", "body_angular_velocity", "joint_force")
 
 
 def joined(columns: Columns, names: Names, rig: Rig) -> tuple[Columns, Names, dict[str, Variable]]:
     """Columns and names in which each rope with nodes is one rope.
 
-    Its tension is the largest anywhere along it. Events of its pieces become those of the rope: slack when
-    the first piece goes slack, taut when no piece is slack any more, and neither once the rope has parted.
+    Its tension is the largest anywhere along it, and 0 from when it parts or is taken off, as of every rope:
+    what is left of it falls and whips, which its segments and ends have. Events of its pieces become those of
+    the rope: slack when the first piece goes slack, taut when no piece is slack any more, and neither once
+    the rope has parted.
 
     Args:
         columns: columns of the core by name.
@@ -46,11 +50,17 @@ def joined(columns: Columns, names: Names, rig: Rig) -> tuple[Columns, Names, di
     ends = np.stack([pieces.ends(rope) for rope in order], axis=1)
     within = np.stack([columns["rope_tension"][:, group].max(axis=1) for group in groups], axis=1)
     has_nodes = [rope in split for rope in order]
-    merged["rope_tension"] = np.where(has_nodes, np.maximum(within, ends.max(axis=2)), within)
+    whole_until = _whole_until(columns, names, owner)
+    until = np.array([whole_until.get(rope, np.inf) for rope in order])
+    is_whole = columns["time"][:, None] <= until
+    tension = np.where(has_nodes, np.maximum(within, ends.max(axis=2)), within)
+    merged["rope_tension"] = np.where(is_whole, tension, 0.0)
     if columns["rope_lengthening"].size:
         lengthened = [columns["rope_lengthening"][:, group].sum(axis=1) for group in groups]
         merged["rope_lengthening"] = np.stack(lengthened, axis=1)
-    merged["rope_peak_tension"], merged["rope_peak_time"] = _peaks(columns, groups, merged["rope_tension"])
+    merged["rope_peak_tension"], merged["rope_peak_time"] = _peaks(
+        columns, groups, merged["rope_tension"], until
+    )
     labels["rope"] = order
     labels["segment"] = [_segment(segment, owner) for segment in names["segment"]]
     kept = _kept_points(names["rope_point"], owner)
@@ -110,20 +120,34 @@ class _Pieces:
 
 
 def _peaks(
-    columns: Columns, groups: Sequence[Sequence[int]], tension: FloatArray
+    columns: Columns, groups: Sequence[Sequence[int]], tension: FloatArray, until: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Largest tension of every rope and its time: over all steps in its pieces, over samples at its ends."""
+    """Largest tension of every rope and its time: over all steps in its pieces, over samples at its ends.
+
+    Of a rope with nodes that parts, up to then [s]: what is left of it falls, and whips.
+    """
     peaks, times = [], []
+    of_steps, when = columns["rope_peak_tension"], columns["rope_peak_time"]
     for rope, group in enumerate(groups):
-        highest = max(group, key=lambda piece: float(columns["rope_peak_tension"][piece]))
-        peak, time = float(columns["rope_peak_tension"][highest]), float(columns["rope_peak_time"][highest])
-        if len(group) > 1 and len(tension):
-            at = int(np.argmax(tension[:, rope]))
-            if tension[at, rope] > peak:
-                peak, time = float(tension[at, rope]), float(columns["time"][at])
+        found = [(float(of_steps[piece]), float(when[piece])) for piece in group]
+        if len(group) > 1:
+            found = [one for one in found if one[1] <= until[rope]]
+            at = int(np.argmax(tension[:, rope])) if len(tension) else None
+            found += [] if at is None else [(float(tension[at, rope]), float(columns["time"][at]))]
+        peak, time = max(found, key=lambda one: one[0], default=(0.0, 0.0))
         peaks.append(peak)
         times.append(time)
     return np.array(peaks), np.array(times)
+
+
+def _whole_until(columns: Columns, names: Names, owner: Mapping[str, str]) -> dict[str, float]:
+    """When each rope with nodes that parts does so [s]."""
+    until: dict[str, float] = {}
+    events = zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
+    for time, kind, subject in events:
+        if kind in PARTING and subject in owner:
+            until.setdefault(owner[subject], float(time) + _AT_ONCE)
+    return until
 
 
 def _rope_of(segment: str) -> str:

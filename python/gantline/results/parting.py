@@ -83,20 +83,24 @@ def partings(recording: Recording) -> list[Parting]:
 
 
 def while_there(recording: Recording, ropes: Sequence[str], gone_by: Sequence[str] = PARTING) -> BoolArray:
-    """Where ropes are on, shape (ropes, time); at the moment at which one comes or goes it is.
+    """Where ropes are on, shape (ropes, time).
+
+    At the moment at which one goes it is, and at that at which one comes it is not yet: a sample there is the
+    last of the step before. An equilibrium has no moments.
 
     Args:
         recording: The recording.
         ropes: Their names.
         gone_by: Kinds of events after which one is not there any more.
     """
+    later = np.greater_equal if recording.is_equilibrium else np.greater
     there = np.ones((len(ropes), len(recording.time)), dtype=np.bool_)
     starts_off = recording.rig.starts_off
     for place, rope in enumerate(ropes):
         there[place] = rope not in starts_off
     for time, kind, rope in recording.events():
         if rope in ropes and kind == ATTACHED:
-            there[ropes.index(rope), recording.time >= time] = True
+            there[ropes.index(rope), later(recording.time, time)] = True
         elif rope in ropes and kind in gone_by:
             there[ropes.index(rope), recording.time > time] = False
     return there

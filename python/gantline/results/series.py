@@ -138,14 +138,16 @@ def _found_quiet(recording: Recording) -> list[BoolArray]:
 def _drives_stand(recording: Recording) -> BoolArray:
     """Whether no drive does work from sample to sample, shape (time - 1,), but for tuggers that only pull.
 
-    Those ask for hauling in all the time, and slip: their drives do the work of pull times speed.
+    Those ask for hauling in all the time, and slip: their drives do the work of pull times speed. One whose
+    line is slack hauls at that speed and does none.
     """
     work = recording.column("energy", "drive_work")
     tuggers = [line for line in recording.rig.tag_lines if line.pull is not None and line.speed is not None]
     if not tuggers:
         standing: BoolArray = np.diff(work) == 0.0
         return standing
-    pulling = while_there(recording, [line.rope for line in tuggers])[:, 1:]
+    taut = np.array([recording.column("rope_tension", line.rope) for line in tuggers]) > 0.0
+    pulling = while_there(recording, [line.rope for line in tuggers])[:, 1:] & (taut[:, 1:] | taut[:, :-1])
     powers = np.array([(line.pull or 0.0) * (line.speed or 0.0) for line in tuggers])
     slipped = (powers @ pulling) * np.diff(recording.time)
     rounding = _ROUNDED * float(np.max(np.abs(work), initial=0.0))
@@ -201,7 +203,7 @@ def has_hung_so(recording: Recording, time: float) -> bool:
     still = np.any([_no_sample(recording), *quiet_windows(recording)], axis=0)
     # Between two samples either may be right: what comes or goes is slack.
     last = len(recording.time) - 1
-    after = min(int(np.searchsorted(recording.time, time)), last)
+    after = min(int(np.searchsorted(recording.time, time, side="right")), last)
     for load in recording.rig.loads:
         upright = axes(recording.column("body_orientation", load.body))[:, :, 2]
         still &= upright @ upright[after] >= math.cos(_TURNED)

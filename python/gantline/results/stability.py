@@ -44,8 +44,8 @@ class Stability:
     """How sound a run was.
 
     Attributes:
-        status: `done`, `stopped` or `failed`.
-        end: Time of the last sample [s]; None without samples.
+        status: `done`, `stopped` or `failed`; of an equilibrium, that it is at rest and when.
+        end: When it ended [s]: at its duration, what broke off at its last sample; None without samples.
         failure: Why it could not go on; None if it could, or if an old recording does not tell.
         energy_remainder: Largest energy that the audit cannot place, of the largest energy [1]; None if not
             kept.
@@ -55,6 +55,7 @@ class Stability:
         complementarity_residual: Largest distance of a force from its law over the samples [N].
         constraint_residual: Largest excess length of an inextensible rope over the samples [m].
         unconverged: Steps that ended before it was settled which ropes and contacts carry.
+        is_at_rest: Whether it is an equilibrium, which has neither steps nor a balance.
     """
 
     status: str
@@ -67,13 +68,14 @@ class Stability:
     complementarity_residual: float | None
     constraint_residual: float | None
     unconverged: int
+    is_at_rest: bool = False
 
     @property
     def is_sound(self) -> bool:
         """Whether it reached its end, its balance closes, it gained no energy and all its steps settled."""
         remainder = self.energy_remainder or 0.0
         return (
-            self.status == "done"
+            (self.status == "done" or self.is_at_rest)
             and remainder <= self.energy_bound
             and self.energy_gain_time is None
             and self.unconverged == 0
@@ -101,6 +103,8 @@ class Stability:
     def _how_it_ended(self) -> str:
         if self.status == "done":
             return f"ran to its end, {self.end:g} s" if self.end is not None else "ran to its end"
+        if self.is_at_rest:
+            return self.status
         reached = "before its first sample" if self.end is None else f"at {self.end:.2f} s"
         if self.status == "stopped":
             return f"STOPPED {reached}: what follows compares what there is"
@@ -117,11 +121,13 @@ def stability_of(recording: Recording) -> Stability:
         recording: Any recording, also of a run that failed.
     """
     attributes = recording.attributes
-    gain, since = _energy_gain(recording)
+    # An equilibrium is found, and its first sample is where the lift starts: no motion leads there.
+    at_rest = recording.is_equilibrium and str(attributes.get("status", "done")) != "done"
+    gain, since = (None, None) if at_rest else _energy_gain(recording)
     remainder = attributes.get("energy_remainder")
     return Stability(
         status=str(attributes.get("status", "done")),
-        end=float(recording.time[-1]) if len(recording.time) else None,
+        end=_end(recording),
         failure=_failure(attributes.get("failure")),
         energy_remainder=None if remainder is None else float(remainder),
         energy_bound=energy_bound(attributes["settings"]),
@@ -130,7 +136,18 @@ def stability_of(recording: Recording) -> Stability:
         complementarity_residual=_largest(recording, "residual_complementarity"),
         constraint_residual=_largest(recording, "residual_constraint"),
         unconverged=int((attributes.get("counters") or {}).get("unconverged", 0)),
+        is_at_rest=at_rest,
     )
+
+
+def _end(recording: Recording) -> float | None:
+    """When a run ended [s]: one that is done at its duration, which need not be the time of a sample."""
+    if not len(recording.time):
+        return None
+    last, settings = float(recording.time[-1]), recording.attributes["settings"]
+    duration, interval = settings.get("duration") or last, settings.get("sample_interval") or 0.0
+    is_done = recording.attributes.get("status", "done") == "done"
+    return float(duration) if is_done and last < duration < last + interval else last
 
 
 def _failure(document: Any) -> Failure | None:

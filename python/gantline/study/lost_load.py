@@ -176,7 +176,8 @@ def lose_load(question: Statics, rest: Equilibrium, load: str) -> LostLoad:
     """
     vessels = rest.recording.rig.vessels
     if not vessels:
-        raise ValueError("no vessel of this lift floats")
+        ashore = "a run shows what a crane on land does, with 'cut_at' on the slings of its load"
+        raise ValueError(f"no vessel of this lift floats; {ashore}")
     hung = float(rest.recording.column("load_transferred", load)[-1]) if _is_told(rest, load) else 1.0
     without = question.lose(load)
     heights = metacentric_heights(question, without)

@@ -126,6 +126,10 @@ class Search:
             changes = self._step(changes, target)
         return changes
 
+    def stay(self) -> None:
+        """Take the lift as it is given for the answer."""
+        self.now, self.steps = self.first, 0
+
     def _target(self, changes: Floats) -> Floats | None:
         """Of all changes that do it to first order the least; None where nothing more can be done."""
         slope = np.array([row.change for row in self.now.rows])

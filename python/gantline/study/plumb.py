@@ -23,6 +23,7 @@ from gantline.statics import Equilibrium, Statics
 from gantline.study.bearers import Bearer, bearers_of, why_not
 from gantline.study.hanging import Hanging, Row
 from gantline.study.newton import AdjustError, CannotBeError, Search, Unknown
+from gantline.units import format_by_size
 
 __all__ = ["HookAnswer", "plumb_hooks"]
 
@@ -32,6 +33,8 @@ Floats = npt.NDArray[np.float64]
 _HEIGHT = 10.0
 #: What bears hooks has gone equally far if it has to this [m].
 _ALIKE = 1e-3
+#: What keeps falls plumb by itself is behind by no more: 0.006 deg of side pull over vertical force [1].
+_PLUMB = 1e-4
 #: A crane that leans on its ground turns by less than this, one that slews or luffs by more [rad].
 _LEANS = 0.02
 
@@ -51,7 +54,7 @@ class HookAnswer:
         before: The lift as it is given, at rest.
         after: The same with the new places.
         residual: What is left, the largest: side pull over vertical force, drift over 10 m, heading [rad].
-        steps: Steps of Newton's method.
+        steps: Steps of Newton's method; 0 where falls are plumb as it is given.
         scenario: The lift file with the new places.
     """
 
@@ -129,7 +132,12 @@ def plumb_hooks(
     try:
         changes = [float(change) for change in search.run()]
     except CannotBeError as problem:
-        raise CannotBeError(f"{problem}{_where_the_plan_says(placed)}") from None
+        if not placed or search.first.residual > _PLUMB:
+            why = _where_the_plan_says(placed) + _what_pulls(search.first.hanging)
+            raise CannotBeError(f"{problem}{why}") from None
+        # What the plan has made plumb no place at the start makes plumber.
+        search.stay()
+        changes = [0.0] * len(unknowns)
     search.refuse_unsound()
     given = {
         name: _place_of(search.first.hanging, scenario.hooks[name]) for one in moving for name in one.hooks
@@ -185,6 +193,13 @@ def _where_the_plan_says(placed: Sequence[Bearer]) -> str:
     if len(names) > 1:
         they = "are where the plan says, wherever they start"
     return f"; {' and '.join(names)} {they}: ask at a time before that"
+
+
+def _what_pulls(hanging: Hanging) -> str:
+    """That tag lines pull the load aside: then falls cannot all be plumb, wherever their hooks are."""
+    tensions = {line.name: hanging.rest.tension(line.rope) for line in hanging.rig.tag_lines}
+    pulls = [f"{name} with {format_by_size(pull, 'force')}" for name, pull in tensions.items() if pull > 0.0]
+    return f"; tag lines pull the load aside: {', '.join(pulls)}" if pulls else ""
 
 
 def _place_of(hanging: Hanging, hook: Hook) -> tuple[float, float]:
