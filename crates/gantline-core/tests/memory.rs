@@ -5,8 +5,8 @@ mod rigs;
 
 use gantline_core::build::build;
 use gantline_core::force::memory::{Memory, form, memories, resistance, states};
-use gantline_core::force::twist_of;
-use gantline_core::spec::{ForceSpec, TermSpec};
+use gantline_core::force::{self, under};
+use gantline_core::spec::{ComponentSpec, ForceSpec, TermSpec, TrainsSpec};
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
@@ -40,23 +40,50 @@ fn terms(oscillators: &Oscillators) -> Vec<TermSpec> {
     oscillators.iter().map(term).collect()
 }
 
-/// The random rig with memory on two bodies somewhere in its tree, and a past.
-fn remembering(seeds: &[f64]) -> (System, State, Frame, Vec<Oscillators>) {
+/// When all is looked at [s].
+const NOW: f64 = 3.0;
+
+/// Some waves on a body.
+fn wave(draw: &mut Draw, k: usize, body: &str) -> ForceSpec {
+    let mut phasor = || [(); 6].map(|()| [10.0 * draw.number(), 10.0 * draw.number()]);
+    ForceSpec::Wave {
+        name: format!("wave{k}"),
+        body: body.to_owned(),
+        at: [0.1, -0.2, 0.3],
+        origin: [0.4, 0.2, -0.1],
+        directions: vec![0.1, 2.0, 4.0],
+        phasors: (0..2).map(|_| (0..3).map(|_| [(); 4].map(|()| phasor())).collect()).collect(),
+    }
+}
+
+/// The random rig with memory on two bodies somewhere in its tree, in waves if asked for, and a past.
+fn remembering(seeds: &[f64], in_waves: bool) -> (System, State, Frame, Vec<Oscillators>) {
     let mut spec = rig(seeds);
     let mut draw = Draw::new(&seeds[250..]);
     let mut all = Vec::new();
     for k in 0..2 {
         let oscillators = drawn(&mut draw);
-        spec.forces.push(ForceSpec::Memory {
-            name: format!("past{k}"),
-            body: format!("b{}", draw.choice(7)),
-            at: draw.vector(),
-            terms: terms(&oscillators),
-        });
+        let body = format!("b{}", draw.choice(7));
+        if in_waves {
+            spec.forces.push(wave(&mut draw, k, &body));
+        }
+        let (name, terms) = (format!("past{k}"), terms(&oscillators));
+        spec.forces.push(ForceSpec::Memory { name, body, at: draw.vector(), terms });
         all.push(oscillators);
+    }
+    if in_waves {
+        let component =
+            |frequency| ComponentSpec { frequency, wave_number: [0.3, 0.2], amplitude: 0.5, phase: 0.1 };
+        spec.sea = Some(TrainsSpec { components: vec![component(0.8), component(1.3)], rise_time: 1.0 });
     }
     let (system, mut state) = build(&spec).expect("the generator makes valid rigs");
     state.past.iter_mut().for_each(|number| *number = draw.number());
+    state.time = NOW;
+    for memory in memories(&system.tree) {
+        if let Some(slow) = &memory.slow {
+            state.past[slow.states().start] = NOW - 0.5;
+        }
+    }
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);
     (system, state, frame, all)
@@ -71,8 +98,7 @@ fn inverse(system: &System, frame: &Frame, v: &[f64]) -> (NewtonEuler, Vec<f64>)
 
 /// ν of a body under the velocity coordinates `v`.
 fn motion(system: &System, memory: &Memory, frame: &Frame, v: &[f64]) -> [f64; 6] {
-    let twist = twist_of(&system.tree, &frame.kinematics, memory.body, v);
-    memory.motion(&frame.kinematics.pose[memory.body], &twist)
+    memory.motion(&under(&system.tree, &frame.kinematics, memory.body, v))
 }
 
 proptest! {
@@ -80,8 +106,8 @@ proptest! {
 
     /// ∂ν/∂q and ∂ν/∂v, in motion, against differences.
     #[test]
-    fn changes_of_its_motion_equal_differences(seeds in seeds()) {
-        let (system, state, frame, _) = remembering(&seeds);
+    fn changes_of_its_motion_equal_differences(seeds in seeds(), in_waves: bool) {
+        let (system, state, frame, _) = remembering(&seeds, in_waves);
         let (dynamics, _) = inverse(&system, &frame, &state.v);
         let mut tangent = DynamicsTangent::new(&system.tree, &frame.mass);
         for memory in memories(&system.tree) {
@@ -89,8 +115,9 @@ proptest! {
             for (index, &dof) in system.tree.support[memory.body].iter().enumerate() {
                 let at = (&frame.kinematics, &frame.mass, &dynamics);
                 let changes = tangent.of_motion(&system.tree, at, &state.v, (dof, memory.body));
-                let pose = &frame.kinematics.pose[memory.body];
-                let [place, velocity] = changes.map(|change| memory.motion(pose, &change));
+                let here = under(&system.tree, &frame.kinematics, memory.body, &state.v);
+                let over = frame.kinematics.columns[dof].angular;
+                let [place, velocity] = memory.changes_of_motion(&here, changes, over);
                 let mut direction = vec![0.0; state.v.len()];
                 direction[dof] = 1.0;
                 let unit = motion(&system, memory, &frame, &direction);
@@ -110,10 +137,42 @@ proptest! {
         }
     }
 
-    /// ∂τ/∂q with a past that pushes: its force turns along with the body, and does not know how that moves.
+    /// What the axes of a body in waves do by themselves, turning with its slow heading: ∂ν/∂t and ∂τ/∂t against differences
+    /// over time; without waves nothing.
     #[test]
-    fn tangents_equal_differences(seeds in seeds()) {
-        let (system, state, frame, _) = remembering(&seeds);
+    fn what_time_does_equals_differences(seeds in seeds(), in_waves: bool) {
+        let (system, state, frame, _) = remembering(&seeds, in_waves);
+        let at = |step: f64| {
+            let mut frame = frame.clone();
+            frame.kinematics.update(&system.tree, &state.q, NOW + step);
+            frame
+        };
+        let (after, before) = (at(STEP), at(-STEP));
+        for memory in memories(&system.tree) {
+            prop_assert!(memory.slow.is_some() == in_waves);
+            let here = under(&system.tree, &frame.kinematics, memory.body, &state.v);
+            let found = memory.drift_of_motion(&here);
+            let ends = [&after, &before].map(|frame| motion(&system, memory, frame, &state.v));
+            let scale = ends[0].iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+            for k in 0..6 {
+                let difference = (ends[0][k] - ends[1][k]) / (2.0 * STEP);
+                prop_assert!((difference - found[k]).abs() < CLOSE * scale, "{k}: {difference} {}", found[k]);
+            }
+        }
+        let mut drift = vec![0.0; state.v.len()];
+        force::drift(&system.tree, &frame.kinematics, &state.v, &mut drift);
+        let [up, down] = [&after, &before].map(|frame| inverse(&system, frame, &state.v).1);
+        let scale = up.iter().fold(100.0_f64, |most, x| most.max(x.abs()));
+        for dof in (0..state.v.len()).filter(|&dof| system.driven[dof].is_none()) {
+            let difference = (up[dof] - down[dof]) / (2.0 * STEP);
+            prop_assert!((difference - drift[dof]).abs() < CLOSE * scale, "{dof}: {difference} {}", drift[dof]);
+        }
+    }
+
+    /// ∂τ/∂q with a past that pushes: its force does not know how the body moves. It turns along with it where no waves push.
+    #[test]
+    fn tangents_equal_differences(seeds in seeds(), in_waves: bool) {
+        let (system, state, frame, _) = remembering(&seeds, in_waves);
         let (dynamics, here) = inverse(&system, &frame, &state.v);
         let mut tangent = DynamicsTangent::new(&system.tree, &frame.mass);
         tangent.update(&system.tree, &frame.kinematics, &frame.mass, &dynamics, &state.v);
@@ -142,7 +201,7 @@ proptest! {
     /// is that of the oscillators b s/(s² + 2ζω s + ω²) at s = iω, which takes power from any motion.
     #[test]
     fn terms_answer_like_oscillators(seeds in seeds(), omega in 0.0..4.0_f64, kappa in 0.01..3.0_f64) {
-        let (system, state, frame, all) = remembering(&seeds);
+        let (system, state, frame, all) = remembering(&seeds, false);
         for (memory, oscillators) in memories(&system.tree).zip(&all) {
             let motion = motion(&system, memory, &frame, &state.v);
             let mut past = vec![0.0; states(&system.tree)];

@@ -50,6 +50,19 @@ pub(super) fn build_forces(
             _ => {}
         }
     }
+    let waves = forces.iter().filter_map(|force| match force {
+        AnyForce::Wave(wave) => Some((wave.body, wave.slow.clone())),
+        _ => None,
+    });
+    for (body, slow) in waves.collect::<Vec<_>>() {
+        for force in &mut forces {
+            if let AnyForce::Memory(memory) = force
+                && memory.body == body
+            {
+                memory.slow = Some(slow.clone());
+            }
+        }
+    }
     Ok(forces)
 }
 

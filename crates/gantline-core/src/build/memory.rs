@@ -31,7 +31,8 @@ pub(super) fn build_memory(
         let residue = [&term.real, &term.imaginary].map(Square::from_rows);
         built.push(Term { pole: term.pole, residue });
     }
-    let memory = Memory { name: name.to_owned(), body, at: DVec3::from_array(at), terms: built, first: 0 };
+    let memory =
+        Memory { name: name.to_owned(), body, at: DVec3::from_array(at), terms: built, first: 0, slow: None };
     let speeds = memory.terms.iter().map(|term| term.pole[0].hypot(term.pole[1]));
     let [slowest, fastest] =
         speeds.fold([f64::INFINITY, 0.0], |[least, most], speed| [speed.min(least), speed.max(most)]);

@@ -4,8 +4,10 @@
 //! F(t) = −∫₀^∞ K(s) ν(t − s) ds        K(s) = Re Σ R e^{ps}        Re p < 0
 //! ```
 //!
-//! ν holds the velocity of a point P of the body and the angular velocity, in the body's axes; forces act at P. With one
-//! state z of six numbers for each term that is
+//! ν holds the velocity of a point P of the body and the angular velocity, in the body's axes; forces act at P. Where
+//! waves push the body, both are along the axes of their forces, level ones that turn with the slow heading
+//! ([`super::slow`]): forces along axes that roll and others along axes that do not would leave a mean of the second order,
+//! a part of the drift force without the rest. With one state z of six numbers for each term that is
 //!
 //! ```text
 //! ż = p z + ν        F = −Re Σ R z
@@ -18,11 +20,12 @@
 //! κ Re Σ R (1 − κp)⁻¹
 //! ```
 //!
-//! As seen from the body F depends on z alone. What it takes from the body is never negative in the whole, where K is
+//! As seen from those axes F depends on z alone. What it takes from the body is never negative in the whole, where K is
 //! passive: Re K(iω) without negative eigenvalues. At a moment it may give back.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
+use super::slow::Slow;
 use super::square::Square;
 use super::{AnyForce, At, Force, Tangent, under};
 use crate::tree::Tree;
@@ -38,7 +41,7 @@ const WIDTH: usize = 12;
 pub struct Term {
     /// p [1/s], real and imaginary part.
     pub pole: [f64; 2],
-    /// R about P, body axes, real and imaginary part.
+    /// R about P, real and imaginary part.
     pub residue: [Square; 2],
 }
 
@@ -64,6 +67,26 @@ pub struct Memory {
     pub terms: Vec<Term>,
     /// First number of its states among those of all forces.
     pub first: usize,
+    /// What its axes turn with where waves push the body.
+    pub slow: Option<Slow>,
+}
+
+/// The axes of ν and of the force, with P.
+struct Axes {
+    turn: DMat3,
+    /// P from the body's origin, world axes [m].
+    arm: DVec3,
+    /// How fast they turn by themselves [rad/s]; none of the body's own.
+    turning: Option<f64>,
+}
+
+impl Axes {
+    /// ν of a motion of the body.
+    fn motion(&self, twist: &Twist) -> [f64; 6] {
+        let back = self.turn.transpose();
+        let (linear, angular) = (back * twist.at(self.arm), back * twist.angular);
+        [linear.x, linear.y, linear.z, angular.x, angular.y, angular.z]
+    }
 }
 
 impl Memory {
@@ -72,19 +95,45 @@ impl Memory {
         self.first..self.first + WIDTH * self.terms.len()
     }
 
-    /// ν of a motion of the body.
-    pub fn motion(&self, pose: &Pose, twist: &Twist) -> [f64; 6] {
-        let turn = pose.rotation.transpose();
-        let (linear, angular) = (turn * twist.at(pose.rotation * self.at), turn * twist.angular);
-        [linear.x, linear.y, linear.z, angular.x, angular.y, angular.z]
+    fn axes(&self, pose: &Pose, past: &[f64], time: f64) -> Axes {
+        let arm = pose.rotation * self.at;
+        let Some(slow) = &self.slow else { return Axes { turn: pose.rotation, arm, turning: None } };
+        let slowly = slow.at(past, time);
+        Axes { turn: DMat3::from_rotation_z(slowly.heading), arm, turning: Some(slowly.turning) }
+    }
+
+    /// ν of the motion of the body.
+    pub fn motion(&self, at: &At) -> [f64; 6] {
+        self.axes(at.pose, at.past, at.time).motion(&at.twist)
+    }
+
+    /// ∂ν/∂t, as far as the axes turn by themselves: −ψ̇ e_z × ν.
+    pub fn drift_of_motion(&self, at: &At) -> [f64; 6] {
+        let axes = self.axes(at.pose, at.past, at.time);
+        let (turning, [x, y, _, p, q, _]) = (axes.turning.unwrap_or(0.0), axes.motion(&at.twist));
+        [turning * y, -turning * x, 0.0, turning * q, -turning * p, 0.0]
+    }
+
+    /// What changes of the body's motion, as seen from there, do to ν, and what a turn of the body along `over` does
+    /// to it beside: the motion of `at` turns along, axes that stay do not.
+    pub fn changes_of_motion(&self, at: &At, [place, velocity]: [Twist; 2], over: DVec3) -> [[f64; 6]; 2] {
+        let axes = self.axes(at.pose, at.past, at.time);
+        let mut changed = Twist { linear: place.at(axes.arm), angular: place.angular };
+        if axes.turning.is_some() {
+            changed.linear += over.cross(at.twist.at(axes.arm));
+            changed.angular += over.cross(at.twist.angular);
+        }
+        let there = Axes { arm: DVec3::ZERO, ..axes };
+        [there.motion(&changed), axes.motion(&velocity)]
     }
 
     /// ν under one unit of every degree of freedom that moves the body.
     pub fn columns(&self, tree: &Tree, kinematics: &Kinematics) -> Vec<[f64; 6]> {
         let pose = &kinematics.pose[self.body];
+        let axes = self.axes(pose, &kinematics.past, kinematics.time);
         let of = |&dof: &usize| {
             let linear = kinematics.point_column(tree, dof, pose.position);
-            self.motion(pose, &Twist { angular: kinematics.columns[dof].angular, linear })
+            axes.motion(&Twist { angular: kinematics.columns[dof].angular, linear })
         };
         tree.support[self.body].iter().map(of).collect()
     }
@@ -113,7 +162,7 @@ impl Memory {
         }
     }
 
-    /// Re Σ R z at P, body axes, for the states of all forces.
+    /// Re Σ R z at P, for the states of all forces.
     fn held(&self, past: &[f64]) -> Wrench {
         let mut sum = Wrench::default();
         for (term, z) in self.terms.iter().zip(past[self.states()].chunks_exact(WIDTH)) {
@@ -129,13 +178,21 @@ impl Memory {
         sum
     }
 
+    /// The wrench about the body's origin, world axes, and the axes that it is along.
+    fn pushing(&self, at: &At) -> (Wrench, Axes) {
+        let Wrench { force, moment } = self.held(at.past);
+        let axes = self.axes(at.pose, at.past, at.time);
+        let (force, moment) = (axes.turn * -force, axes.turn * -moment);
+        (Wrench { force, moment: moment + axes.arm.cross(force) }, axes)
+    }
+
     /// The opposite of the force with the states `past` of all forces along motions ν of the body.
     pub fn along(&self, past: &[f64], motion: &[f64; 6]) -> f64 {
         let Wrench { force, moment } = self.held(past);
         force.dot(DVec3::from_slice(&motion[..3])) + moment.dot(DVec3::from_slice(&motion[3..]))
     }
 
-    /// κ Re Σ R (1 − κp)⁻¹ [N s/m, N s, N m s], about P, body axes.
+    /// κ Re Σ R (1 − κp)⁻¹ [N s/m, N s, N m s], about P.
     pub fn damping(&self, kappa: f64) -> Square {
         let mut sum = Square::ZERO;
         for term in &self.terms {
@@ -147,7 +204,7 @@ impl Memory {
     }
 
     /// Damping B(ω) [N s/m, N s, N m s], and added mass above that of infinite frequency, A(ω) − A(∞) [kg, kg m, kg m²],
-    /// about P, body axes: ∫ K(s) e^{−iωs} ds = B + iω (A − A(∞)).
+    /// about P: ∫ K(s) e^{−iωs} ds = B + iω (A − A(∞)).
     pub fn at_frequency(&self, omega: f64) -> [Square; 2] {
         let mut found = [Square::ZERO; 2];
         for term in &self.terms {
@@ -180,17 +237,27 @@ impl Force for Memory {
     }
 
     fn wrench(&self, at: &At) -> Wrench {
-        let Wrench { force, moment } = self.held(at.past);
-        let turn = at.pose.rotation;
-        Wrench { force: turn * -force, moment: turn * -(moment + self.at.cross(force)) }
+        self.pushing(at).0
     }
 
-    fn tangent(&self, _at: &At) -> Tangent {
-        Tangent::NONE
+    fn tangent(&self, at: &At) -> Tangent {
+        let (Wrench { force, moment }, axes) = self.pushing(at);
+        if axes.turning.is_none() {
+            return Tangent::NONE;
+        }
+        // It does not turn along: seen from the body a turn δθ changes it by F × δθ, and its point by δθ × P.
+        Tangent::of_what_stays(force, moment - axes.arm.cross(force), axes.arm)
+    }
+
+    fn drift(&self, at: &At) -> Option<Wrench> {
+        let (Wrench { force, moment }, axes) = self.pushing(at);
+        let spin = DVec3::Z * axes.turning?;
+        let (force, own) = (spin.cross(force), spin.cross(moment - axes.arm.cross(force)));
+        Some(Wrench { force, moment: own + axes.arm.cross(force) })
     }
 
     fn loss(&self, at: &At) -> f64 {
-        self.along(at.past, &self.motion(at.pose, &at.twist))
+        self.along(at.past, &self.motion(at))
     }
 }
 
@@ -211,7 +278,7 @@ pub fn states(tree: &Tree) -> usize {
 pub fn set_out(tree: &Tree, kinematics: &Kinematics, (v, h): (&[f64], f64), past: &mut [f64]) {
     for memory in memories(tree) {
         let at = under(tree, kinematics, memory.body, v);
-        memory.add_rate(&kinematics.past, &memory.motion(at.pose, &at.twist), 0.5 * h, past);
+        memory.add_rate(&kinematics.past, &memory.motion(&at), 0.5 * h, past);
     }
 }
 
@@ -219,7 +286,7 @@ pub fn set_out(tree: &Tree, kinematics: &Kinematics, (v, h): (&[f64], f64), past
 pub fn arrive(tree: &Tree, kinematics: &mut Kinematics, (v, h): (&[f64], f64), past: &mut [f64]) {
     for memory in memories(tree) {
         let at = under(tree, kinematics, memory.body, v);
-        let motion = memory.motion(at.pose, &at.twist);
+        let motion = memory.motion(&at);
         memory.answer(0.5 * h, &motion, past);
     }
     kinematics.past.copy_from_slice(past);

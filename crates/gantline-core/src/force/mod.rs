@@ -30,7 +30,7 @@ use buoyancy::Buoyancy;
 use drag::Drag;
 use memory::{Memory, memories};
 use mooring::Mooring;
-use square::Square;
+use square::{Square, skew};
 use tank::Tank;
 use wave::WaveForce;
 
@@ -69,6 +69,14 @@ pub struct Tangent {
 impl Tangent {
     /// No change with anything.
     pub const NONE: Self = Self { place: Square::ZERO, velocity: Square::ZERO, acceleration: Square::ZERO };
+
+    /// Of a force and moment that act at `arm` [m] from the body's origin and do not turn along: seen from the body a turn
+    /// δθ changes them by F × δθ.
+    fn of_what_stays(force: DVec3, moment: DVec3, arm: DVec3) -> Self {
+        let cross = skew(force);
+        let angular = skew(moment) + skew(arm) * cross;
+        Self { place: Square { cross, angular, ..Square::ZERO }, ..Self::NONE }
+    }
 }
 
 /// Derivatives of a force that depends on a flow and acts on it. Pairs are over place and over velocity.
@@ -209,7 +217,7 @@ pub fn twist_of(tree: &Tree, kinematics: &Kinematics, body: usize, v: &[f64]) ->
 }
 
 /// Where the body of a force is, and how it moves under the velocity coordinates `v`; not accelerated.
-fn under<'a>(tree: &Tree, kinematics: &'a Kinematics, body: usize, v: &'a [f64]) -> At<'a> {
+pub fn under<'a>(tree: &Tree, kinematics: &'a Kinematics, body: usize, v: &'a [f64]) -> At<'a> {
     let (twist, rate) = (twist_of(tree, kinematics, body, v), Twist::default());
     let Kinematics { pose, q, time, past, .. } = kinematics;
     At { pose: &pose[body], twist, rate, gravity: tree.gravity, time: *time, q, v, past }

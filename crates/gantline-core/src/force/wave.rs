@@ -15,7 +15,6 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use super::slow::{Slow, Slowly};
-use super::square::{Square, skew};
 use super::trains::Trains;
 use super::{At, Force, Tangent};
 use crate::spec::TERMS;
@@ -131,11 +130,8 @@ impl Force for WaveForce {
     }
 
     fn tangent(&self, at: &At) -> Tangent {
-        // It does not turn along: seen from the body a turn δθ changes it by F × δθ.
         let Wrench { force, moment } = self.at_point(at.past, at.time)[0];
-        let (cross, arm) = (skew(force), skew(at.pose.rotation * self.at));
-        let angular = skew(moment) + arm * cross;
-        Tangent { place: Square { cross, angular, ..Square::ZERO }, ..Tangent::NONE }
+        Tangent::of_what_stays(force, moment, at.pose.rotation * self.at)
     }
 
     fn drift(&self, at: &At) -> Option<Wrench> {

@@ -151,8 +151,8 @@ impl Rodas {
         }
         for (memory, tangent) in memories(&system.tree).zip(&self.matrix.memories) {
             let place = at.dynamics.at(&system.tree, &at.frame.kinematics, memory.body);
-            let (now, before) = (memory.motion(place.pose, &place.twist), tangent.motion(None, &self.r));
-            let motion = std::array::from_fn(|k| now[k] - before[k]);
+            let (now, before) = (memory.motion(&place), tangent.motion(None, &self.r));
+            let motion = std::array::from_fn(|k| now[k] - before[k] + h * D[stage] * tangent.drift[k]);
             memory.add_rate(&self.point.past, &motion, 1.0, &mut self.recalled);
         }
         let known = &mut self.k[stage].past;

@@ -17,6 +17,8 @@ pub struct MemoryTangent {
     /// ∂ν/∂q and ∂ν/∂v of each; ∂ν/∂v is J too.
     position: Vec<[f64; 6]>,
     velocity: Vec<[f64; 6]>,
+    /// ∂ν/∂t.
+    pub drift: [f64; 6],
     /// Place of (j, k) at j · size + k.
     places: Vec<u32>,
     /// What else is there of damping and stiffness.
@@ -40,6 +42,7 @@ impl MemoryTangent {
             Self {
                 position: vec![[0.0; 6]; dofs.len()],
                 velocity: vec![[0.0; 6]; dofs.len()],
+                drift: [0.0; 6],
                 beside: vec![[0.0; 2]; places.len()],
                 places,
                 dofs,
@@ -48,7 +51,7 @@ impl MemoryTangent {
         memories(&system.tree).map(of).collect()
     }
 
-    /// Evaluates ∂ν/∂q and ∂ν/∂v.
+    /// Evaluates ∂ν/∂q, ∂ν/∂v and ∂ν/∂t.
     pub fn linearise(
         &mut self,
         (system, memory): (&System, &Memory),
@@ -56,11 +59,13 @@ impl MemoryTangent {
         v: &[f64],
         tangent: &mut DynamicsTangent,
     ) {
-        let pose = &kinematics.pose[memory.body];
+        let here = dynamics.at(&system.tree, kinematics, memory.body);
+        self.drift = memory.drift_of_motion(&here);
         for (index, &dof) in self.dofs.iter().enumerate() {
             let changes =
                 tangent.of_motion(&system.tree, (kinematics, mass, dynamics), v, (dof, memory.body));
-            let [position, velocity] = changes.map(|change| memory.motion(pose, &change));
+            let over = kinematics.columns[dof].angular;
+            let [position, velocity] = memory.changes_of_motion(&here, changes, over);
             (self.position[index], self.velocity[index]) = (position, velocity);
         }
     }
