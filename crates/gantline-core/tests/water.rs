@@ -131,15 +131,26 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             volume: 8.0 + 7.0 * draw.number(),
             pumped,
         };
+        let pushed = body(&mut draw);
         let wave = ForceSpec::Wave {
             name: named("wave", k),
-            body: body(&mut draw),
+            body: pushed.clone(),
             at: at(&mut draw),
             origin: at(&mut draw),
             directions: (0..4).map(|k| f64::from(k) + 0.4 * draw.number()).collect(),
             phasors: (0..3).map(|_| (0..4).map(|_| [(); 4].map(|()| phasor(&mut draw))).collect()).collect(),
         };
-        spec.forces.extend([buoyancy, added, drag, tank, wave]);
+        // By a matrix alone, where waves push: along their axes.
+        let viscous = ForceSpec::Drag {
+            name: named("viscous", k),
+            body: pushed,
+            at: at(&mut draw),
+            damping: square(&mut draw, 20.0),
+            quadratic: [0.0; 6],
+            stream: [0.0; 3],
+            gusty: false,
+        };
+        spec.forces.extend([buoyancy, added, drag, tank, wave, viscous]);
     }
     let component = |draw: &mut Draw| ComponentSpec {
         frequency: 1.0 + 0.5 * draw.number(),

@@ -11,8 +11,10 @@ use super::{BuildError, error, finite, positive};
 use crate::force::AnyForce;
 use crate::force::added_mass::AddedMass;
 use crate::force::buoyancy::Buoyancy;
+use crate::force::damping::Damping;
 use crate::force::drag::Drag;
 use crate::force::mooring::Mooring;
+use crate::force::slow::Slow;
 use crate::force::square::Square;
 use crate::force::tank::{Pumped, Tank};
 use crate::force::trains::Trains;
@@ -55,15 +57,24 @@ pub(super) fn build_forces(
         _ => None,
     });
     for (body, slow) in waves.collect::<Vec<_>>() {
-        for force in &mut forces {
-            if let AnyForce::Memory(memory) = force
-                && memory.body == body
-            {
-                memory.slow = Some(slow.clone());
-            }
-        }
+        follow_waves(&mut forces, body, &slow);
     }
     Ok(forces)
+}
+
+/// What water does to the motions of a body that waves push acts along the axes of their forces.
+fn follow_waves(forces: &mut [AnyForce], body: usize, slow: &Slow) {
+    for force in forces.iter_mut().filter(|force| force.body() == body) {
+        match force {
+            AnyForce::Memory(memory) => memory.slow = Some(slow.clone()),
+            AnyForce::Drag(drag) => {
+                if let Some(damping) = Damping::of(drag, slow) {
+                    *force = AnyForce::Damping(damping);
+                }
+            }
+            _ => {}
+        }
+    }
 }
 
 fn build_force(

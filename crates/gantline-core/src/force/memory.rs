@@ -23,8 +23,9 @@
 //! As seen from those axes F depends on z alone. What it takes from the body is never negative in the whole, where K is
 //! passive: Re K(iω) without negative eigenvalues. At a moment it may give back.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
+use super::axes::Axes;
 use super::slow::Slow;
 use super::square::Square;
 use super::{AnyForce, At, Force, Tangent, under};
@@ -71,24 +72,6 @@ pub struct Memory {
     pub slow: Option<Slow>,
 }
 
-/// The axes of ν and of the force, with P.
-struct Axes {
-    turn: DMat3,
-    /// P from the body's origin, world axes [m].
-    arm: DVec3,
-    /// How fast they turn by themselves [rad/s]; none of the body's own.
-    turning: Option<f64>,
-}
-
-impl Axes {
-    /// ν of a motion of the body.
-    fn motion(&self, twist: &Twist) -> [f64; 6] {
-        let back = self.turn.transpose();
-        let (linear, angular) = (back * twist.at(self.arm), back * twist.angular);
-        [linear.x, linear.y, linear.z, angular.x, angular.y, angular.z]
-    }
-}
-
 impl Memory {
     /// Where its states are among those of all forces.
     pub fn states(&self) -> std::ops::Range<usize> {
@@ -96,10 +79,7 @@ impl Memory {
     }
 
     fn axes(&self, pose: &Pose, past: &[f64], time: f64) -> Axes {
-        let arm = pose.rotation * self.at;
-        let Some(slow) = &self.slow else { return Axes { turn: pose.rotation, arm, turning: None } };
-        let slowly = slow.at(past, time);
-        Axes { turn: DMat3::from_rotation_z(slowly.heading), arm, turning: Some(slowly.turning) }
+        Axes::new(pose, self.at, self.slow.as_ref().map(|slow| slow.at(past, time)))
     }
 
     /// ν of the motion of the body.
@@ -123,8 +103,7 @@ impl Memory {
             changed.linear += over.cross(at.twist.at(axes.arm));
             changed.angular += over.cross(at.twist.angular);
         }
-        let there = Axes { arm: DVec3::ZERO, ..axes };
-        [there.motion(&changed), axes.motion(&velocity)]
+        [axes.along(&changed), axes.motion(&velocity)]
     }
 
     /// ν under one unit of every degree of freedom that moves the body.

@@ -9,7 +9,9 @@
 //! To add a kind: one file that implements [`Force`], one variant of [`AnyForce`], one of [`crate::spec::ForceSpec`].
 
 pub mod added_mass;
+pub mod axes;
 pub mod buoyancy;
+pub mod damping;
 pub mod drag;
 pub mod memory;
 pub mod mooring;
@@ -27,6 +29,7 @@ use crate::tree::kinematics::{Kinematics, Twist};
 use crate::tree::pose::Pose;
 use added_mass::AddedMass;
 use buoyancy::Buoyancy;
+use damping::Damping;
 use drag::Drag;
 use memory::{Memory, memories};
 use mooring::Mooring;
@@ -160,6 +163,8 @@ pub enum AnyForce {
     AddedMass(AddedMass),
     /// Resistance of water or air.
     Drag(Drag),
+    /// The same of water by a matrix, of a body that waves push.
+    Damping(Damping),
     /// Waves that the body has made.
     Memory(Memory),
     /// A liquid in a tank.
@@ -178,6 +183,7 @@ impl std::ops::Deref for AnyForce {
             Self::Buoyancy(buoyancy) => &**buoyancy,
             Self::AddedMass(added) => added,
             Self::Drag(drag) => drag,
+            Self::Damping(damping) => damping,
             Self::Memory(memory) => memory,
             Self::Tank(tank) => &**tank,
             Self::Mooring(mooring) => &**mooring,
@@ -279,6 +285,10 @@ pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f6
     for drag in drags(tree) {
         take(tree, kinematics, drag.body, drag.wrench(&under(tree, kinematics, drag.body, v)), out);
     }
+    for damping in dampings(tree) {
+        let body = damping.body();
+        take(tree, kinematics, body, damping.wrench(&under(tree, kinematics, body, v)), out);
+    }
     for wave in waves(tree) {
         take(tree, kinematics, wave.body, wave.wrench(&under(tree, kinematics, wave.body, v)), out);
     }
@@ -322,6 +332,12 @@ fn take(tree: &Tree, kinematics: &Kinematics, body: usize, wrench: Wrench, out: 
 
 fn drags(tree: &Tree) -> impl Iterator<Item = &Drag> {
     tree.forces.iter().filter_map(|force| if let AnyForce::Drag(drag) = force { Some(drag) } else { None })
+}
+
+fn dampings(tree: &Tree) -> impl Iterator<Item = &Damping> {
+    tree.forces
+        .iter()
+        .filter_map(|force| if let AnyForce::Damping(damping) = force { Some(damping) } else { None })
 }
 
 fn waves(tree: &Tree) -> impl Iterator<Item = &WaveForce> {
