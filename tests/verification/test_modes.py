@@ -136,6 +136,57 @@ def test_two_crane_tandem_lift() -> None:
     assert sorted(rest.squares) == pytest.approx(sorted([along, yaw, *across]), rel=1e-7)
 
 
+@pytest.mark.parametrize("axial_stiffness", [1e9, 1e14])
+def test_two_slings_that_lean(axial_stiffness: float) -> None:
+    """Two slings that lean by α from hooks 6 m to either side to lugs b = 4 m to either side, headed 31°:
+    slow motions are no matter of rounding beside fast ones, however stiff the slings. Out of their plane as
+    (MD4), L the depth of the lugs below the hooks. In it a sling stretches by ± γ·(x, θ) and moves across
+    itself by τ·(x, θ), and
+
+    M = diag(m, I), K = 2 k γγᵀ + 2T/ℓ ττᵀ + 2T diag(0, τ₂), γ = (sin α, h sin α − b cos α),
+    τ = (cos α, h cos α + b sin α), 2T cos α = m g, k = EA/L.
+    """
+    mass, turns, high, hook, lug = 40e3, 3e5, 1.5, 6.0, 4.0
+    along = np.array([math.cos(math.radians(31)), math.sin(math.radians(31))])
+    top = high + math.sqrt(12.0**2 - (hook - lug) ** 2)
+    slings = [
+        rope(
+            f"s{side}",
+            12.0,
+            [
+                end(None, (*(hook * side * along), top)),
+                end("load", (*(lug * side * along), high)),
+            ],
+            axial_stiffness,
+        )
+        for side in (-1, 1)
+    ]
+    load = body("load", free((0, 0, 0)), mass, inertia=(turns, turns, 5e5))
+    rest = at_rest(document([load], ropes=slings))
+    depth = top - high - rest.body("load")[2]
+    length = math.hypot(hook - lug, depth)
+    sine, cosine = (hook - lug) / length, depth / length
+    # A length of 12 m is known to 2e-15 m, which 1e14 N makes 4e-8 of T: motions go with it as it is.
+    pull = rest.tensions.sum()
+    gravity = pull * cosine / mass
+    assert gravity == pytest.approx(G, rel=1e-7)
+    masses = np.array([[1.0, high], [high, high**2 + turns / mass]])
+    out = np.linalg.eigvals(np.linalg.solve(masses, np.diag([gravity / depth, gravity * high]))).real
+
+    weigh = np.diag([mass**-0.5, turns**-0.5])
+    stretch = weigh @ [sine, high * sine - lug * cosine]
+    across = np.array([cosine, high * cosine + lug * sine])
+    geometric = weigh @ (pull / length * np.outer(across, across) + np.diag([0, pull * across[1]])) @ weigh
+    stiff = 2 * axial_stiffness / 12.0
+    # det K/det M without the difference of large numbers: (2 k) γᵀ adj(K′) γ + det K′, K′ the rest of K.
+    trace = stiff * stretch @ stretch + np.trace(geometric)
+    turned = np.array([stretch[1], -stretch[0]])
+    product = stiff * turned @ geometric @ turned + np.linalg.det(geometric)
+    within = 2 * product / (trace + math.sqrt(trace**2 - 4 * product))
+    for square in (*out, within):
+        assert np.abs(rest.squares / square - 1).min() < 1e-11
+
+
 def test_tilting_under_one_equalizer() -> None:
     """Tilting of a load by hand, 5.2 s with its lugs held, and on slings, 3.9 s."""
     # lifts of 300 t with the lugs' middle h = 2.5 m above the centre of gravity. Held there by a ball, a hand

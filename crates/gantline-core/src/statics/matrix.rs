@@ -299,6 +299,22 @@ impl Matrix {
         (mass, stiffness)
     }
 
+    /// xᵀ K x without what rows add, x over all degrees of freedom.
+    pub fn stiffness_along(&self, x: &[f64]) -> f64 {
+        let (symbolic, free) = (&self.layout.symbolic, &self.layout.free);
+        let mut sum = 0.0;
+        for column in 0..symbolic.size() {
+            for slot in symbolic.start[column]..symbolic.start[column + 1] {
+                let (a, b) = (symbolic.order[symbolic.rows[slot]], symbolic.order[column]);
+                if a < free.len() && b < free.len() {
+                    let share = self.stiffness[slot] * x[free[a]] * x[free[b]];
+                    sum += if a == b { share } else { 2.0 * share };
+                }
+            }
+        }
+        sum
+    }
+
     /// Adds to a dense K what wind and current have beyond its symmetric half.
     pub fn add_stream(&self, stiffness: &mut [f64]) {
         if let Some(stream) = &self.stream {

@@ -218,20 +218,31 @@ impl Statics {
             return Err(NoEquilibrium { element: vessel.name.clone(), cause: SINKS.to_owned() });
         }
         self.store(system, state);
-        self.stand(system);
+        self.stand(system, losses);
         self.sliding.retain(|group| !self.slid.contains(group));
         self.slid.append(&mut self.sliding);
         self.is_found = true;
         Ok(())
     }
 
-    /// Sheaves that hold where a lift stands stick, those at their bounds too: which of these are past them is rounding.
-    fn stand(&mut self, system: &System) {
+    /// What friction holds where a lift stands sticks, at its bound too: which of these is past that is rounding. Sheaves
+    /// do, and where `losses` say that friction holds contacts, along and across what they have moved to where they stick,
+    /// and joints, but for motors: what one cannot hold drags it along.
+    fn stand(&mut self, system: &System, losses: Losses) {
+        let is_held = losses.contacts == Contacts::Held;
+        let follows = &mut self.search.here.follows;
         for (row, bearing) in self.bearings.iter().enumerate() {
-            let is_lossy =
-                matches!(system.constraint_of_row(row), AnyConstraint::Brake(brake) if !brake.grip.is_none());
-            if is_lossy && matches!(bearing.part, Part::Hold(bound) if bound > 0.0) {
-                self.search.here.follows[row] = true;
+            let AnyConstraint::Brake(brake) = system.constraint_of_row(row) else { continue };
+            let is_motor = || system.motors.iter().any(|&(motor, _)| motor == row);
+            let sticks = !brake.grip.is_none() || is_held && !is_motor();
+            if sticks && matches!(bearing.part, Part::Hold(bound) if bound > 0.0) {
+                follows[row] = true;
+            }
+        }
+        for rows in system.friction.chunks_exact(2) {
+            if matches!(self.bearings[rows[0]].part, Part::Stick(bound) if bound > 0.0) {
+                follows[rows[0]] = true;
+                self.bearings[rows[1]].compliance = self.bearings[rows[0]].compliance;
             }
         }
     }

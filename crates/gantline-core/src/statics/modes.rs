@@ -91,16 +91,31 @@ impl Statics {
         found
     }
 
-    /// All modes, by dense matrices.
+    /// All modes, by dense matrices. Their ω² lie off by rounding of the largest; those of their shapes,
+    /// [`Statics::square_of`], do not.
     pub(super) fn all_modes(&self, system: &System) -> Vec<(f64, Vec<f64>)> {
         let (follows, matrix) = (&self.search.here.follows, &self.search.matrix);
         let size = matrix.layout.free.len();
         let (mass, stiffness) = matrix.dense(system, &self.bearings, follows);
         let held = self.held_rows(system);
         let found = vibrations(&Square::new(size, mass), &Square::new(size, stiffness), &held);
-        let (squares, shapes) = found.unwrap_or_default();
-        let found = squares.into_iter().zip(shapes);
-        found.map(|(square, free)| (square, self.whole(system, free))).collect()
+        let (_, shapes) = found.unwrap_or_default();
+        let shapes = shapes.into_iter().map(|free| self.whole(system, free));
+        let mut found: Vec<_> = shapes.map(|shape| (self.square_of(system, &shape), shape)).collect();
+        found.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+        found
+    }
+
+    /// ω² = xᵀ K x of a shape with xᵀ M x = 1, what rows stretch by and not K summed: of a slow motion they stretch by next to
+    /// nothing, which is lost in K. An error of the shape enters by its square (Rayleigh).
+    fn square_of(&self, system: &System, shape: &[f64]) -> f64 {
+        let here = &self.search.here;
+        let elastic = |row: &usize| here.follows[*row] && !self.bearings[*row].is_rigid;
+        let rows = (0..self.bearings.len()).filter(elastic).map(|row| {
+            let rate = system.rows.rate(&here.frame.gradient, row, shape);
+            rate * rate / self.bearings[row].compliance
+        });
+        self.search.matrix.stiffness_along(shape) + rows.sum::<f64>()
     }
 
     fn mode(&self, system: &System, square: f64, mut shape: Vec<f64>) -> Mode {
