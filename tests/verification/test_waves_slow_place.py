@@ -190,3 +190,39 @@ def test_a_saved_run_goes_on_with_the_same_bytes(tmp_path: Path, integrator: str
     # del books buoyancy by trapezoids: 6.5e-5 here, 1.6e-5 with half the step.
     most = 1e-7 if integrator == "adaptive" else 1e-4
     assert abs(kinds["remainder"]).max() < most * abs(kinds["fluid_work"]).max()
+
+
+#: Against drift, of a water that remembers and damps no steady way [N s/m].
+STEADY = 1e6
+
+
+@pytest.mark.parametrize("remembers", [False, True])
+def test_no_mean_force_by_a_hull_that_turns(tmp_path: Path, remembers: bool) -> None:
+    """A free barge that rolls, pitches and yaws in oblique waves: damping by a matrix and water that
+    remembers push along the axes of wave forces, so that no
+
+        F̄ = ½ Re(ᾱ × F),    F = iω B ξ + ω² (A − A(∞)) ξ,
+
+    is left, as it would be along the axes of the hull, which turn by α. It would drift with F̄/B. Left are
+    what its slow place keeps, as in the test before, and terms of the fourth order: 0.1 % of F̄.
+    """
+    about = [f"{LENGTH / 2} m", "0 m", f"{waves.DRAFT} m"]
+    wave = {"height": "1 m", "period": f"{PERIOD!r} s", "direction": "60 deg"}
+    own = {"at": about, "surge": f"{STEADY} N s/m", "sway": f"{STEADY} N s/m", "yaw": "1e9 N m s"}
+    if remembers:
+        path = waves.radiating(tmp_path, {"swell": wave}, vessel={"water_damping": own})
+        added, damping = (matrix[0] for matrix in waves.radiated(np.array([OMEGA])))
+        steady = np.diag([STEADY, STEADY, 0.0, 0.0, 0.0, 1e9])
+        resists = np.array([STEADY, STEADY])
+    else:
+        path = waves.in_waves(tmp_path, {"swell": wave})
+        added, damping, steady = waves.ADDED, waves.DAMPING, np.zeros((6, 6))
+        resists = np.diag(waves.DAMPING)[:2]
+    run = moving(path, 120 * PERIOD)
+    _, velocity = straight(run, 100 * PERIOD)
+    force = waves.force_per_metre(OMEGA, math.pi / 3) * 0.5
+    moves = waves.response(OMEGA, force, added, damping + steady)
+    pushes = 1j * OMEGA * (damping + steady) @ moves + OMEGA**2 * (added - waves.ADDED) @ moves
+    along_hull = 0.5 * np.cross(np.conj(moves[3:]), pushes[:3]).real[:2]
+    assert np.linalg.norm(along_hull) > 1e3
+    assert np.linalg.norm(velocity * resists) < 0.005 * np.linalg.norm(along_hull)
