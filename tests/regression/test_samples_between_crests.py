@@ -2,8 +2,9 @@
 
 Heel, trim and freeboard are those of samples. A barge in waves of 2.4 m every 6 s, across it, heels by 13.3°
 and dips its deck's edge by 1.08 m; with samples 6 s apart, each at the same place in the waves, it heels
-by 7.6° and keeps 1.65 m of freeboard, which was an ok beside an event of its deck under water, and nothing said that
-more was missed. Three hours of a sea at 20 ms are half a million samples, so that people do take fewer.
+by 7.6° and keeps 1.65 m of freeboard, which was an ok beside an event of its deck under water, and nothing
+said that more was missed. Three hours of a sea at 20 ms are half a million samples, so that people do take
+fewer.
 """
 
 from __future__ import annotations
