@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import waves
-from afloat import LENGTH, MASS
+from afloat import DRAFT, LENGTH, MASS
 from floating import SEA
 from gantline.assembly import assemble
 from gantline.hydro.database import read_database
@@ -206,7 +206,7 @@ def test_no_mean_force_by_a_hull_that_turns(tmp_path: Path, remembers: bool) -> 
     is left, as it would be along the axes of the hull, which turn by α. It would drift with F̄/B. Left are
     what its slow place keeps, as in the test before, and terms of the fourth order: 0.1 % of F̄.
     """
-    about = [f"{LENGTH / 2} m", "0 m", f"{waves.DRAFT} m"]
+    about = [f"{LENGTH / 2} m", "0 m", f"{DRAFT} m"]
     wave = {"height": "1 m", "period": f"{PERIOD!r} s", "direction": "60 deg"}
     own = {"at": about, "surge": f"{STEADY} N s/m", "sway": f"{STEADY} N s/m", "yaw": "1e9 N m s"}
     if remembers:
