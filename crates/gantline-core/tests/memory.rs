@@ -5,7 +5,7 @@ mod rigs;
 
 use gantline_core::build::build;
 use gantline_core::force::memory::{Memory, form, memories, resistance, states};
-use gantline_core::force::{self, under};
+use gantline_core::force::{self, AnyForce, under};
 use gantline_core::spec::{ComponentSpec, ForceSpec, TermSpec, TrainsSpec};
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
@@ -43,16 +43,16 @@ fn terms(oscillators: &Oscillators) -> Vec<TermSpec> {
 /// When all is looked at [s].
 const NOW: f64 = 3.0;
 
-/// Some waves on a body.
+/// Some waves on a body, alike from all sides.
 fn wave(draw: &mut Draw, k: usize, body: &str) -> ForceSpec {
-    let mut phasor = || [(); 6].map(|()| [10.0 * draw.number(), 10.0 * draw.number()]);
+    let mut all = |size: f64| [(); 6].map(|()| [size * draw.number(), size * draw.number()]);
     ForceSpec::Wave {
         name: format!("wave{k}"),
         body: body.to_owned(),
         at: [0.1, -0.2, 0.3],
         origin: [0.4, 0.2, -0.1],
-        directions: vec![0.1, 2.0, 4.0],
-        phasors: (0..2).map(|_| (0..3).map(|_| [(); 4].map(|()| phasor())).collect()).collect(),
+        directions: vec![0.1],
+        phasors: (0..2).map(|_| vec![[all(10.0), all(0.0), all(0.0), all(0.0)]]).collect(),
     }
 }
 
@@ -79,9 +79,9 @@ fn remembering(seeds: &[f64], in_waves: bool) -> (System, State, Frame, Vec<Osci
     let (system, mut state) = build(&spec).expect("the generator makes valid rigs");
     state.past.iter_mut().for_each(|number| *number = draw.number());
     state.time = NOW;
-    for memory in memories(&system.tree) {
-        if let Some(slow) = &memory.slow {
-            state.past[slow.states().start] = NOW - 0.5;
+    for force in &system.tree.forces {
+        if let AnyForce::Wave(wave) = force {
+            state.past[wave.slow.states().start] = NOW - 0.5;
         }
     }
     let mut frame = Frame::new(&system);

@@ -8,7 +8,8 @@ use gantline_core::force::drag::Drag;
 use gantline_core::force::slow::{Slow, Slowly};
 use gantline_core::force::{self, AnyForce, At, Energies, Force, twist_of};
 use gantline_core::spec::{
-    BodySpec, ComponentSpec, DriveSpec, ForceSpec, JointSpec, MooringSpec, PumpedSpec, SystemSpec, TrainsSpec,
+    BodySpec, ComponentSpec, DriveSpec, ForceSpec, JointSpec, MooringSpec, PhasorSpec, PumpedSpec,
+    SystemSpec, TrainsSpec,
 };
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
@@ -89,7 +90,6 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
     };
     let body = |draw: &mut Draw| format!("b{}", draw.choice(7));
     let (named, at) = (|name: &str, k: usize| format!("{name}{k}"), |draw: &mut Draw| draw.vector());
-    let phasor = |draw: &mut Draw| std::array::from_fn(|_| std::array::from_fn(|_| 100.0 * draw.number()));
     for k in 0..2 {
         let buoyancy = ForceSpec::Buoyancy {
             name: named("hull", k),
@@ -132,13 +132,14 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             pumped,
         };
         let pushed = body(&mut draw);
+        let directions: Vec<f64> = (0..4).map(|k| f64::from(k) + 0.4 * draw.number()).collect();
         let wave = ForceSpec::Wave {
             name: named("wave", k),
             body: pushed.clone(),
             at: at(&mut draw),
             origin: at(&mut draw),
-            directions: (0..4).map(|k| f64::from(k) + 0.4 * draw.number()).collect(),
-            phasors: (0..3).map(|_| (0..4).map(|_| [(); 4].map(|()| phasor(&mut draw))).collect()).collect(),
+            phasors: (0..3).map(|_| from_all_sides(&mut draw, &directions)).collect(),
+            directions,
         };
         // By a matrix alone, where waves push: along their axes.
         let viscous = ForceSpec::Drag {
@@ -179,6 +180,36 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);
     (system, state, frame)
+}
+
+/// Forces of a wave that go on from direction to direction without a bend, by Hermite's cubics.
+fn from_all_sides(draw: &mut Draw, directions: &[f64]) -> Vec<[PhasorSpec; 4]> {
+    let count = directions.len();
+    let mut drawn = || -> Vec<PhasorSpec> {
+        let mut phasor = || std::array::from_fn(|_| std::array::from_fn(|_| 100.0 * draw.number()));
+        (0..count).map(|_| phasor()).collect()
+    };
+    let (values, slopes) = (drawn(), drawn());
+    let cubic = |k: usize| {
+        let next = (k + 1) % count;
+        let wide = directions[next] - directions[k] + if next == 0 { std::f64::consts::TAU } else { 0.0 };
+        let term = |power: usize| {
+            std::array::from_fn(|i| {
+                std::array::from_fn(|part| {
+                    let (here, there) = (values[k][i][part], values[next][i][part]);
+                    let (leaves, comes) = (wide * slopes[k][i][part], wide * slopes[next][i][part]);
+                    match power {
+                        0 => here,
+                        1 => leaves,
+                        2 => 3.0 * (there - here) - 2.0 * leaves - comes,
+                        _ => leaves + comes - 2.0 * (there - here),
+                    }
+                })
+            })
+        };
+        [term(0), term(1), term(2), term(3)]
+    };
+    (0..count).map(cubic).collect()
 }
 
 /// The content of a tank on a body, as a joint.
