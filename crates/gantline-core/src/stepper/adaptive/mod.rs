@@ -84,9 +84,6 @@ const LOOKS: [f64; 5] = [
 const FIRST_STEP: f64 = 1e-3;
 /// A step may not be shorter than this [s].
 const STEP_FLOOR: f64 = 1e-10;
-/// How much longer the next step may be than what was made of one that light sheaves have cut: where they turn over they
-/// are soon to again, and what is tried beyond that is mostly in vain.
-const AFTER_CUT: f64 = 8.0;
 /// How far from its law a row may get before it changes side, in tolerances of tension.
 const SWITCHING: f64 = 5.0;
 
@@ -257,9 +254,6 @@ impl Adaptive {
         state.next_step = h * (0.9 * error.max(1e-8).powf(-1.0 / tableau::ERROR_ORDER)).clamp(0.2, 6.0);
         system.clock.time(Stage::Events, || self.look(system, state));
         report.cut = self.made < 1.0;
-        if report.cut && !system.light.is_empty() {
-            state.next_step = state.next_step.min(AFTER_CUT * self.made * h);
-        }
         report.complementarity_residual = self.looks.broken;
         let whole = self.made == 1.0 && h == stop - state.time;
         self.advance(system, state, frame, log, if whole { Some(stop) } else { None })
