@@ -64,11 +64,6 @@ impl Damping {
     }
 }
 
-/// About the body's origin what acts at a point at `arm` [m] from it.
-fn about_origin(Wrench { force, moment }: Wrench, arm: DVec3) -> Wrench {
-    Wrench { force, moment: moment + arm.cross(force) }
-}
-
 impl Force for Damping {
     fn name(&self) -> &str {
         &self.name
@@ -80,7 +75,7 @@ impl Force for Damping {
 
     fn wrench(&self, at: &At) -> Wrench {
         let Push { axes, wrench, .. } = self.push(at);
-        about_origin(wrench, axes.arm)
+        wrench.about(axes.arm)
     }
 
     fn tangent(&self, at: &At) -> Tangent {
@@ -101,7 +96,7 @@ impl Force for Damping {
         let left = matrix.times(&Twist { linear, angular });
         let force = spin.cross(wrench.force) - left.force;
         let moment = spin.cross(wrench.moment) - left.moment;
-        Some(about_origin(Wrench { force, moment }, axes.arm))
+        Some(Wrench { force, moment }.about(axes.arm))
     }
 
     fn loss(&self, at: &At) -> f64 {

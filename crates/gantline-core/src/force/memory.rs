@@ -157,12 +157,11 @@ impl Memory {
         sum
     }
 
-    /// The wrench about the body's origin, world axes, and the axes that it is along.
+    /// The wrench at P, world axes, and the axes that it is along.
     fn pushing(&self, at: &At) -> (Wrench, Axes) {
         let Wrench { force, moment } = self.held(at.past);
         let axes = self.axes(at.pose, at.past, at.time);
-        let (force, moment) = (axes.turn * -force, axes.turn * -moment);
-        (Wrench { force, moment: moment + axes.arm.cross(force) }, axes)
+        (Wrench { force: axes.turn * -force, moment: axes.turn * -moment }, axes)
     }
 
     /// The opposite of the force with the states `past` of all forces along motions ν of the body.
@@ -216,7 +215,8 @@ impl Force for Memory {
     }
 
     fn wrench(&self, at: &At) -> Wrench {
-        self.pushing(at).0
+        let (wrench, axes) = self.pushing(at);
+        wrench.about(axes.arm)
     }
 
     fn tangent(&self, at: &At) -> Tangent {
@@ -224,15 +224,13 @@ impl Force for Memory {
         if axes.turning.is_none() {
             return Tangent::NONE;
         }
-        // It does not turn along: seen from the body a turn δθ changes it by F × δθ, and its point by δθ × P.
-        Tangent::of_what_stays(force, moment - axes.arm.cross(force), axes.arm)
+        Tangent::of_what_stays(force, moment, axes.arm)
     }
 
     fn drift(&self, at: &At) -> Option<Wrench> {
         let (Wrench { force, moment }, axes) = self.pushing(at);
         let spin = DVec3::Z * axes.turning?;
-        let (force, own) = (spin.cross(force), spin.cross(moment - axes.arm.cross(force)));
-        Some(Wrench { force, moment: own + axes.arm.cross(force) })
+        Some(Wrench { force: spin.cross(force), moment: spin.cross(moment) }.about(axes.arm))
     }
 
     fn loss(&self, at: &At) -> f64 {

@@ -65,9 +65,8 @@ impl Between {
 
 impl WaveForce {
     /// Force, and moment about the body's origin, of what acts at P.
-    fn about_origin(&self, at: &At, Wrench { force, moment }: Wrench) -> Wrench {
-        let arm = at.pose.rotation * self.at;
-        Wrench { force, moment: moment + arm.cross(force) }
+    fn about_origin(&self, at: &At, wrench: Wrench) -> Wrench {
+        wrench.about(at.pose.rotation * self.at)
     }
 
     fn between(&self, direction: f64) -> Between {

@@ -31,6 +31,11 @@ impl Wrench {
         self.force += force;
         self.moment += arm.cross(force);
     }
+
+    /// The same about a point from which it acts at `arm` [m].
+    pub fn about(self, arm: DVec3) -> Self {
+        Self { moment: self.moment + arm.cross(self.force), ..self }
+    }
 }
 
 /// Inverse dynamics. Reused from step to step.
