@@ -133,13 +133,13 @@ def test_the_reeved_hoist_where_a_run_has_got_to(efficiency: float) -> None:
 def test_the_reeved_hoist_by_its_plan() -> None:
     """Followed from rest to rest: between where a run gets to and there lie the moments of the conditions.
 
-    Supports are looked at every 0.1 s, in which 0.25 m/min are 0.4 mm; the run feels when they are clear.
+    The load swings in the run, and is clear of its supports 26 ms later: 0.1 mm at 0.25 m/min.
     """
     lift = of_the_reeved_hoist(1.0)
     rest = Statics(lift).equilibrium(150.0)
     ended = Simulation(lift).run()
     height = [one.column("body_position", LOAD)[-1, 2] for one in (rest.recording, ended)]
-    assert height[0] == pytest.approx(height[1], abs=1e-3)
+    assert height[0] == pytest.approx(height[1], abs=1.1e-4)
     assert height[0] - 2.5 > 5.0
     weight = rest.recording.column("hoist_load", "hook")[-1]
     assert weight == pytest.approx(ended.column("hoist_load", "hook")[-1], rel=1e-6)

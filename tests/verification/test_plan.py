@@ -8,6 +8,8 @@ import pytest
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
+from gantline.statics import Statics
+from gantline.study import run_steps
 from goliath_lift import HOOK, HOOK_BLOCK, HUNG, goliath_lift
 from lift_text import BASE, spoiled
 from mechanics import G
@@ -65,7 +67,7 @@ _PLAN = """\
 """
 
 
-def test_steps_end_on_loads_spreads_and_supports() -> None:
+def lift_by_conditions() -> str:
     """A load of 60 t in an equalizer, up from a ground of springs and down onto it again."""
     plan = BASE.index("  - {step: hoist"), BASE.index("limits:")
     text = BASE[: plan[0]] + _PLAN + BASE[plan[1] :]
@@ -78,6 +80,29 @@ def test_steps_end_on_loads_spreads_and_supports() -> None:
         ),
     ):
         text = spoiled(old, new, text)
+    return text
+
+
+def test_at_rest_a_condition_is_met_within_a_millisecond() -> None:
+    """Steps from rest to rest: the hook brakes from 0.6 m/min in v/a = 0.1 s once 400 kN hang in it.
+
+    What is more after a millisecond is that of the 20 ms before, by 1/20, while load goes with way.
+    """
+    question = Statics(parse_scenario(lift_by_conditions()))
+    up = next(one for one in run_steps(question) if one.name == "up, equal")
+    met = up.state.time - 0.1
+
+    def hoist_load(time: float) -> float:
+        return float(question.equilibrium(time).recording.column("hoist_load", "hook")[-1])
+
+    before, there = hoist_load(met - 0.02), hoist_load(met)
+    assert before < 400e3 <= there
+    assert there - 400e3 <= (there - before) / 20
+
+
+def test_steps_end_on_loads_spreads_and_supports() -> None:
+    """As the plan says, on the way up and down again."""
+    text = lift_by_conditions()
     recording = run(text)
     at = steps(recording)
 

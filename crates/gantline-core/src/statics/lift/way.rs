@@ -10,11 +10,11 @@ use crate::statics::{NoEquilibrium, Rest, Statics};
 use crate::stepper::flows;
 use crate::system::System;
 
-/// Time between looks at the conditions of a plan [s].
+/// Time between looks at the condition of a step while another one ends [s].
 const LOOK: f64 = 0.1;
 /// Farthest look ahead: where a condition holds there, what lies before it is looked at by halves [s].
 const AHEAD: f64 = 16.0 * LOOK;
-/// Longest and shortest part of a plan that is followed at once [s].
+/// Longest and shortest part of a plan that is followed at once; when a condition is met is known to the latter [s].
 const LONGEST: f64 = 5.0;
 const SHORTEST: f64 = 1e-3;
 /// Unstretched rope, wound in one part, that may be in doubt [m]: the error is of second order in it.
@@ -58,8 +58,8 @@ impl StaticLift {
         statics.settle(system, state, losses)
     }
 
-    /// From rest to rest, the start being where `increment` has brought it. A condition is met at the first look at which
-    /// it holds, `LOOK` apart: what holds for less than `AHEAD`, and not at its end, may be missed.
+    /// From rest to rest, the start being where `increment` has brought it. A condition is met within `SHORTEST` of where
+    /// it begins to hold: what holds for less than `AHEAD`, and not at its end, may be missed.
     pub(super) fn follow(
         &mut self,
         time: f64,
@@ -110,8 +110,7 @@ impl StaticLift {
             statics.may_slide = is_short;
             let found = statics.follow(system, state, losses);
             statics.may_slide = true;
-            let is_late =
-                found.is_ok() && waits && stride > LOOK && is_fulfilled(system, state, &mut support);
+            let is_late = found.is_ok() && waits && is_fulfilled(system, state, &mut support);
             if is_short || (found.is_ok() && statics.doubt <= DOUBT && !is_late) {
                 found?;
                 note(slides, statics, next);
