@@ -14,10 +14,12 @@ from matplotlib.colors import Normalize, to_rgb
 from gantline.plot.panels import EARTH_EDGE, TENSION
 from gantline.plot.scene import Box, RopePath, Sheave, Snapshot
 from gantline.plot.style import INK, QUIET
+from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 
 _EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line
 _LINES_REACH = 0.05  # of a panel's larger side: more than half the width of any line
+_BEHIND = 2.0  # times as far from each other along the line of sight as across it: hooks hide each other
 _SLACK_BELOW = 1e-3  # of the largest tension shown, or of that of the rope itself
 _PLAIN = "#DDDDDD"
 #: Colour of ropes that are slack.
@@ -50,9 +52,29 @@ class View:
         """Points on paper [m], shape (..., 2), of points in space, shape (..., 3)."""
         return np.stack([points @ self.right, points @ self.up], axis=-1)
 
+    @property
+    def axis(self) -> int:
+        """World axis that a side view has to the right: 0 for x, 1 for y."""
+        return int(np.argmax(np.abs(self.right[:2])))
+
 
 SIDE = View(np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0]), np.array([0.0, -1.0, 0.0]))
+_SIDE_ALONG_Y = View(np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0]))
 TOP = View(np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]))
+
+
+def side_of(recording: Recording) -> View:
+    """The side view of a lift: x to the right, or y where hooks stand behind each other, seen along y.
+
+    Booms lie along x or turn, so that a lift with one is seen along y whatever its hooks do.
+    """
+    bodies = recording.coordinates.get("body", ())
+    hooks = [hook.name for hook in recording.rig.hooks if hook.name in bodies]
+    if len(hooks) < 2 or recording.rig.booms:
+        return SIDE
+    starts = np.array([recording.column("body_position", hook)[0, :2] for hook in hooks])
+    wide, deep = np.ptp(starts, axis=0)
+    return _SIDE_ALONG_Y if deep > _BEHIND * wide else SIDE
 
 
 def draw(panel: Axes, snap: Snapshot, view: View, norm: Normalize, *, large: bool = False) -> None:

@@ -50,6 +50,7 @@ class Film:
         if not any(snap.ropes or snap.boxes for _, snap in shown):
             raise ValueError("this recording has nothing to draw")
         self._norm = drawing.norm_of(shown)
+        self._view = drawing.side_of(recording)
         self._lift = np.concatenate([snap.extent() for _, snap in shown])
         self._ground = ground_of(recording)
         with matplotlib.rc_context(RC):
@@ -64,15 +65,15 @@ class Film:
         recording = self._recording
         snap = snapshot(recording, sample)
         with matplotlib.rc_context(RC):
-            for panel, view in ((self._side, drawing.SIDE), (self._top, drawing.TOP)):
+            for panel, view in ((self._side, self._view), (self._top, drawing.TOP)):
                 panel.cla()
                 window = self._windows[panel]
                 panels.bare(panel, window)
                 drawing.draw(panel, snap, view, self._norm)
             if self._ground is not None:
-                panels.draw_ground(self._side, self._ground, self._lift)
+                panels.draw_ground(self._side, self._ground, self._lift, self._view.axis)
                 panels.draw_holes(self._top, self._ground, water_level(recording))
-            panels.draw_water(self._side, recording, self._lift, snap.time)
+            panels.draw_water(self._side, recording, self._lift, snap.time, self._view.axis)
             panels.scale_bar(self._side)
             self._caption.set_text(self._said(snap.time))
             self._cursor.set_xdata([snap.time, snap.time])
@@ -113,7 +114,7 @@ class Film:
         )
         side, top = figure.add_subplot(grid[:, 0]), figure.add_subplot(grid[0, 1])
         self._windows = {
-            side: panels.window_of(drawing.SIDE.project(extent), below=0.8),
+            side: panels.window_of(self._view.project(extent), below=0.8),
             top: panels.window_of(drawing.TOP.project(extent)),
         }
         return side, top, figure.add_subplot(grid[1, 1])

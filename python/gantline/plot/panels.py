@@ -92,8 +92,8 @@ def bare(panel: Axes, window: FloatArray) -> None:
         spine.set_zorder(6)  # above the ground that labels stand on
 
 
-def draw_water(panel: Axes, recording: Recording, lift: FloatArray, time: float) -> None:
-    """The water in a side view at a time [s], cut where the lift is: what it fills is tinted.
+def draw_water(panel: Axes, recording: Recording, lift: FloatArray, time: float, axis: int = 0) -> None:
+    """The water in a side view along x (0) or y (1) at a time [s], cut where the lift is: it is tinted.
 
     Waves are those that run there, in the vertical plane through the middle of the lift.
     """
@@ -102,25 +102,26 @@ def draw_water(panel: Axes, recording: Recording, lift: FloatArray, time: float)
         return
     left, right = panel.get_xlim()
     low, _ = panel.get_ylim()
-    middle = float(lift[:, 1].min() + lift[:, 1].max()) / 2
-    for corners in water_cut(ground_of(recording), level, 0, ((left, right), low), lift):
+    middle = float(lift[:, 1 - axis].min() + lift[:, 1 - axis].max()) / 2
+    for corners in water_cut(ground_of(recording), level, axis, ((left, right), low), lift):
         floor, surface = corners[:2], corners[2:]
         sea = recording.rig.sea
         if sea is not None:
-            x = np.linspace(surface[0, 0], surface[1, 0], _PLACES)
-            place = np.stack([x, np.full_like(x, middle)], axis=-1)
+            along = np.linspace(surface[0, 0], surface[1, 0], _PLACES)
+            place = np.full((_PLACES, 2), middle)
+            place[:, axis] = along
             heights = level + sea.at(np.array([time]), place[None])[0]
-            surface = np.stack([x, np.maximum(heights, floor[0, 1])], axis=-1)
+            surface = np.stack([along, np.maximum(heights, floor[0, 1])], axis=-1)
         filled = np.concatenate([floor, surface])
         panel.add_artist(Polygon(filled, facecolor=_WATER, edgecolor="none", alpha=0.25, zorder=3.8))
         panel.plot(*surface.T, color=_WATER, linewidth=1.0, zorder=3.9)
 
 
-def draw_ground(panel: Axes, ground: Ground, lift: FloatArray) -> None:
-    """The ground in a side view, cut where the lift is."""
+def draw_ground(panel: Axes, ground: Ground, lift: FloatArray, axis: int = 0) -> None:
+    """The ground in a side view along x (0) or y (1), cut where the lift is."""
     left, right = panel.get_xlim()
     low, _ = panel.get_ylim()
-    line = ground.profile(0, (left, right), lift)
+    line = ground.profile(axis, (left, right), lift)
     below = np.concatenate([line, [(right, low), (left, low)]])
     panel.add_artist(Polygon(below, facecolor=_EARTH, edgecolor="none", zorder=0))
     panel.plot(*line.T, color=EARTH_EDGE, linewidth=1.0, zorder=0.5)

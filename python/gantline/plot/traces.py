@@ -184,6 +184,9 @@ def attitude(recording: Recording) -> Figure | None:
         widen(panel, least_span)
         if values is tilt or values is drift or values is swing:
             panel.set_ylim(bottom=0.0)
+        if panel is panels[0]:
+            low, high = panel.get_ylim()
+            panel.set_ylim(top=low + 1.2 * (high - low))  # room for 'lift-off'
         few_ticks(panel)
         label_ends(panel, recording.time, values)
     missing = not_worth_a_plot(recording)

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from gantline.plot.drawing import SIDE, TOP, View, draw, norm_of
+from gantline.plot.drawing import TOP, View, draw, norm_of, side_of
 from gantline.plot.labels import label_lugs, label_sheaves
 from gantline.plot.moments import Moment, moments
 from gantline.plot.moments import stages as stages_of
@@ -35,24 +35,24 @@ def system(recording: Recording) -> Figure | None:
     lift = extent
     if ground is not None:
         extent = np.concatenate([extent, ground.near(lift)])
-    norm = norm_of(shown)
+    norm, side = norm_of(shown), side_of(recording)
     windows = [
-        window_of(SIDE.project(extent), below=0.8),
+        window_of(side.project(extent), below=0.8),
         window_of(TOP.project(extent)),
     ]
     windows[1][1] = _at_least(windows[1][1], 0.3 * float(np.ptp(windows[0][0])))
     windows[1][0] = windows[0][0] = _hull(windows[0][0], windows[1][0])
     figure, panels = strip(recording, "The system", len(shown), windows)
     for column, (moment, (_, snap)) in enumerate(zip(found, shown, strict=True)):
-        for view, row in ((SIDE, panels[0]), (TOP, panels[1])):
+        for view, row in ((side, panels[0]), (TOP, panels[1])):
             draw(row[column], snap, view, norm)
         if ground is not None:
-            draw_ground(panels[0][column], ground, lift)
+            draw_ground(panels[0][column], ground, lift, side.axis)
             draw_holes(panels[1][column], ground, water_level(recording))
-        draw_water(panels[0][column], recording, lift, snap.time)
+        draw_water(panels[0][column], recording, lift, snap.time, side.axis)
         _title(panels[0][column], moment)
         label_lugs(panels[1][column], recording, snap)
-    panels[0][0].set_ylabel("side view (x, z)", fontsize=8, color=QUIET)
+    panels[0][0].set_ylabel(f"side view ({'xy'[side.axis]}, z)", fontsize=8, color=QUIET)
     panels[1][0].set_ylabel("top view (x, y)", fontsize=8, color=QUIET)
     scale_bar(panels[0][-1])
     tension_bar(figure, [panel for row in panels for panel in row], norm)
@@ -65,19 +65,19 @@ def stages(recording: Recording) -> Figure | None:
     if not (recording.rig.cranes or recording.rig.booms) or len(found) < 4:
         return None
     shown = [(one.name, snapshot(recording, one.sample)) for one in found]
-    norm = norm_of(shown)
+    norm, side = norm_of(shown), side_of(recording)
     extent = lift = np.concatenate([snap.extent() for _, snap in shown])
     ground = ground_of(recording)
     if ground is not None:
         extent = np.concatenate([lift, ground.near(lift)])
-    window = window_of(SIDE.project(extent))
+    window = window_of(side.project(extent))
     figure, rows = strip(recording, "Stages", 3, [window, window], scale=3.6, titles=2)
     panels = [panel for row in rows for panel in row]
     for panel, moment, (_, snap) in zip(panels, found, shown, strict=False):
         if ground is not None:
-            draw_ground(panel, ground, lift)
-        draw(panel, snap, SIDE, norm)
-        draw_water(panel, recording, lift, snap.time)
+            draw_ground(panel, ground, lift, side.axis)
+        draw(panel, snap, side, norm)
+        draw_water(panel, recording, lift, snap.time, side.axis)
         _title(panel, moment)
     for panel in panels[len(shown) :]:
         panel.set_visible(False)
