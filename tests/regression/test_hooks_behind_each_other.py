@@ -1,7 +1,7 @@
 """Pictures of a lift by two cranes on the same rails showed one hook: the other stood behind it.
 
-The pictures `system` and `stages`, and films, were seen along y whatever the lift was, while the first page of the
-report turned its side view so that hooks side by side are seen side by side.
+The pictures `system` and `stages`, and films, were seen along y whatever the lift was, while the first page
+of the report turned its side view so that hooks side by side are seen side by side.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from gantline.results import Recording
 
 
 def lift(first: tuple[float, float], second: tuple[float, float], longer: float = 0.0) -> Recording:
-    """20 t that come off the ground in two slings under hooks at (x, y), one of them longer by so much [m]."""
+    """20 t that come off the ground in two slings under hooks at (x, y), one longer by so much [m]."""
     lugs = [f"[{x} m, {y} m, 2 m]" for x, y in (first, second)]
     hooks = [f"[{x} m, {y} m, 8 m]" for x, y in (first, second)]
     rise = "hoist: {speed: 6 m/min, acceleration: 0.1 m/s^2}"
@@ -57,7 +57,7 @@ def behind() -> Recording:
 
 
 def test_the_side_view_has_hooks_side_by_side(behind: Recording) -> None:
-    """Right and up of a side view are y and z, so that the viewer stands at y × z = x; hooks are 8 m apart."""
+    """Right and up of a side view are y and z, so that the viewer stands at y × z = x."""
     view = side_of(behind)
     hooks = [view.project(behind.column("body_position", name)[0]) for name in ("a", "b")]
     assert view.axis == 1
@@ -74,13 +74,13 @@ def test_hooks_along_x_or_aslant_are_seen_along_y(place: tuple[float, float]) ->
 def test_pictures_are_drawn_that_way(behind: Recording) -> None:
     """The system says which axes it shows, and the ground goes from one end of its panel to the other."""
     panel = dict(figures(behind))["system"].axes[0]
-    earth = [np.asarray(one.get_xy()) for one in panel.patches if isinstance(one, Polygon)][0]
+    earth = next(np.asarray(one.get_xy()) for one in panel.patches if isinstance(one, Polygon))
     assert panel.get_ylabel() == "side view (y, z)"
     assert (earth[:, 0].min(), earth[:, 0].max()) == pytest.approx(panel.get_xlim())
 
 
 def test_a_film_is_drawn_that_way(behind: Recording) -> None:
-    """The left part of a film shows the same of a square load under hooks along y as of one under hooks along x."""
+    """The left part of a film shows the same of a square load under hooks along y as under hooks along x."""
     one, other = (Film(run, width=640).picture(0) for run in (behind, lift((-4.0, 0.0), (4.0, 0.0))))
     side = slice(None), slice(0, one.shape[1] // 2)
     assert np.array_equal(one[side], other[side])
@@ -88,7 +88,7 @@ def test_a_film_is_drawn_that_way(behind: Recording) -> None:
 
 
 def test_the_name_of_lift_off_stands_above_a_tilt_that_stays() -> None:
-    """0.1 m on 8 m are 0.7 deg from lift-off on, which ran through the name: a sixth of the panel is kept free."""
+    """0.1 m on 8 m are 0.7 deg from lift-off on, which ran through the name: a sixth of the panel is free."""
     panel = dict(figures(lift((-4.0, 0.0), (4.0, 0.0), longer=0.1)))["attitude"].axes[0]
     low, high = panel.get_ylim()
     curves = [np.asarray(line.get_ydata()) for line in panel.lines if np.size(line.get_ydata()) > 2]

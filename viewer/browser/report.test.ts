@@ -166,6 +166,23 @@ describe("the report", () => {
       expect(isReached).toBe(scrolls);
   });
 
+  it("shades the foot of a long table while it goes on, and keeps its head in sight", async () => {
+    const { page } = await open(browser, "report.html", { width: 1100, height: 740 });
+    const box = page.locator(".columns");
+    const [goesOn, shades, below] = await box.evaluate((events) => {
+      events.style.maxHeight = "80px";
+      events.scrollTop = 60;
+      const head = events.querySelector("th")!.getBoundingClientRect();
+      return [
+        events.scrollHeight > events.clientHeight,
+        getComputedStyle(events).backgroundAttachment,
+        head.top - events.getBoundingClientRect().top,
+      ];
+    });
+    expect([goesOn, shades]).toEqual([true, "local, scroll"]);
+    expect(below).toBe(0);
+  });
+
   it("moves the player and all plots by one plot", async () => {
     const { page } = await open(browser, "report.html");
     const plot = page.locator("#tensions .gl-plot").first();
