@@ -15,7 +15,7 @@ import pytest
 import gantline
 from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.results.recording import Recording
-from gantline.scenario import parse_scenario
+from gantline.scenario import ScenarioError, parse_scenario
 from gantline.statics import Statics
 
 PARTS, DIAMETER, DOWN = 4, 1.0, 3.0
@@ -96,3 +96,14 @@ def test_turns_that_nothing_says_are_a_warning() -> None:
     [check] = checked(run(", spare_turns: 3"))
     assert check.verdict is Verdict.WARNING
     assert "wraps_at_start" in check.remark
+
+
+def test_fewer_at_the_start_than_have_to_stay_are_refused() -> None:
+    """No plan makes that right: it was in order, and failed at 0 s of the run."""
+    with pytest.raises(ScenarioError, match=r"2 turns are on it at the start, and 3 have to stay") as problem:
+        parse_scenario(lift(", wraps_at_start: 2, spare_turns: 3"))
+    assert "cranes.hook.drum.wraps_at_start" in str(problem.value)
+
+
+def test_as_many_at_the_start_as_have_to_stay_are_enough() -> None:
+    parse_scenario(lift(", wraps_at_start: 3, spare_turns: 3"))

@@ -108,6 +108,12 @@ class RopeOnDrum(Element):
             if self.wraps_at_start > room:
                 sentence = f"{self.wraps_at_start:g} wraps do not go on a drum that has room for {room:g}"
                 raise refuse(f"{sentence}; more 'layers' or 'wraps_per_layer' are right", "wraps_at_start")
+        is_asked = "spare_turns" in self.model_fields_set
+        if is_asked and self.wraps_at_start is not None and self.wraps_at_start < self.spare_turns:
+            sentence = (
+                f"{self.wraps_at_start:g} turns are on it at the start, and {self.spare_turns:g} have to stay"
+            )
+            raise refuse(f"{sentence} ('spare_turns'); those that stay are counted too", "wraps_at_start")
         return self
 
     def mass_on(self, diameter: float) -> float | None:
