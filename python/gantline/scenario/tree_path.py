@@ -38,6 +38,20 @@ def node_at(tree: MapNode, path: str) -> Node | None:
     return found
 
 
+def line_at(tree: MapNode, path: str) -> int:
+    """The line of what stands at a path; where it could stand and does not, that of what would hold it.
+
+    Raises:
+        PathError: if an earlier part of the path leads nowhere.
+    """
+    holder, key = _holder(tree, path)
+    if isinstance(holder, MapNode):
+        stands: Node = holder.get(str(key), holder)
+        return stands.line
+    found: Node = holder[int(key)]
+    return found.line
+
+
 def put(tree: MapNode, path: str, node: Node) -> MapNode:
     """The tree with a node in place of what stands at a path; the tree given stays as it is.
 

@@ -17,7 +17,7 @@ from gantline.scenario.mooring import line_rope
 from gantline.scenario.rigging import resolve
 from gantline.scenario.tag_line import tag_rope
 from gantline.scenario.tree import MapNode, Node, TextNode, line_of
-from gantline.scenario.tree_path import PathError, node_at, node_of, put, text_node
+from gantline.scenario.tree_path import PathError, line_at, node_at, node_of, put, text_node
 from gantline.units import UnitError, common_dimension, quantity, si_text
 
 __all__ = [
@@ -263,7 +263,7 @@ def _changed(scenario: Scenario, changes: Mapping[str, Node], path: tuple[PathPa
 def _with_texts(scenario: Scenario, tree: MapNode, texts: Mapping[str, Any]) -> Scenario:
     """The scenario of a tree with values at dotted paths, for which that of `scenario` knows the lines."""
     for path, text in texts.items():
-        tree = put(tree, path, node_of(text, _line(scenario.tree, path)))
+        tree = put(tree, path, node_of(text, line_at(scenario.tree, path)))
     return from_tree(tree, scenario.source, scenario.text)
 
 
@@ -279,11 +279,6 @@ def _let_go(scenario: Scenario) -> MapNode:
     """The same, starting as given: shorter slings, or a higher hook, may pull from the start."""
     tree = _base(scenario)
     return tree if scenario.load is None else put(tree, "start", text_node("as_given", tree.line))
-
-
-def _line(tree: MapNode, path: str) -> int:
-    found = node_at(tree, path)
-    return tree.line if found is None else found.line
 
 
 def _home(scenario: Scenario, rope: str) -> str:
