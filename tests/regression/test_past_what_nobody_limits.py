@@ -81,7 +81,7 @@ def test_what_the_chart_says_comes_first() -> None:
 
 
 def test_what_the_chart_of_another_crane_says_does_not_count() -> None:
-    """Beside a crane without a chart stands one whose chart holds up to 3 deg, which was both cranes' bound."""
+    """Beside a crane without a chart stands one whose chart holds up to 3 deg: that was the bound of both."""
     text = aside(1.3)
     first, last = text.index("  c1:"), text.index("height: 30 m}\n") + len("height: 30 m}\n")
     another = text[first:last].replace("c1:", "c0:").replace("[3 m, -2 m]", "[3 m, 98 m]")

@@ -296,7 +296,7 @@ def test_a_plan_that_waits_for_conditions() -> None:
     # The hold at 50 % lasts 10 s; 60 s lies within it.
     rest = lift.equilibrium(60.0)
     transferred = float(rest.recording.column("load_transferred", LOAD)[-1])
-    # From 0.5 m/min the hook brakes within v²/2a = 0.35 mm, slings and equalizer have some 33 MN/m: 0.39 % more.
+    # From 0.5 m/min the hook brakes within v²/2a = 0.35 mm; of slings and equalizer, 33 MN/m, that is 0.39 %.
     assert transferred == pytest.approx(0.5039, abs=5e-4)
     hook = float(rest.recording.column("hook_load", "test_hook")[-1])
     # (20 + 5 * 0.3) t hang there in any case.
