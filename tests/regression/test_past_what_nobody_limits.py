@@ -80,6 +80,18 @@ def test_what_the_chart_says_comes_first() -> None:
     assert check(text, "attitude_of_rating").verdict is Verdict.OK
 
 
+def test_what_the_chart_of_another_crane_says_does_not_count() -> None:
+    """Beside a crane without a chart stands one whose chart holds up to 3 deg: that was the bound of both."""
+    text = aside(1.3)
+    first, last = text.index("  c1:"), text.index("height: 30 m}\n") + len("height: 30 m}\n")
+    another = text[first:last].replace("c1:", "c0:").replace("[3 m, -2 m]", "[3 m, 98 m]")
+    another = another.replace("side_lead: 1 deg", "side_lead: 3 deg")
+    found = check(text[:first] + another + text[first:].replace(CHART, ""), "side_lead")
+    assert (found.element, found.verdict) == ("c1.H", Verdict.WARNING)
+    assert found.value == pytest.approx(math.radians(1.3), rel=1e-9)
+    assert found.limit == pytest.approx(math.atan(0.02), rel=1e-12)
+
+
 @pytest.mark.parametrize(("lead", "is_told"), [(1.9, False), (2.2, True)])
 def test_falls_out_of_plumb(lead: float, is_told: bool) -> None:
     found = check(aside(lead).replace(CHART, ""), "falls_out_of_plumb")

@@ -31,17 +31,17 @@ _ROUND = math.radians(45.0)
 _ASIDE = 0.02
 
 
-def _side_lead(recording: Recording) -> float:
-    """Angle at which falls pull a boom aside more than lattice booms are made for [rad]."""
-    return max([math.atan(_ASIDE), *_of_charts(recording, "side_lead")])
+def _side_lead(recording: Recording, hook: str) -> float:
+    """Angle at which the falls of a hook pull its boom aside more than lattice booms are made for [rad]."""
+    return max([math.atan(_ASIDE), *_of_chart(recording, hook, "side_lead")])
 
 
-def _tilt(recording: Recording) -> float:
+def _tilt(recording: Recording, _load: str) -> float:
     """Tilt at which loose things begin to move [rad]; none where the plan turns its load on purpose."""
     return math.inf if any(step.turns for step in recording.rig.plan) else math.radians(5.0)
 
 
-def _yaw(recording: Recording) -> float:
+def _yaw(recording: Recording, _load: str) -> float:
     """Turn about plumb past what carries a load turns, by which nobody lets one go [rad].
 
     None where a step asks for the heading.
@@ -51,31 +51,38 @@ def _yaw(recording: Recording) -> float:
     return _ROUND + carried_round(recording)
 
 
-def _falls(recording: Recording) -> float:
-    """Angle of falls from plumb at which nobody lifts by intention [rad]."""
-    return max([_OUT_OF_PLUMB, *_of_charts(recording, "off_lead"), *_of_charts(recording, "side_lead")])
+def _falls(recording: Recording, hook: str) -> float:
+    """Angle of the falls of a hook from plumb at which nobody lifts by intention [rad]."""
+    leads = (lead for key in ("off_lead", "side_lead") for lead in _of_chart(recording, hook, key))
+    return max([_OUT_OF_PLUMB, *leads])
 
 
-def _of_charts(recording: Recording, key: str) -> list[float]:
-    """Leads up to which the makers of cranes say that their charts hold [rad]: no alarm comes before them."""
-    return [lead for chart in recording.rig.rating_charts if (lead := getattr(chart, key)) is not None]
+def _of_chart(recording: Recording, hook: str, key: str) -> list[float]:
+    """The lead up to which the chart of the crane of a hook holds [rad], if it says so: no alarm before."""
+    charts = (chart for chart in recording.rig.rating_charts if hook in chart.hooks)
+    return [lead for chart in charts if (lead := getattr(chart, key)) is not None]
 
 
 FALLS = Alarm(_falls, "more than 3 % of what hangs pulls sideways; plausible, no document")
 SIDE_LEAD = Alarm(
     _side_lead, "lattice booms are made for 2 % of what is rated sideways, wind included: SAE J1093, J987"
 )
-TIPPING = Alarm(lambda _: 0.75, "crawler cranes are rated for 75 % of what tips them: ASME B30.5, 5-1.1.1")
-SLING_ANGLE = Alarm(lambda _: math.radians(60.0), "slings are rated up to 60 deg: EN 13414-1, table 4")
-LUG_PLATE = Alarm(
-    lambda _: math.radians(45.0), "more pulls across the plate than in its plane; plausible, no document"
+TIPPING = Alarm(
+    lambda _, __: 0.75, "crawler cranes are rated for 75 % of what tips them: ASME B30.5, 5-1.1.1"
 )
-SLING_BENDING = Alarm(lambda _: 1.0, "0027/ND rev 11, 7.8.5, of the body of a sling")
-ROPE_FACTOR = Alarm(lambda _: 2.3, "least safety factor of 0027/ND rev 11, 7.3.1, straight and with sockets")
-HOOK_DYNAMICS = Alarm(lambda _: 1.3, "more comes of snatching a load; plausible, no document")
-SHEAVE_BENDING = Alarm(lambda _: 11.2, "drums of the lightest duty, group M1: ISO 4308-1:2003")
+SLING_ANGLE = Alarm(lambda _, __: math.radians(60.0), "slings are rated up to 60 deg: EN 13414-1, table 4")
+LUG_PLATE = Alarm(
+    lambda _, __: math.radians(45.0), "more pulls across the plate than in its plane; plausible, no document"
+)
+SLING_BENDING = Alarm(lambda _, __: 1.0, "0027/ND rev 11, 7.8.5, of the body of a sling")
+ROPE_FACTOR = Alarm(
+    lambda _, __: 2.3, "least safety factor of 0027/ND rev 11, 7.3.1, straight and with sockets"
+)
+HOOK_DYNAMICS = Alarm(lambda _, __: 1.3, "more comes of snatching a load; plausible, no document")
+SHEAVE_BENDING = Alarm(lambda _, __: 11.2, "drums of the lightest duty, group M1: ISO 4308-1:2003")
 SPREADER_TILT = Alarm(
-    lambda _: math.radians(5.0), "makers rate spreaders level, not bent by what hangs; plausible, no document"
+    lambda _, __: math.radians(5.0),
+    "makers rate spreaders level, not bent by what hangs; plausible, no document",
 )
 TILT = Alarm(_tilt, "loose things on a load begin to move; plausible, no document")
 YAW = Alarm(_yaw, "a corner is where a side was, beyond what crane or vessel turn by; plausible, no document")

@@ -33,7 +33,7 @@ def falls_out_of_plumb(recording: Recording, during: BoolArray) -> Iterator[Find
     is_asked = _OF_FALLS in rig.limits or any(_OF_FALLS in step.require for step in rig.plan)
     for fixed in hooks_that_stay(recording):
         for found in _would_hang(recording, during, fixed):
-            if is_asked or found.value > FALLS.value(recording):
+            if is_asked or found.value > FALLS.value(recording, fixed.name):
                 yield found
 
 

@@ -85,11 +85,11 @@ class Alarm:
     """A bound past which nothing goes without a word where nobody set a limit; no limit of any rule.
 
     Attributes:
-        value: SI, of a recording.
+        value: SI, of an element of a recording.
         source: Where it comes from, or why it is sensible.
     """
 
-    value: Callable[[Recording], float]
+    value: Callable[[Recording, str], float]
     source: str
 
 
@@ -109,8 +109,8 @@ class Measure:
         by_definition: Limit that holds where nobody sets one, such as all of a rated capacity.
         definition: Where that limit comes from.
         is_listed: Whether it stands in the table without a limit too.
-        alarm: Where nobody sets a limit, a value past this one warns; one within it is as without it. What
-            is not listed stands in the table then.
+        alarm: Where nobody sets a limit, a value past that of its element warns; one within it is as without
+            it. What is not listed stands in the table then.
     """
 
     meaning: str

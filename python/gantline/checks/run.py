@@ -127,11 +127,12 @@ def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> d
 
 @dataclass(frozen=True)
 class _Outcome:
-    """What a measure found: the governing value, the same between samples, and all that is not a value.
+    """What a measure found: all values and the governing one, that between samples, and what is not a value.
 
     `of` are the elements that have a value.
     """
 
+    values: tuple[Found, ...]
     worst: Found | None
     of: frozenset[str]
     between: float | None
@@ -146,6 +147,7 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
     values = [one for one in findings if isinstance(one, Found)]
     pick = min if measure.at_least else max
     return _Outcome(
+        values=tuple(values),
         worst=_worst(measure, values),
         of=frozenset(one.element for one in values),
         between=pick((one.between for one in values if one.between is not None), default=None),
@@ -219,14 +221,10 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         return replace(check, verdict=Verdict.WARNING, remark=_joined([check.remark, found.cautions]))
     check = replace(_with_value(check, found.worst), is_beside=found.of <= set(rig.outer_ropes))
     remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
-    if given is None and measure.alarm is not None:
-        alarm = measure.alarm.value(recording)
-        within = limit is None or _verdict(measure, found.worst.value, limit) is Verdict.OK
-        if within and _verdict(measure, found.worst.value, alarm) is Verdict.FAILED:
-            check = replace(
-                check, limit=alarm, source=_with_factors(recording, measure.alarm.source, factors)
-            )
-            return replace(check, verdict=Verdict.WARNING, remark=_joined([_OWN_LIMIT, *remarks]))
+    if given is None and (limit is None or _verdict(measure, found.worst.value, limit) is Verdict.OK):
+        alarmed = _alarmed(recording, measure, check, found.values)
+        if alarmed is not None:
+            return replace(alarmed, verdict=Verdict.WARNING, remark=_joined([_OWN_LIMIT, *remarks]))
     if given is None and not measure.is_listed:
         return None
     if limit is None:
@@ -242,6 +240,25 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if remark and verdict is Verdict.OK:
         verdict = Verdict.WARNING
     return replace(check, verdict=verdict, remark=remark)
+
+
+def _alarmed(recording: Recording, measure: Measure, check: Check, values: Sequence[Found]) -> Check | None:
+    """The check of the element that is farthest past its alarm; None where none is."""
+    if measure.alarm is None:
+        return None
+    bounds = {one.element: measure.alarm.value(recording, one.element) for one in values}
+    beyond = [one for one in values if _verdict(measure, one.value, bounds[one.element]) is Verdict.FAILED]
+
+    def share(one: Found) -> float:
+        parts = (bounds[one.element], one.value)
+        over, under = parts if measure.at_least else reversed(parts)
+        return over / under if under and not math.isnan(one.value) else math.inf
+
+    first = first_largest(beyond, share)
+    if first is None:
+        return None
+    source = _with_factors(recording, measure.alarm.source, first.factors)
+    return replace(_with_value(check, first), limit=bounds[first.element], source=source)
 
 
 def _between_samples(check: Check, measure: Measure, between: float | None) -> str:
