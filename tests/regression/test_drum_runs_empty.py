@@ -106,4 +106,6 @@ def test_fewer_at_the_start_than_have_to_stay_are_refused() -> None:
 
 
 def test_as_many_at_the_start_as_have_to_stay_are_enough() -> None:
-    parse_scenario(lift(", wraps_at_start: 3, spare_turns: 3"))
+    """Just as many are in order, and are what the drum has at the start."""
+    question = Statics(parse_scenario(lift(", wraps_at_start: 3, spare_turns: 3")))
+    assert question.equilibrium(0.0).recording.column("drum_wraps", "hook.drum")[-1] == pytest.approx(3.0)

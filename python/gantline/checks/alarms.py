@@ -63,25 +63,26 @@ def _of_chart(recording: Recording, hook: str, key: str) -> list[float]:
     return [lead for chart in charts if (lead := getattr(chart, key)) is not None]
 
 
+def _of_all(value: float, source: str) -> Alarm:
+    """An alarm that is the same for every element, SI."""
+    return Alarm(lambda _recording, _element: value, source)
+
+
 FALLS = Alarm(_falls, "more than 3 % of what hangs pulls sideways; plausible, no document")
 SIDE_LEAD = Alarm(
     _side_lead, "lattice booms are made for 2 % of what is rated sideways, wind included: SAE J1093, J987"
 )
-TIPPING = Alarm(
-    lambda _, __: 0.75, "crawler cranes are rated for 75 % of what tips them: ASME B30.5, 5-1.1.1"
+TIPPING = _of_all(0.75, "crawler cranes are rated for 75 % of what tips them: ASME B30.5, 5-1.1.1")
+SLING_ANGLE = _of_all(math.radians(60.0), "slings are rated up to 60 deg: EN 13414-1, table 4")
+LUG_PLATE = _of_all(
+    math.radians(45.0), "more pulls across the plate than in its plane; plausible, no document"
 )
-SLING_ANGLE = Alarm(lambda _, __: math.radians(60.0), "slings are rated up to 60 deg: EN 13414-1, table 4")
-LUG_PLATE = Alarm(
-    lambda _, __: math.radians(45.0), "more pulls across the plate than in its plane; plausible, no document"
-)
-SLING_BENDING = Alarm(lambda _, __: 1.0, "0027/ND rev 11, 7.8.5, of the body of a sling")
-ROPE_FACTOR = Alarm(
-    lambda _, __: 2.3, "least safety factor of 0027/ND rev 11, 7.3.1, straight and with sockets"
-)
-HOOK_DYNAMICS = Alarm(lambda _, __: 1.3, "more comes of snatching a load; plausible, no document")
-SHEAVE_BENDING = Alarm(lambda _, __: 11.2, "drums of the lightest duty, group M1: ISO 4308-1:2003")
-SPREADER_TILT = Alarm(
-    lambda _, __: math.radians(5.0),
+SLING_BENDING = _of_all(1.0, "0027/ND rev 11, 7.8.5, of the body of a sling")
+ROPE_FACTOR = _of_all(2.3, "least safety factor of 0027/ND rev 11, 7.3.1, straight and with sockets")
+HOOK_DYNAMICS = _of_all(1.3, "more comes of snatching a load; plausible, no document")
+SHEAVE_BENDING = _of_all(11.2, "drums of the lightest duty, group M1: ISO 4308-1:2003")
+SPREADER_TILT = _of_all(
+    math.radians(5.0),
     "makers rate spreaders level, not bent by what hangs; plausible, no document",
 )
 TILT = Alarm(_tilt, "loose things on a load begin to move; plausible, no document")

@@ -246,19 +246,13 @@ def _alarmed(recording: Recording, measure: Measure, check: Check, values: Seque
     """The check of the element that is farthest past its alarm; None where none is."""
     if measure.alarm is None:
         return None
-    bounds = {one.element: measure.alarm.value(recording, one.element) for one in values}
-    beyond = [one for one in values if _verdict(measure, one.value, bounds[one.element]) is Verdict.FAILED]
-
-    def share(one: Found) -> float:
-        parts = (bounds[one.element], one.value)
-        over, under = parts if measure.at_least else reversed(parts)
-        return over / under if under and not math.isnan(one.value) else math.inf
-
-    first = first_largest(beyond, share)
-    if first is None:
-        return None
-    source = _with_factors(recording, measure.alarm.source, first.factors)
-    return replace(_with_value(check, first), limit=bounds[first.element], source=source)
+    beyond = []
+    for one in values:
+        bound = measure.alarm.value(recording, one.element)
+        if _verdict(measure, one.value, bound) is Verdict.FAILED:
+            source = _with_factors(recording, measure.alarm.source, one.factors)
+            beyond.append(replace(_with_value(check, one), limit=bound, source=source))
+    return first_largest(beyond, lambda one: math.inf if one.utilisation is None else one.utilisation)
 
 
 def _between_samples(check: Check, measure: Measure, between: float | None) -> str:
