@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 import gantline
 from gantline.cli.app import app
-from lift_text import DEAD_CENTRE
+from lift_text import DEAD_CENTRE, PAST_THE_END
 
 G = 9.81
 ROPE_TWICE = """
@@ -27,28 +27,6 @@ mechanics:
   ropes:
     first:  {rope: thin, length: 5 m, route: [{type: end, body: ceiling}, {type: end, body: weight}]}
     second: {rope: thin, length: 5 m, route: [{type: end, body: ceiling}, {type: end, body: weight}]}
-"""
-# The part between dead end and sheave shrinks to nothing and turns round: the force jumps.
-PAST_THE_END = """
-format: 1
-lift: {title: A moving sheave falls past the dead end of its rope}
-duration: 2 s
-simulation: {sample_interval: 50 ms, tension_tolerance: 1 N}
-ropes:
-  stiff: {axial_stiffness: 1e5 MN, damping_time: 10 ms}
-mechanics:
-  bodies:
-    post: {joint: {type: fixed}}
-    sheave: {at: [0 m, 0 m, 2 m], joint: {type: slider, axis: [0, 0, 1]}, mass: 300 kg}
-  ropes:
-    fall:
-      rope: stiff
-      length: 11.2 m
-      route:
-        - {type: end, body: post, at: [-0.4 m, 0 m, 0 m]}
-        - {type: half_turn, body: sheave, enter: [-0.4 m, 0 m, 0 m], leave: [0.4 m, 0 m, 0 m],
-           bulge: [0, 0, -1]}
-        - {type: end, body: post, at: [0.4 m, 0 m, 10 m]}
 """
 # From the hook to the lug are 9 m and what the load stands deep in the ground, less than a millimetre.
 TOO_SHORT = """

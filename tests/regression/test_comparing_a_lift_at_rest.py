@@ -55,9 +55,9 @@ def test_two_at_rest_at_other_times_have_none_in_common() -> None:
 
 
 def test_a_run_ends_at_its_duration() -> None:
-    """10 s with samples at 0, 3, 6 and 9 s: over time they are compared to 9 s."""
+    """10 s with samples at 0, 3, 6, 9 and 10 s: they are compared to the end of both."""
     run = Simulation(lift("simulation: {sample_interval: 3 s}\n")).run()
     found = gantline.compare(Simulation(lift()).run(), run)
     assert [side.end for side in found.stability] == [10.0, 10.0]
-    assert found.common is not None and np.allclose(found.common.times, [0.0, 3.0, 6.0, 9.0])
+    assert found.common is not None and np.allclose(found.common.times, [0.0, 3.0, 6.0, 9.0, 10.0])
     assert next(iter(found.stability[1].sentences())) == "ran to its end, 10 s"

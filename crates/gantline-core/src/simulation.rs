@@ -117,11 +117,11 @@ impl Simulation {
         }
         let mut frame = Frame::new(&system);
         frame.update(&system, &state);
-        let mut samples = Samples::with_room(&state, parsed.duration / parsed.sample_interval);
+        let mut samples = Samples::with_room(&state, (parsed.duration / parsed.sample_interval).ceil());
         samples.make_room_for_peaks(&system);
         Ok(Self {
             method: Method::new(&system, &frame, &parsed.integrator)?,
-            recorder: Recorder::new(&system, &state, parsed.sample_interval),
+            recorder: Recorder::new(&system, &state, parsed.sample_interval, parsed.duration),
             lookout: Lookout::new(&system),
             asked: (0, 0.0),
             fingerprint: fingerprint([document, settings]),
@@ -168,6 +168,9 @@ impl Simulation {
     pub fn step_to(&mut self, until: f64) -> Result<(), StepError> {
         self.system.clock.resume();
         let made = self.make_step(until.min(self.settings.duration));
+        if made.is_err() {
+            self.recorder.close(&self.system, &self.state, &mut self.samples);
+        }
         self.system.clock.pause();
         made
     }
@@ -213,6 +216,14 @@ impl Simulation {
             let motion =
                 &mut |span: &Span, share, sample: &mut Sample| method.course(system, span, share, sample);
             recorder.record(&span, samples, motion);
+            if recorder.is_past(after.time) {
+                // Of a step that leads over the end counts what has been sampled there.
+                let Sample { q, tension, .. } = recorder.last();
+                let force =
+                    |row: usize, known| (tension[row] > known).then_some((tension[row], recorder.end));
+                samples.note_peaks(system, q, force);
+                return;
+            }
             samples.note_lines(system, &frame.kinematics, after);
             samples.note_peaks(system, &after.q, |row, known| method.peak(span.before, after, row, known));
         });
@@ -275,9 +286,10 @@ impl Simulation {
         Names::new(&self.system)
     }
 
-    /// Events so far, in order of time, with the names of what they concern.
+    /// Events so far, none of them after the end of the run, in order of time, with the names of what they concern.
     pub fn events(&self) -> Vec<(f64, &'static str, String)> {
-        let mut events: Vec<&Event> = self.events.events.iter().collect();
+        let is_within = |event: &&Event| !self.recorder.is_past(event.time);
+        let mut events: Vec<&Event> = self.events.events.iter().filter(is_within).collect();
         events.sort_by(|a, b| a.time.total_cmp(&b.time));
         events
             .into_iter()

@@ -152,30 +152,40 @@ def extreme(
     at = first_peak(within)
     most = float(within.max())
     text = formula(at) if formula is not None else ""
-    crest = _crest(upwards, during)
+    crest = _crest(recording.time, upwards, during)
     between = None if crest is None or not crest > most else -crest if smallest else crest
     value = -most if smallest else most
     yield Found(value, element, float(recording.time[at]), text, between=between)
 
 
-def _crest(values: FloatArray, during: BoolArray) -> float | None:
+def _crest(time: FloatArray, values: FloatArray, during: BoolArray) -> float | None:
     """The highest vertex of a parabola through a sample and its two neighbours, all of them in a mask.
 
     Of samples that are no lower than their neighbours, which the vertex then lies between. A parabola is what
     a smooth series is about its crest; past a kink it goes by no more than an eighth of the bend there. What
     comes to rest has no crest there: the parabola about the higher neighbour goes no higher than the sample.
+
+    With b and c the slope and half the bend of the parabola at the sample it goes b²/(-4c) higher than that.
+    The last sample of a run may be nearer to the one before than others are.
     """
     vertices = values.copy()
+    apart = np.diff(time)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        slopes = np.diff(values) / apart
+        half_bend = np.diff(slopes) / (apart[:-1] + apart[1:])
+        slope = (slopes[:-1] * apart[1:] + slopes[1:] * apart[:-1]) / (apart[:-1] + apart[1:])
     before, here, after = values[:-2], values[1:-1], values[2:]
-    bend = (here - before) + (here - after)
-    is_round = np.isfinite(bend) & (bend > 0.0)
-    vertices[1:-1][is_round] += (after - before)[is_round] ** 2 / (8.0 * bend[is_round])
+    is_round = np.isfinite(half_bend) & (half_bend < 0.0)
+    vertices[1:-1][is_round] -= slope[is_round] ** 2 / (4.0 * half_bend[is_round])
     # At the ends there is no neighbour's parabola.
     vertices[[0, -1]] = np.inf
     higher = np.where(after > before, vertices[2:], vertices[:-2])
+    found = vertices[1:-1]
+    # Past a kink close to the end the parabola over the longer interval goes by any amount.
+    found[-1:] = np.minimum(found[-1:], higher[-1:])
     counts = during[:-2] & during[1:-1] & during[2:] & (here >= before) & (here >= after)
     counts &= is_round & (higher > here)
-    return float(vertices[1:-1][counts].max()) if counts.any() else None
+    return float(found[counts].max()) if counts.any() else None
 
 
 def to_either_side(

@@ -9,6 +9,7 @@ import numpy as np
 
 from gantline.cli.table import table
 from gantline.results.recording import Recording
+from gantline.results.series import mean_over
 from gantline.units import format_quantity
 
 if TYPE_CHECKING:
@@ -31,11 +32,12 @@ def vessels(recording: Recording) -> list[str]:
     In waves and gusts the last sample is a moment between a crest and a trough; a mean is told.
     """
     last = 0.0 if recording.is_equilibrium else recording.rig.time_to_average
-    late = recording.time >= recording.time[-1:] - last if last > 0.0 else np.s_[-1:]
+    time = recording.time
+    late = time >= time[-1:] - last if last > 0.0 else np.s_[-1:]
     rows = []
     for vessel in recording.rig.vessels:
         at_end = [
-            format_quantity(float(recording.column(name, vessel.name)[late].mean()), unit, digits)
+            format_quantity(mean_over(time[late], recording.column(name, vessel.name)[late]), unit, digits)
             for name, _, unit, digits in _LIES
         ]
         freeboard = recording.column("vessel_freeboard", vessel.name)

@@ -112,7 +112,8 @@ def _value(subject: Subject, vessel: Vessel, variable: str, moment: _Moment) -> 
     if variable == "vessel_freeboard":
         return float(during.min())
     time = subject.recording.time[moment.begin : moment.at + 1]
-    return float(during[time >= time[-1] - last].mean())
+    late = time >= time[-1] - last
+    return series.mean_over(time[late], during[late])
 
 
 def _moments(subject: Subject) -> list[_Moment]:

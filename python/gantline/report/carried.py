@@ -88,7 +88,8 @@ def _once_clear(subject: Subject, load: FloatArray) -> float | None:
     end = begin + int(standing[0]) if standing.size else len(time)
     parted = [one.time for one in partings(subject.recording) if one.time > time[begin]]
     until = min([time[begin] + _READ_OVER, *parted])
-    return float(load[begin:end][time[begin:end] <= until].mean())
+    first = begin + np.flatnonzero(time[begin:end] <= until)
+    return series.mean_over(time[first], load[first])
 
 
 def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:

@@ -240,6 +240,20 @@ def static_value(recording: Recording, values: FloatArray, window: BoolArray | N
     return float(np.average(values[inside], weights=weights))
 
 
+def mean_over(times: FloatArray, values: FloatArray) -> float:
+    """Mean of a series over its time, by straight lines between samples, which need not be equally far apart.
+
+    Args:
+        times: Shape (time,), one at least [s].
+        values: Shape (time,).
+
+    Returns:
+        The mean, in the unit of `values`; of a single sample its value.
+    """
+    span = float(times[-1] - times[0])
+    return float(np.trapezoid(values, times)) / span if span > 0.0 else float(values.mean())
+
+
 def sling_tension(recording: Recording, sling: Sling) -> FloatArray:
     """Tension of a sling [N], shape (time,)."""
     return recording.column("rope_tension", sling.rope)

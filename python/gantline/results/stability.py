@@ -45,7 +45,7 @@ class Stability:
 
     Attributes:
         status: `done`, `stopped` or `failed`; of an equilibrium, that it is at rest and when.
-        end: When it ended [s]: at its duration, what broke off at its last sample; None without samples.
+        end: When it ended, which is its last sample [s]; None without samples.
         failure: Why it could not go on; None if it could, or if an old recording does not tell.
         energy_remainder: Largest energy that the audit cannot place, of the largest energy [1]; None if not
             kept.
@@ -127,7 +127,7 @@ def stability_of(recording: Recording) -> Stability:
     remainder = attributes.get("energy_remainder")
     return Stability(
         status=str(attributes.get("status", "done")),
-        end=_end(recording),
+        end=float(recording.time[-1]) if len(recording.time) else None,
         failure=_failure(attributes.get("failure")),
         energy_remainder=None if remainder is None else float(remainder),
         energy_bound=energy_bound(attributes["settings"]),
@@ -138,16 +138,6 @@ def stability_of(recording: Recording) -> Stability:
         unconverged=int((attributes.get("counters") or {}).get("unconverged", 0)),
         is_at_rest=at_rest,
     )
-
-
-def _end(recording: Recording) -> float | None:
-    """When a run ended [s]: one that is done at its duration, which need not be the time of a sample."""
-    if not len(recording.time):
-        return None
-    last, settings = float(recording.time[-1]), recording.attributes["settings"]
-    duration, interval = settings.get("duration") or last, settings.get("sample_interval") or 0.0
-    is_done = recording.attributes.get("status", "done") == "done"
-    return float(duration) if is_done and last < duration < last + interval else last
 
 
 def _failure(document: Any) -> Failure | None:

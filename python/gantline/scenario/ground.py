@@ -93,6 +93,7 @@ class SimulationSettings(Element):
         True, description="del: false leaves the geometric stiffness of taut ropes out."
     )
     sample_interval: PositiveTime = Field(
-        20e-3, description="Time between recorded samples; 20 ms if not given."
+        20e-3,
+        description="Time between recorded samples, the last of which is at the end; 20 ms if not given.",
     )
     gravity: Acceleration = Field(9.81, description="Gravity; 9.81 m/s^2 if not given.")

@@ -29,7 +29,7 @@ def wrong_times(duration: float, step: float | None, sample_interval: float) -> 
     # A single sample would stand for a lift at rest, and not for a run that has hardly begun.
     if sample_interval > duration:
         longer = f"{sample_interval:g} s between samples are more than the duration of {duration:g} s"
-        yield "sample_interval", f"{longer}: there would be one sample alone"
+        yield "sample_interval", f"{longer}: there would be no sample between its start and its end"
     for key, interval, most, usual in (
         ("step", step, _MOST_STEPS, "1 ms"),
         ("sample_interval", sample_interval, _MOST_SAMPLES, "20 ms"),

@@ -1,4 +1,4 @@
-//! What a run keeps: samples of its motion and forces at equal intervals. All else, poses, segments, forces in
+//! What a run keeps: samples of its motion and forces at equal intervals, and one where it ends. All else, poses, segments, forces in
 //! joints, follows from them and is worked out when it is asked for ([`columns::Columns`]).
 
 use crate::audit::KINDS;
@@ -190,11 +190,16 @@ pub struct Span<'a> {
     pub residual: f64,
 }
 
+/// Share of an interval within which two samples are one: much more than the rounding of ten million intervals.
+const NEAR: f64 = 1e-6;
+
 /// Takes samples. Reused from sample to sample.
 #[derive(Debug, Clone)]
 pub struct Recorder {
     /// Time between samples [s].
     pub interval: f64,
+    /// When the run ends [s], which need not be a multiple of the interval.
+    pub end: f64,
     sample: Sample,
     /// Rows that are adjusted.
     adjusted: Vec<usize>,
@@ -202,9 +207,37 @@ pub struct Recorder {
 
 impl Recorder {
     /// A recorder for runs of `system` that pass through states like `state`.
-    pub fn new(system: &System, state: &State, interval: f64) -> Self {
+    pub fn new(system: &System, state: &State, interval: f64, end: f64) -> Self {
         let adjusted = system.adjusters.iter().flat_map(|adjuster| adjuster.rows.iter().copied()).collect();
-        Self { interval, sample: Sample::of(state), adjusted }
+        Self { interval, end, sample: Sample::of(state), adjusted }
+    }
+
+    /// When the sample after one at `last` [s] is due, the first one for none: at the next multiple of the interval, or
+    /// at the end where that comes first. None after that.
+    fn due(&self, last: Option<f64>) -> Option<f64> {
+        let Some(last) = last else { return Some(0.0) };
+        let next = ((last / self.interval + NEAR).floor() + 1.0) * self.interval;
+        let is_within = next < self.end - NEAR * self.interval;
+        let is_open = last < self.end;
+        is_open.then_some(if is_within { next } else { self.end })
+    }
+
+    /// True where a step ends after the run does, as fixed steps may.
+    pub fn is_past(&self, time: f64) -> bool {
+        time > self.end + NEAR * self.interval
+    }
+
+    /// The last sample that was taken.
+    pub fn last(&self) -> &Sample {
+        &self.sample
+    }
+
+    /// Takes one of a state that the run does not go on from, where there is none of it yet.
+    pub fn close(&self, system: &System, state: &State, samples: &mut Samples) {
+        let is_later = |last: &f64| state.time > last + NEAR * self.interval;
+        if samples.time.last().is_some_and(is_later) && !self.is_past(state.time) {
+            samples.push_state(system, state.time, state);
+        }
     }
 
     /// Takes all samples that are due up to the end of the step. `motion` gives the sample at a share of the step.
@@ -216,8 +249,7 @@ impl Recorder {
     ) {
         let (from, to) = (span.before.time, span.after.time);
         let energies = [span.before.ledger.values(), span.after.ledger.values()];
-        loop {
-            let time = samples.time.len() as f64 * self.interval;
+        while let Some(time) = self.due(samples.time.last().copied()) {
             // A sample at the end of the step by intention must not miss it by rounding.
             if time > to + 1e-9 * (to - from) {
                 break;
