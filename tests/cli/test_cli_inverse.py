@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import math
 import re
 import subprocess
 from pathlib import Path
@@ -9,6 +11,8 @@ from pathlib import Path
 import pytest
 
 from gantline.results import open_recording
+from gantline.scenario import load_scenario
+from gantline.statics import Statics
 from gantline.study import run_cases
 from hooked_lift import two_hooks
 from program import program
@@ -62,6 +66,44 @@ def test_plumb(lift: Path) -> None:
     one = statics(lift, "--plumb", "--adjust", "A")
     assert one.returncode == 0, one.stderr
     assert re.search(r"B +- +- +- +- +16\.81 kN +0\.00 kN", one.stdout)
+
+
+def test_lengths_as_json(lift: Path, tmp_path: Path) -> None:
+    """The numbers of the table, unrounded; put into the lift file the new lengths hang it level."""
+    result = statics(lift, "--level", "--json", "-o", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    assert "equilibrium.nc" in result.stderr
+    found = json.loads(result.stdout)
+    assert list(found) == ["values", "lengths", "given", "before", "after", "residual", "steps", "left_out"]
+    assert found["given"] == {"S1": 12.0, "S2": 12.1, "S3": 12.0, "S4": 12.2}
+    assert found["values"] == {f"slings.{name}.length": value for name, value in found["lengths"].items()}
+    assert math.degrees(found["before"]["load_tilt"]["load"]) == pytest.approx(2.289, abs=5e-4)
+    assert found["after"]["load_tilt"]["load"] < 1e-8
+    assert found["before"]["load_heading"].keys() == {"load"}
+    assert found["after"]["sling_tension"].keys() == {"S1", "S2", "S3", "S4"}
+    level = load_scenario(lift).changed({path: f"{value!r} m" for path, value in found["values"].items()})
+    rest = Statics(level).equilibrium().recording
+    assert rest.column("load_tilt", "load")[-1] < 1e-8
+
+
+def test_places_as_json(lift: Path) -> None:
+    result = statics(lift, "--plumb", "--json")
+    assert result.returncode == 0, result.stderr
+    found = json.loads(result.stdout)
+    assert found["values"].keys() == {f"cranes.{hook}.at.{axis}" for hook in "AB" for axis in "xy"}
+    assert [found["values"][f"cranes.A.at.{axis}"] for axis in "xy"] == pytest.approx(found["places"]["A"])
+    before, after = found["side_pulls"]["A"]
+    assert math.hypot(*before) == pytest.approx(16.81e3, abs=5.0)
+    assert math.hypot(*after) < 1.0
+    assert found["drift"] is None
+    assert found["left_out"] == []
+
+
+def test_wanted_as_json(lift: Path) -> None:
+    result = statics(lift, "--want", "slope_x=0 deg, slope_y=1 deg", "--json")
+    assert result.returncode == 0, result.stderr
+    found = json.loads(result.stdout)
+    assert math.degrees(found["after"]["load_tilt"]["load"]) == pytest.approx(1.0, abs=1e-6)
 
 
 def test_drift_of_the_reference_lift() -> None:

@@ -236,7 +236,7 @@ def test_bad_input_is_named(arguments: tuple[str, ...], message: str) -> None:
         ("--sweep x=1..2/3 --modes 6", "--sweep: {sweep}; --modes does not go with it, {of_sweep} do"),
         ("--level --margins", "--level: {lengths}; --margins does not go with it, --want, {of_lengths} do"),
         ("--level --modes 6", "--level: {lengths}; --modes does not go with it, --want, {of_lengths} do"),
-        ("--want S1=20% --json", "--want: {lengths}; --json does not go with it, --level, {of_lengths} do"),
+        ("--want S1=20% --held", "--want: {lengths}; --held does not go with it, --level, {of_lengths} do"),
         ("--lost load --modes 6", "--lost: {loses}; --modes does not go with it, {of_loses} do"),
         ("--plumb --most 1m --held", "--plumb: {hooks}; --most and --held do not go with it, {of_hooks} do"),
     ],
@@ -250,11 +250,11 @@ def test_what_does_not_go_with_a_question_is_refused(words: str, said: str) -> N
         sweep="makes a table of many equilibria",
         of_sweep="--time and --json",
         lengths="finds lengths of slings",
-        of_lengths="--adjust, --most, --time and --output",
+        of_lengths="--adjust, --most, --time, --json and --output",
         loses="shows vessels that lose a load",
         of_loses="--held, --time, --json and --output",
         hooks="moves hooks until none is pulled aside",
-        of_hooks="--adjust, --time and --output",
+        of_hooks="--adjust, --time, --json and --output",
     )
     assert (result.exit_code, result.stdout, result.stderr) == (2, "", f"error: {expected}\n")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -40,6 +41,7 @@ def hang_as_wanted(
     most: str | None,
     time: float | None,
     output: Path | None,
+    as_json: bool,
 ) -> NoReturn:
     """Answer an inverse question, and end.
 
@@ -52,6 +54,7 @@ def hang_as_wanted(
         most: Largest change of a length, as written.
         time: Time of the plan [s]; None for the end of the lift.
         output: Folder for the answer's equilibrium.
+        as_json: Whether all numbers are printed as JSON, and nothing else.
 
     Raises:
         typer.Exit: Always; with 3 where it cannot be had.
@@ -69,14 +72,13 @@ def hang_as_wanted(
     with scenario_errors():
         from gantline.scenario import ScenarioError, load_scenario
         from gantline.statics import NoEquilibriumError
-        from gantline.study import AdjustError, CannotBeError, adjust_lengths, plumb_hooks
+        from gantline.study import AdjustError, CannotBeError, HookAnswer, adjust_lengths, plumb_hooks
 
         answer: LengthAnswer | HookAnswer
         scenario = load_scenario(lift)
         try:
             if plumb:
                 answer = plumb_hooks(scenario, hooks=chosen, time=time)
-                lines = _hooks(answer)
             else:
                 answer = adjust_lengths(
                     scenario,
@@ -87,7 +89,6 @@ def hang_as_wanted(
                     most=limit,
                     time=time,
                 )
-                lines = _slings(answer)
         except NoEquilibriumError as problem:
             stop(str(problem), COULD_NOT_GO_ON)
         except CannotBeError as problem:
@@ -98,12 +99,17 @@ def hang_as_wanted(
             stop(f"--adjust: {problem}")
         except ValueError as problem:
             stop(f"{option}: {problem}")
-    typer.echo("\n".join([*scenario.left_out_at_rest, *lines]))
+    if as_json:
+        numbers = {**answer.to_json(), "left_out": list(scenario.left_out_at_rest)}
+        typer.echo(json.dumps(numbers, indent=2, allow_nan=False))
+    else:
+        lines = _hooks(answer) if isinstance(answer, HookAnswer) else _slings(answer)
+        typer.echo("\n".join([*scenario.left_out_at_rest, *lines]))
     if output is not None:
         place = output_folder(output)
         with writing(place):
             written = answer.after.recording.save(place / "equilibrium.nc")
-        typer.echo(f"\nRecording   {written}")
+        typer.echo(f"\nRecording   {written}", err=as_json)
     raise typer.Exit(DONE)
 
 
@@ -155,14 +161,13 @@ def _slings(answer: LengthAnswer) -> list[str]:
         for name, length in answer.lengths.items()
     ]
     head = ("Sling", "length", "new length", "change", "tension", "new tension")
-    changes = {f"slings.{name}.length": length for name, length in answer.lengths.items()}
     return [
         *table(head, rows, "lrrrrr"),
         "",
         *_attitude(answer.before, answer.after),
         f"  least change of lengths; residual {answer.residual:.1e}, {_steps(answer.steps)}",
         "",
-        *_as_case("lengths", changes),
+        *_as_case("lengths", answer.values),
     ]
 
 

@@ -13,7 +13,7 @@ from gantline.cli.summary import heading, weights
 from gantline.cli.table import ABSENT, show, table
 from gantline.results import series
 from gantline.statics import Equilibrium, Mode, Sensitivity, Statics
-from gantline.study.state import State, values_of
+from gantline.study.state import rest_json
 from gantline.study.tilting import Margin
 
 
@@ -198,14 +198,11 @@ def statics_json(
     left_out: Sequence[str],
 ) -> dict[str, Any]:
     """An equilibrium as a JSON object, SI units, with sentences on what it leaves out of the lift."""
-
-    def numbers(one: Equilibrium) -> dict[str, Any]:
-        values = values_of(State("", "", one.losses, one.time, one))
-        return {**one.to_json(), **{key: of for key, of in values.items() if key != "smallest_sling_tension"}}
-
     return {
-        **numbers(rest),
-        "bounds": [{**numbers(one), "verdict": verdict_of(check_recording(one.recording))} for one in bounds],
+        **rest_json(rest),
+        "bounds": [
+            {**rest_json(one), "verdict": verdict_of(check_recording(one.recording))} for one in bounds
+        ],
         "contacts": [
             {"name": one.contact, "support": one.support, "friction": list(one.friction), "bound": one.bound}
             for one in rest.contacts

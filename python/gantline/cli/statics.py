@@ -87,7 +87,15 @@ def statics(
         from gantline.cli.inverse import hang_as_wanted
 
         hang_as_wanted(
-            lift, level=level, want=want, plumb=plumb, adjust=adjust, most=most, time=moment, output=output
+            lift,
+            level=level,
+            want=want,
+            plumb=plumb,
+            adjust=adjust,
+            most=most,
+            time=moment,
+            output=output,
+            as_json=as_json,
         )
     question = _question(lift, moment)
     answer = _answer(question, moment, state, held=held, modes=modes)

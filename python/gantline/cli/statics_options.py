@@ -95,6 +95,7 @@ AsJson = Annotated[
     bool, typer.Option("--json", help="Print all numbers as JSON, SI units, and nothing else.")
 ]
 
+_OF_LENGTHS = ("--adjust", "--most", "--time", "--json", "--output")
 #: What each question is about, and the options that go with it; without any the equilibrium is asked for.
 #: Of several the first is that whose options count.
 _QUESTIONS: dict[str, tuple[str, tuple[str, ...]]] = {
@@ -105,9 +106,9 @@ _QUESTIONS: dict[str, tuple[str, tuple[str, ...]]] = {
     "--sweep": ("makes a table of many equilibria", ("--time", "--json")),
     "--steps": ("shows the ends of all steps", ("--held", "--json")),
     "--lost": ("shows vessels that lose a load", ("--held", "--time", "--json", "--output")),
-    "--plumb": ("moves hooks until none is pulled aside", ("--adjust", "--time", "--output")),
-    "--want": ("finds lengths of slings", ("--level", "--adjust", "--most", "--time", "--output")),
-    "--level": ("finds lengths of slings", ("--want", "--adjust", "--most", "--time", "--output")),
+    "--plumb": ("moves hooks until none is pulled aside", ("--adjust", "--time", "--json", "--output")),
+    "--want": ("finds lengths of slings", ("--level", *_OF_LENGTHS)),
+    "--level": ("finds lengths of slings", ("--want", *_OF_LENGTHS)),
 }
 #: Options that belong to questions alone.
 _OF_QUESTIONS = ("--adjust", "--most")

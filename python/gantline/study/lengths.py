@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from gantline.scenario import Scenario, load_scenario
 from gantline.scenario.errors import nearest
@@ -14,6 +15,7 @@ from gantline.scenario.variants import without_cases
 from gantline.statics import Equilibrium
 from gantline.study.hanging import Hanging, Row
 from gantline.study.newton import AdjustError, CannotBeError, Search, Unknown
+from gantline.study.state import rest_json
 
 __all__ = ["LengthAnswer", "adjust_lengths"]
 
@@ -42,6 +44,23 @@ class LengthAnswer:
     residual: float
     steps: int
     scenario: Scenario
+
+    @property
+    def values(self) -> dict[str, float]:
+        """New lengths in the lift file, by path [m]."""
+        return {f"slings.{name}.length": length for name, length in self.lengths.items()}
+
+    def to_json(self) -> dict[str, Any]:
+        """All but the lift file as a JSON object, SI units."""
+        return {
+            "values": self.values,
+            "lengths": dict(self.lengths),
+            "given": dict(self.given),
+            "before": rest_json(self.before),
+            "after": rest_json(self.after),
+            "residual": self.residual,
+            "steps": self.steps,
+        }
 
 
 def adjust_lengths(

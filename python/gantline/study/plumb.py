@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -23,6 +24,7 @@ from gantline.statics import Equilibrium, Statics
 from gantline.study.bearers import Bearer, bearers_of, why_not
 from gantline.study.hanging import Hanging, Row
 from gantline.study.newton import AdjustError, CannotBeError, Search, Unknown
+from gantline.study.state import rest_json
 from gantline.units import format_by_size
 
 __all__ = ["HookAnswer", "plumb_hooks"]
@@ -68,6 +70,20 @@ class HookAnswer:
     residual: float
     steps: int
     scenario: Scenario
+
+    def to_json(self) -> dict[str, Any]:
+        """All but the lift file as a JSON object, SI units."""
+        return {
+            "values": dict(self.values),
+            "places": {name: list(place) for name, place in self.places.items()},
+            "given": {name: list(place) for name, place in self.given.items()},
+            "side_pulls": {name: pulls.tolist() for name, pulls in self.side_pulls.items()},
+            "drift": None if self.drift is None else list(self.drift),
+            "before": rest_json(self.before),
+            "after": rest_json(self.after),
+            "residual": self.residual,
+            "steps": self.steps,
+        }
 
 
 def plumb_hooks(

@@ -18,6 +18,7 @@ from gantline.checks import (
 )
 from gantline.results import alike, series
 from gantline.results.recording import Recording
+from gantline.results.rotation import heading
 from gantline.results.saved import LOSSES, QUANTITIES
 from gantline.scenario import StartError
 from gantline.statics import Equilibrium, Losses, NoEquilibriumError, Statics
@@ -28,6 +29,7 @@ __all__ = [
     "State",
     "Worst",
     "differs",
+    "rest_json",
     "settled",
     "stands",
     "unstartable",
@@ -222,6 +224,20 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
         "load_tilt": last("load_tilt", [load.name for load in rig.loads]),
         "sheave_travel": last("sheave_travel", sheaves),
     }
+
+
+def rest_json(rest: Equilibrium) -> dict[str, Any]:
+    """An equilibrium as a JSON object, SI units: what it is like, and values of `QUANTITIES` by element.
+
+    The heading of loads [rad] stands beside their tilt.
+    """
+    values = values_of(State("", "", rest.losses, rest.time, rest))
+    of_loads = {
+        load.name: float(heading(rest.recording.column("body_orientation", load.body)[-1]))
+        for load in rest.recording.rig.loads
+    }
+    once = {key: of for key, of in values.items() if key != "smallest_sling_tension"}
+    return {**rest.to_json(), **once, "load_heading": of_loads}
 
 
 def worst_of(states: Sequence[State]) -> list[Worst]:
