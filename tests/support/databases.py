@@ -32,6 +32,10 @@ EXCITATION = (
     )
     * 1e6
 )
+#: Surge, sway and yaw of drift forces.
+DRIFT = (
+    np.array([[[(k + 1) * omega * (d - 2.0) for k in range(3)] for d in range(2)] for omega in OMEGA]) * 1e3
+)
 
 
 def capytaine(path: Path, *, prefix: str = "", **changes: Any) -> Path:
@@ -74,6 +78,19 @@ def capytaine(path: Path, *, prefix: str = "", **changes: Any) -> Path:
     return path
 
 
+def drifting(path: Path) -> Path:
+    """The same with drift forces as Capytaine has them: of pairs of waves; those alike count."""
+    tables = {}
+    for k, axis in enumerate(("surge", "sway", "yaw")):
+        pairs = np.full((len(OMEGA) + 1, 2, 2), 7e9 + 5e9j)
+        for both in range(2):
+            pairs[:, both, both] = [*DRIFT[:, both, k], 0.0]
+        dims = ["complex", "omega", "wave_direction_k", "wave_direction_l"]
+        tables[f"drift_force_{axis}"] = (dims, np.stack([pairs.real, pairs.imag]))
+    ways = {f"wave_direction_{which}": DIRECTIONS for which in "kl"}
+    return capytaine(path, tables=tables, coordinates=ways)
+
+
 def bemio(path: Path, *, scaled: bool = False, bodies: int = 1) -> Path:
     """As BEMIO writes it: A/ρ, B/(ρω), F/(ρg) with time as exp(iωt), frequencies last."""
     with h5py.File(path, "w") as file:
@@ -102,6 +119,9 @@ def bemio(path: Path, *, scaled: bool = False, bodies: int = 1) -> Path:
             file[f"{place}/radiation_damping/all"] = damped
             waves = EXCITATION.transpose(2, 1, 0) / (1.0 if scaled else DENSITY * GRAVITY)
             file[f"{place}/excitation/re"], file[f"{place}/excitation/im"] = waves.real, -waves.imag
+            drift = np.zeros((6, 2, len(OMEGA)))
+            drift[[0, 1, 5]] = DRIFT.transpose(2, 1, 0) / (1.0 if scaled else DENSITY * GRAVITY)
+            file[f"{place}/mean_drift/control_surface/val"] = drift
             properties = f"body{number}/properties"
             file[f"{properties}/name"] = np.bytes_(f"box{number}")
             file[f"{properties}/cg"] = np.array([[1.0], [0.0], [-2.0]])

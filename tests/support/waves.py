@@ -83,16 +83,26 @@ def radiated(frequencies: Any) -> tuple[Any, Any]:
 
 
 def database(
-    folder: Path, water: Water = constant, reference: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    folder: Path,
+    water: Water = constant,
+    reference: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    *,
+    drift: Any = None,
+    push: float = 1.0,
 ) -> str:
-    """Name of the file, written beside a lift file; its forces are about the reference point [m]."""
+    """Name of the file, written beside a lift file; its forces are about the reference point [m].
+
+    Args:
+        drift: surge, sway and yaw over the amplitude squared, over FREQUENCIES and DIRECTIONS (n, k, 3).
+        push: forces of first order are so many times those of Froude and Krylov.
+    """
     order = np.argsort(databases.AXES)
     dims = ["omega", "radiating_dof", "influenced_dof"]
     turned = {
         name: (dims, matrix[:, order][:, :, order])
         for name, matrix in zip(("added_mass", "radiation_damping"), water(FREQUENCIES), strict=True)
     }
-    waves = np.array([[force_per_metre(w, b) for b in DIRECTIONS] for w in FREQUENCIES])[:, :, order]
+    waves = push * np.array([[force_per_metre(w, b) for b in DIRECTIONS] for w in FREQUENCIES])[:, :, order]
     parts = np.stack([waves.real, waves.imag])
     wave_dims = ["complex", "omega", "wave_direction", "influenced_dof"]
     tables = {
@@ -102,6 +112,9 @@ def database(
         "rotation_center": (["xyz"], list(reference)),
         "disp_volume": ([], LENGTH * BREADTH * DRAFT),
     }
+    if drift is not None:
+        names = [f"drift_force_{axis}" for axis in ("surge", "sway", "yaw")]
+        tables |= {name: (["omega", "wave_direction"], drift[:, :, k]) for k, name in enumerate(names)}
     coordinates = {"omega": FREQUENCIES, "wave_direction": DIRECTIONS, "rho": SEA}
     databases.capytaine(folder / "barge.nc", tables=tables, coordinates=coordinates)
     return "barge.nc"

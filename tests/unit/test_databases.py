@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 import databases
-from databases import ADDED, DAMPING, DENSITY, EXCITATION, INFINITE, OMEGA
+from databases import ADDED, DAMPING, DENSITY, DRIFT, EXCITATION, INFINITE, OMEGA
 from gantline.hydro import DatabaseError, HydrodynamicDatabase, read_database, write_database
 
 WRITERS: dict[str, Callable[[Path], Path]] = {
-    "a.nc": databases.capytaine,
+    "a.nc": databases.drifting,
     "a.h5": databases.bemio,
     "scaled.hdf5": lambda path: databases.bemio(path, scaled=True),
     "a.dhyd": databases.dhyd,
@@ -40,6 +40,9 @@ def test_every_format_gives_the_same(name: str, tmp_path: Path) -> None:
     if name.startswith(("a.nc", "a.h5", "scaled")):
         assert found.infinite_added_mass == pytest.approx(INFINITE, rel=1e-12)
         assert found.displacement == 77.0
+        assert found.drift == pytest.approx(DRIFT, rel=1e-12)
+    else:
+        assert found.drift is None
     if name != "a.dhyd":
         assert found.reference == pytest.approx([1.0, 0.0, -2.0])
 
@@ -55,7 +58,7 @@ def test_what_is_written_is_read_again(name: str, tmp_path: Path) -> None:
         assert getattr(read, field) == getattr(known, field), field
     for field in ("frequencies", "added_mass", "damping", "directions"):
         np.testing.assert_array_equal(getattr(read, field), getattr(known, field), err_msg=field)
-    for field in ("infinite_added_mass", "reference", "excitation"):
+    for field in ("infinite_added_mass", "reference", "excitation", "drift"):
         one, other = getattr(read, field), getattr(known, field)
         assert (one is None) == (other is None), field
         if one is not None:
@@ -187,6 +190,12 @@ def spoiled(tmp_path: Path, name: str) -> Path:
         databases.capytaine(path, without=["added_mass"])
     elif name.startswith("reverse"):
         databases.capytaine(path, coordinates={"rho": -3.0})
+    elif name.startswith("drift"):
+        drift = np.full((5, 2), np.nan if "nan" in name else 1.0)
+        over = ["omega", "body_name"] if "over" in name else ["omega", "wave_direction"]
+        tables = {f"drift_force_{axis}": (over, drift) for axis in ("surge", "sway", "yaw")}
+        coordinates = {"body_name": ["box", "other"]} if "over" in name else {}
+        databases.capytaine(path, tables=tables, coordinates=coordinates)
     return path
 
 
@@ -217,6 +226,8 @@ def spoiled(tmp_path: Path, name: str) -> Path:
         ("early.hyd", "'ADMAS' stands before the first 'OMEGA'"),
         ("motions.nc", "no body has the six motions surge to yaw; it has mode 0, mode 1"),
         ("reverse.nc", "-3 kg/m^3 is not the density of water"),
+        ("drift_nan.nc", "its drift forces have numbers that are not finite"),
+        ("drift_over.nc", "its 'drift_force_surge' runs over omega, body_name"),
     ],
 )
 def test_broken_files_say_what_is_wrong(name: str, says: str, tmp_path: Path) -> None:

@@ -202,3 +202,40 @@ def test_a_file_too_coarse_for_its_waves(tmp_path: Path) -> None:
     swell = {"significant_height": "0.3 m", "peak_period": "8.5 s", "direction": "45 deg"}
     assert "far apart" in warnings_of(tmp_path, swell)
     assert "far apart" not in warnings_of(tmp_path, {**swell, "peak_period": "20 s"})
+
+
+def test_drift_forces_where_a_file_has_them(tmp_path: Path) -> None:
+    """By default where the file has any, not with `drift: false`; asked of a file without any an error."""
+    drift = np.ones((len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3))
+
+    def drifts(has: bool, **given: bool) -> Any:
+        about = [f"{LENGTH / 2} m", "0 m", f"{DRAFT} m"]
+        afloat = {"wave_forces": {"database": "barge.nc", "at": about, **given}}
+        path = waves.in_waves(tmp_path, {"swell": SWELL}, afloat)
+        if has:
+            waves.database(tmp_path, drift=drift)
+        document = assemble(load_scenario(path)).document
+        return next(force for force in document["forces"] if force["type"] == "wave")["drifts"]
+
+    # All seven of the file, and five of them mirrored, of each of a hundred waves.
+    assert np.shape(drifts(True)) == (100, 12, 4, 3)
+    assert np.array(drifts(True))[:, :, 0, 0] == pytest.approx(1.0)
+    assert np.array(drifts(True))[0, [1, 11], 0] == pytest.approx(np.array([[1, 1, 1], [1, -1, -1]]))
+    assert drifts(True, drift=False) == drifts(False) == []
+    with pytest.raises(ScenarioError, match=r"wave_forces\.database: barge\.nc.*: has no drift forces"):
+        drifts(False, drift=True)
+
+
+def test_drift_forces_between_frequencies(tmp_path: Path) -> None:
+    """They stay between those beside them, however they jump, and beyond the ends they are as at the ends."""
+    drift = np.zeros((len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3))
+    drift[20:] = 5e5
+    database = read_database(tmp_path / waves.database(tmp_path, drift=drift))
+    known = waves.FREQUENCIES
+    at = np.concatenate([[0.1], np.linspace(known[18], known[22], 101), [4.0]])
+    around = database.drift_around(at, SEA)
+    assert around is not None
+    found = around.cubics[:, :, 0, 0].real
+    assert found.min() >= 0.0 and found.max() <= 5e5 * (1 + 1e-12)
+    assert np.all(np.diff(found, axis=0) >= 0.0)
+    assert found[0] == pytest.approx(0.0) and found[-1] == pytest.approx(5e5)

@@ -53,6 +53,7 @@ fn wave(draw: &mut Draw, k: usize, body: &str) -> ForceSpec {
         origin: [0.4, 0.2, -0.1],
         directions: vec![0.1],
         phasors: (0..2).map(|_| vec![[all(10.0), all(0.0), all(0.0), all(0.0)]]).collect(),
+        drifts: Vec::new(),
     }
 }
 

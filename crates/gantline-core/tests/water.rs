@@ -133,12 +133,15 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
         };
         let pushed = body(&mut draw);
         let directions: Vec<f64> = (0..4).map(|k| f64::from(k) + 0.4 * draw.number()).collect();
+        // One of the two drifts.
+        let drifts = (0..3 * k).map(|_| level(&from_all_sides(&mut draw, &directions))).collect();
         let wave = ForceSpec::Wave {
             name: named("wave", k),
             body: pushed.clone(),
             at: at(&mut draw),
             origin: at(&mut draw),
             phasors: (0..3).map(|_| from_all_sides(&mut draw, &directions)).collect(),
+            drifts,
             directions,
         };
         // By a matrix alone, where waves push: along their axes.
@@ -180,6 +183,11 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);
     (system, state, frame)
+}
+
+/// Real parts of surge, sway and yaw.
+fn level(forces: &[[PhasorSpec; 4]]) -> Vec<[[f64; 3]; 4]> {
+    forces.iter().map(|terms| terms.map(|term| [0, 1, 5].map(|axis| term[axis][0]))).collect()
 }
 
 /// Forces of a wave that go on from direction to direction without a bend, by Hermite's cubics.
@@ -538,7 +546,10 @@ fn slow_places_follow_and_leave_out_waves() {
 #[test]
 fn wave_forces_belong_to_a_sea_and_to_directions() {
     let phasor = [[[1.0, 0.0]; 6]; 4];
-    let refused = |waves: usize, directions: &[f64], phasors: Vec<Vec<[[[f64; 2]; 6]; 4]>>| {
+    let drifting = |waves: usize,
+                    directions: &[f64],
+                    phasors: Vec<Vec<[[[f64; 2]; 6]; 4]>>,
+                    drifts: Vec<Vec<[[f64; 3]; 4]>>| {
         let component =
             serde_json::json!({"frequency": 0.7, "wave_number": [0.05, 0], "amplitude": 1.0, "phase": 0.0});
         let spec = serde_json::json!({"gravity": [0, 0, -10.0], "bodies": [{
@@ -548,9 +559,10 @@ fn wave_forces_belong_to_a_sea_and_to_directions() {
                       "angular_velocity": [0, 0, 0]}}],
             "sea": {"components": vec![component; waves], "rise_time": 5.0},
             "forces": [{"type": "wave", "name": "swell", "body": "cube", "at": [0, 0, 0], "origin": [0, 0, 0],
-                "directions": directions, "phasors": phasors}]});
+                "directions": directions, "phasors": phasors, "drifts": drifts}]});
         build(&serde_json::from_value(spec).unwrap()).err().map(|error| error.to_string()).unwrap_or_default()
     };
+    let refused = |waves: usize, directions: &[f64], phasors| drifting(waves, directions, phasors, vec![]);
     assert_eq!(refused(1, &[0.5], vec![vec![phasor]]), "");
     assert!(refused(0, &[0.5], vec![]).contains("there is no sea"));
     assert!(refused(1, &[], vec![vec![]]).contains("waves in no direction"));
@@ -558,4 +570,10 @@ fn wave_forces_belong_to_a_sea_and_to_directions() {
     assert!(refused(1, &[0.0, 6.4], vec![vec![phasor; 2]]).contains("do not rise within a turn"));
     assert!(refused(2, &[0.5], vec![vec![phasor]]).contains("forces of 1 waves; the sea has 2"));
     assert!(refused(1, &[0.5, 1.0], vec![vec![phasor]]).contains("forces in 1 directions of a wave, and 2"));
+    let drift = [[1.0; 3]; 4];
+    assert_eq!(drifting(1, &[0.5], vec![vec![phasor]], vec![vec![drift]]), "");
+    let twice = drifting(1, &[0.5], vec![vec![phasor]], vec![vec![drift]; 2]);
+    assert!(twice.contains("drift forces of 2 waves; the sea has 1"), "{twice}");
+    let doubled = drifting(1, &[0.5], vec![vec![phasor]], vec![vec![drift; 2]]);
+    assert!(doubled.contains("drift forces in 2 directions of a wave, and 1"), "{doubled}");
 }

@@ -96,7 +96,7 @@ def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: 
     found = []
     for train_name, train in trains.items():
         waves = train.waves
-        per_metre, around, doubts = _of_database(scenario, path, vessel, waves, box)
+        per_metre, around, drift, doubts = _of_database(scenario, path, vessel, waves, box)
         parts.warnings += [f"wave forces of {name}: {doubt}" for doubt in doubts]
         unknown = _unknown(waves, per_metre)
         if unknown > _SILENT:
@@ -105,8 +105,9 @@ def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: 
             if unknown > _MOST_UNKNOWN:
                 raise scenario.error((*path, "database"), f"{given.database}: {sentence}")
             parts.warnings.append(f"wave forces of {name}: {sentence}; they do nothing")
-        found.append(around)
-    forces = np.concatenate([around.cubics for around in found])
+        found.append((around, drift))
+    forces = np.concatenate([around.cubics for around, _ in found])
+    drifts = [drift.cubics.real for _, drift in found if drift is not None]
     # One file has the same directions for all waves.
     return {
         "type": "wave",
@@ -114,15 +115,16 @@ def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: 
         "body": name,
         "at": list(given.at),
         "origin": [float(box[:, 0].mean()), 0.0, given.at[2]],
-        "directions": found[0].directions.tolist(),
+        "directions": found[0][0].directions.tolist(),
         "phasors": np.stack([forces.real, forces.imag], axis=-1).tolist(),
+        "drifts": np.concatenate(drifts).tolist() if drifts else [],
     }
 
 
 def _of_database(
     scenario: Scenario, path: tuple[PathPart, ...], vessel: Vessel, train: Components, box: Array
-) -> tuple[Complex, ForcesAround, list[str]]:
-    """Forces per metre at the start in the vessel's axes (n, 6), in all directions, doubts.
+) -> tuple[Complex, ForcesAround, ForcesAround | None, list[str]]:
+    """Forces per metre at the start in the vessel's axes (n, 6), all around, drift forces all around, doubts.
 
     Phases count from the middle of its length in its centre plane; `box`: its least and largest x, y [m].
     """
@@ -131,7 +133,9 @@ def _of_database(
     density = (scenario.water or Water()).density
     lowest, middle, size = float(train.frequency[0]), float(box[:, 0].mean()), np.ptp(box, axis=0)
 
-    def forces(database: HydrodynamicDatabase) -> tuple[Complex, ForcesAround, list[str]]:
+    def forces(
+        database: HydrodynamicDatabase,
+    ) -> tuple[Complex, ForcesAround, ForcesAround | None, list[str]]:
         shortest = 2 * math.pi / float(database.frequencies[-1])
         if len(train.frequency) == 1 and lowest > float(database.frequencies[-1]) * (1 + 1e-6):
             wanted = f"has no waves of {2 * math.pi / lowest:.4g} s"
@@ -142,7 +146,10 @@ def _of_database(
         found, doubts = database.excitation_at(train.frequency, towards, density, phased_at)
         doubts += _of_other_waves(scenario, database, train)
         around = database.excitation_around(train.frequency, density, phased_at)
-        return found, around, doubts + _sparse(database, around, towards, train, size)
+        drift = database.drift_around(train.frequency, density) if given.drift is not False else None
+        if given.drift and drift is None:
+            raise DatabaseError(f"{database.source}: has no drift forces")
+        return found, around, drift, doubts + _sparse(database, around, towards, train, size)
 
     return from_database(scenario, path, (given.database, given.body), forces)
 

@@ -63,7 +63,7 @@ def _report(found: HydrodynamicDatabase) -> list[str]:
     waves = (
         "no wave forces" if found.excitation is None else f"wave forces in {len(found.directions)} directions"
     )
-    parts.append(waves)
+    parts.append(waves + ("" if found.drift is None else ", with drift forces"))
     head, units = ["Period", "Frequency"], ["[s]", "[rad/s]"]
     for _, name, mass, damping in _SHOWN:
         head += [f"a {name}", f"b {name}"]
@@ -124,4 +124,5 @@ def _as_json(found: HydrodynamicDatabase) -> dict[str, Any]:
         "directions": found.directions.tolist(),
         "excitation_real": None if excitation is None else excitation.real.tolist(),
         "excitation_imaginary": None if excitation is None else excitation.imag.tolist(),
+        "drift": None if found.drift is None else found.drift.tolist(),
     }

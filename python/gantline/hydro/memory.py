@@ -160,6 +160,7 @@ def fit_memory(database: HydrodynamicDatabase, density: float) -> Memory:
         damping=database.damping[heard],
         directions=np.zeros(0),  # waves are none of its memory
         excitation=None,
+        drift=None,
     )
     scale, infinite = 1.0, None
     if database.infinite_added_mass is not None:

@@ -240,6 +240,9 @@ class WaveForces(Element):
     database: Text = Field(description="Hydrodynamic database beside the lift file: .nc, .h5 or .dhyd.")
     at: Position = Field(description="Where its reference point is in the vessel's axes.")
     body: Text | None = Field(None, description="Body of the database, where it has several.")
+    drift: Flag | None = Field(
+        None, description="Whether its drift forces push as well; if not given, where the database has any."
+    )
 
 
 class BallastTank(Element):

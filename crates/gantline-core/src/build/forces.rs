@@ -95,8 +95,8 @@ fn build_force(
             let mooring: Mooring = build_mooring(line, find(&line.body)?, tree)?;
             AnyForce::Mooring(Box::new(mooring))
         }
-        ForceSpec::Wave { body, at, origin, directions, phasors, .. } => {
-            AnyForce::Wave(build_wave(name, find(body)?, [at, origin], directions, phasors, sea)?)
+        ForceSpec::Wave { body, at, origin, directions, phasors, drifts, .. } => {
+            AnyForce::Wave(build_wave(name, find(body)?, [at, origin], directions, (phasors, drifts), sea)?)
         }
         ForceSpec::Memory { body, at, terms, .. } => {
             AnyForce::Memory(build_memory(name, find(body)?, *at, terms)?)

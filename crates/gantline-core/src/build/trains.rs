@@ -9,7 +9,10 @@ use super::{BuildError, error, finite, positive};
 use crate::force::slow::Slow;
 use crate::force::trains::{Component, Trains};
 use crate::force::wave::{Phasor, WaveForce};
-use crate::spec::{PhasorSpec, TERMS, TrainsSpec};
+use crate::spec::{DriftSpec, PhasorSpec, TERMS, TrainsSpec};
+
+/// Cubics of every wave from every direction to the next.
+type Around<'a, T> = &'a [Vec<[T; TERMS]>];
 
 /// Of the slowest wave, what the slow place of a body follows: 0.7 % of its motion in that wave are left there.
 const CUT_OFF: f64 = 0.2;
@@ -29,14 +32,14 @@ pub(super) fn build_trains(name: &str, given: Option<&TrainsSpec>) -> Result<Arc
     Ok(Arc::new(Trains { components, rise_time: given.rise_time }))
 }
 
-/// What waves do to a body: X of every component of the sea in some directions, about a point of the body [m], and the point
-/// whose way counts.
+/// What waves do to a body: X, and D if there are any, of every component of the sea in some directions, about a point of the
+/// body [m], and the point whose way counts.
 pub(super) fn build_wave(
     name: &str,
     body: usize,
     [at, origin]: [&[f64; 3]; 2],
     directions: &[f64],
-    phasors: &[Vec<[PhasorSpec; TERMS]>],
+    (phasors, drifts): (Around<PhasorSpec>, Around<DriftSpec>),
     sea: &Arc<Trains>,
 ) -> Result<WaveForce, BuildError> {
     finite(name, "a point of its", &[*at, *origin].concat())?;
@@ -50,24 +53,19 @@ pub(super) fn build_wave(
     if sea.components.is_empty() {
         return error(name, "there is no sea that its waves are of");
     }
-    let (given, waves) = (phasors.len(), sea.components.len());
-    if given != waves {
-        return error(name, format!("it has forces of {given} waves; the sea has {waves}"));
-    }
-    let mut built = Vec::with_capacity(waves * directions.len());
-    for (wave, phasors) in sea.components.iter().zip(phasors) {
-        finite(name, "a force of its", phasors.as_flattened().as_flattened().as_flattened())?;
-        let (given, wanted) = (phasors.len(), directions.len());
-        if given != wanted {
-            return error(
-                name,
-                format!("it has forces in {given} directions of a wave, and {wanted} directions"),
-            );
-        }
-        let scaled =
-            |both: &PhasorSpec| -> Phasor { [0, 1].map(|part| both.map(|x| wave.amplitude * x[part])) };
-        built.extend(phasors.iter().map(|terms| terms.each_ref().map(scaled)));
-    }
+    let scaled: Vec<[Phasor; TERMS]> =
+        around((name, "forces"), phasors, directions.len(), sea, |amplitude, terms| {
+            terms.map(|both: PhasorSpec| [0, 1].map(|part| both.map(|x| amplitude * x[part])))
+        })?;
+    finite(name, "a force of its waves", scaled.as_flattened().as_flattened().as_flattened())?;
+    let drifting = if drifts.is_empty() {
+        Vec::new()
+    } else {
+        around((name, "drift forces"), drifts, directions.len(), sea, |amplitude, terms| {
+            terms.map(|drift| drift.map(|x| amplitude * x))
+        })?
+    };
+    finite(name, "a drift force of its waves", drifting.as_flattened().as_flattened())?;
     let towards = sea.components.iter().map(|wave| wave.wave_number.y.atan2(wave.wave_number.x));
     let slowest = sea.components.iter().map(|wave| wave.frequency).fold(f64::INFINITY, f64::min);
     Ok(WaveForce {
@@ -75,9 +73,37 @@ pub(super) fn build_wave(
         body,
         at: DVec3::from_array(*at),
         directions: directions.to_vec(),
-        phasors: built,
+        phasors: scaled,
+        drifts: drifting,
         towards: towards.collect(),
         sea: Arc::clone(sea),
         slow: Slow { point: DVec3::from_array(*origin), cut_off: CUT_OFF * slowest, first: 0 },
     })
+}
+
+/// What is given of every wave of the sea in every direction, one after the other, made of it with the amplitude of the wave
+/// [m].
+fn around<T: Copy, U>(
+    (name, what): (&str, &str),
+    given: &[Vec<T>],
+    directions: usize,
+    sea: &Trains,
+    make: impl Fn(f64, T) -> U,
+) -> Result<Vec<U>, BuildError> {
+    let (found, waves) = (given.len(), sea.components.len());
+    if found != waves {
+        return error(name, format!("it has {what} of {found} waves; the sea has {waves}"));
+    }
+    let mut made = Vec::with_capacity(waves * directions);
+    for (wave, each) in sea.components.iter().zip(given) {
+        let found = each.len();
+        if found != directions {
+            return error(
+                name,
+                format!("it has {what} in {found} directions of a wave, and {directions} directions"),
+            );
+        }
+        made.extend(each.iter().map(|terms| make(wave.amplitude, *terms)));
+    }
+    Ok(made)
 }

@@ -1,13 +1,13 @@
-//! What waves of first order do to a body.
+//! What waves do to a body: forces of first order, and of second order the drift force, mean and slow (Newman 1974).
 //!
 //! ```text
-//! F = g(t) R(ψ) Re Σ a X(β − ψ) e^{i(k·s + ε − ωt)}
+//! F = g(t) R(ψ) Re Σ a X(β − ψ) e^{iθ}  +  g² R(ψ) Re (Σ a e^{−iθ}) (Σ a D(β − ψ) e^{iθ}),    θ = k·s + ε − ωt
 //! ```
 //!
 //! s and ψ are the slow place of a point and the slow heading of the body ([`super::slow`]), β the direction of a wave, X
-//! force and moment per metre, a cubic from each direction to the next, along axes that are level and turn with ψ. They act
-//! at a point P of the body. Within a step all of that depends on time alone. With the place of every moment F would have terms of second
-//! order that are a part of the true ones only.
+//! force and moment per metre, D the mean surge, sway and yaw per square metre of one wave alone, each a cubic from each
+//! direction to the next, along axes that are level and turn with ψ. They act at a point P of the body. Within a step all of that depends on time alone. With the place of every moment the
+//! first part would have terms of second order that are a part of the true ones only; the second has all of them.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -23,6 +23,9 @@ use crate::tree::bias::Wrench;
 /// X of force and moment: what goes with the cosine of the phase, then what goes with its sine.
 pub type Phasor = [[f64; 6]; 2];
 
+/// Where surge, sway and yaw are among the six.
+const LEVEL: [usize; 3] = [0, 1, 5];
+
 /// Waves on a body.
 #[derive(Debug, Clone)]
 pub struct WaveForce {
@@ -36,6 +39,8 @@ pub struct WaveForce {
     pub directions: Vec<f64>,
     /// a X of every component of the sea, from all directions to the next, by powers of the share of the way.
     pub phasors: Vec<[Phasor; TERMS]>,
+    /// a D of surge, sway and yaw, likewise; empty where there are none.
+    pub drifts: Vec<[[f64; 3]; TERMS]>,
     /// The waves.
     pub sea: Arc<Trains>,
     /// Direction β of each [rad].
@@ -82,10 +87,10 @@ impl WaveForce {
     /// F at P and its derivative over time.
     fn at_point(&self, past: &[f64], time: f64) -> [Wrench; 2] {
         let Slowly { place, velocity, heading, turning } = self.slow.at(past, time);
-        let (mut sum, mut rate) = ([0.0; 6], [0.0; 6]);
+        let (mut first, mut slow) = (Rated::<6>::default(), Drifting::default());
         let mut found: Option<(f64, Between)> = None;
-        let each = self.sea.components.iter().zip(&self.towards);
-        for ((wave, &towards), phasors) in each.zip(self.phasors.chunks_exact(self.directions.len())) {
+        let count = self.directions.len();
+        for (k, (wave, &towards)) in self.sea.components.iter().zip(&self.towards).enumerate() {
             let between = match found {
                 Some((known, between)) if known == towards => between,
                 _ => self.between(towards - heading),
@@ -93,25 +98,87 @@ impl WaveForce {
             found = Some((towards, between));
             let (sin, cos) = (wave.wave_number.dot(place) - wave.frequency * time + wave.phase).sin_cos();
             let pace = wave.wave_number.dot(velocity) - wave.frequency;
-            let cubic = &phasors[between.place];
-            for k in 0..6 {
+            let cubic = &self.phasors[k * count + between.place];
+            for j in 0..6 {
                 let [[real, d_real], [imaginary, d_imaginary]] =
-                    [0, 1].map(|part| between.value(cubic.each_ref().map(|term| term[part][k])));
-                sum[k] += real * cos - imaginary * sin;
-                rate[k] -=
+                    [0, 1].map(|part| between.value(cubic.each_ref().map(|term| term[part][j])));
+                first.value[j] += real * cos - imaginary * sin;
+                first.rate[j] -=
                     pace * (real * sin + imaginary * cos) + turning * (d_real * cos - d_imaginary * sin);
+            }
+            if let Some(cubic) = self.drifts.get(k * count + between.place) {
+                let drifts = [0, 1, 2].map(|j| between.value(cubic.each_ref().map(|term| term[j])));
+                slow.add(wave.amplitude, drifts.map(|[d, slope]| [d, -turning * slope]), [cos, sin], pace);
             }
         }
         let (growth, slope) = self.sea.growth(time);
+        let mut sum = first.times(growth, slope);
+        let drift = slow.force().times(growth * growth, 2.0 * growth * slope);
+        for (k, axis) in LEVEL.into_iter().enumerate() {
+            sum.value[axis] += drift.value[k];
+            sum.rate[axis] += drift.rate[k];
+        }
         let turn = DMat3::from_rotation_z(heading);
         let level = |all: &[f64; 6]| Wrench {
             force: turn * DVec3::from_slice(&all[..3]),
             moment: turn * DVec3::from_slice(&all[3..]),
         };
-        let (sum, rate, spin) = (level(&sum), level(&rate), DVec3::Z * turning);
-        let force = (rate.force + spin.cross(sum.force)) * growth + sum.force * slope;
-        let moment = (rate.moment + spin.cross(sum.moment)) * growth + sum.moment * slope;
-        [Wrench { force: sum.force * growth, moment: sum.moment * growth }, Wrench { force, moment }]
+        let (force, mut rate, spin) = (level(&sum.value), level(&sum.rate), DVec3::Z * turning);
+        rate.force += spin.cross(force.force);
+        rate.moment += spin.cross(force.moment);
+        [force, rate]
+    }
+}
+
+/// Numbers and their derivatives over time.
+#[derive(Debug, Clone, Copy)]
+struct Rated<const N: usize> {
+    value: [f64; N],
+    rate: [f64; N],
+}
+
+impl<const N: usize> Default for Rated<N> {
+    fn default() -> Self {
+        Self { value: [0.0; N], rate: [0.0; N] }
+    }
+}
+
+impl<const N: usize> Rated<N> {
+    /// Times a number that has a derivative over time itself.
+    fn times(self, factor: f64, slope: f64) -> Self {
+        let rate = std::array::from_fn(|k| factor * self.rate[k] + slope * self.value[k]);
+        Self { value: self.value.map(|x| factor * x), rate }
+    }
+}
+
+/// Both sums of the drift force, real and imaginary parts: Σ a e^{iθ} and Σ a D e^{iθ}.
+#[derive(Debug, Clone, Copy, Default)]
+struct Drifting {
+    waves: Rated<2>,
+    forces: [Rated<2>; 3],
+}
+
+impl Drifting {
+    /// Adds a wave with its a, a D with their derivatives over time, e^{iθ} and the derivative of θ.
+    fn add(&mut self, amplitude: f64, drifts: [[f64; 2]; 3], [cos, sin]: [f64; 2], pace: f64) {
+        let (phasor, ahead) = ([cos, sin], [-sin, cos]);
+        for part in 0..2 {
+            self.waves.value[part] += amplitude * phasor[part];
+            self.waves.rate[part] += amplitude * pace * ahead[part];
+            for (sum, [drift, slope]) in self.forces.iter_mut().zip(drifts) {
+                sum.value[part] += drift * phasor[part];
+                sum.rate[part] += slope * phasor[part] + drift * pace * ahead[part];
+            }
+        }
+    }
+
+    /// The real part of the product of one with the conjugate of the other.
+    fn force(&self) -> Rated<3> {
+        let dot = |one: [f64; 2], other: [f64; 2]| one[0] * other[0] + one[1] * other[1];
+        let value = self.forces.map(|force| dot(self.waves.value, force.value));
+        let rate =
+            self.forces.map(|force| dot(self.waves.rate, force.value) + dot(self.waves.value, force.rate));
+        Rated { value, rate }
     }
 }
 

@@ -99,12 +99,18 @@ pub enum ForceSpec {
         /// Of every component of the sea, from every direction to the next: terms of 1, s, s² and s³, s the share of the
         /// way.
         phasors: Vec<Vec<[PhasorSpec; TERMS]>>,
+        /// Drift forces D likewise; empty where there are none.
+        #[serde(default)]
+        drifts: Vec<Vec<[DriftSpec; TERMS]>>,
     },
 }
 
 /// Real and imaginary part of X in Re(X a exp(i(k·x + ε − ωt))), x the origin: force x, y, z [N/m], moment x, y, z [N], axes
 /// of a body that is level.
 pub type PhasorSpec = [[f64; 2]; 6];
+
+/// Mean surge, sway and yaw of one wave alone over the square of its amplitude [N/m², N/m], axes of a body that is level.
+pub type DriftSpec = [f64; 3];
 
 /// Of a cubic.
 pub const TERMS: usize = 4;

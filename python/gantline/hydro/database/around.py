@@ -40,12 +40,12 @@ def beside(known: Array, wanted: float) -> tuple[int, float, float] | None:
 
 @dataclass(frozen=True, eq=False)
 class ForcesAround:
-    """Forces of some waves per metre of amplitude, as they go with the direction that these run in.
+    """Forces of some waves, over their amplitude or its square, by the direction that these run in.
 
     Attributes:
         directions: from x towards y, rising from 0 to below 2π (k,) [rad].
         cubics: terms of 1, s, s² and s³, s the share of the way from a direction to the next
-            (n, k, 4, 6) [N/m, N].
+            (n, k, 4, 6) [N/m, N]; of drift forces (n, k, 4, 3) [N/m², N/m].
     """
 
     directions: Array
@@ -70,8 +70,28 @@ class ForcesAround:
         smooth = CubicSpline(known, forces)(wanted) if len(known) > 1 else forces
         return cls(directions, _cubics(directions, np.where(given, smooth, 0.0)))
 
+    @classmethod
+    def drifts_between(cls, known: Array, drifts: Array, frequency: Array, directions: Array) -> ForcesAround:
+        """Drift forces, surge, sway and yaw, by cubics that keep their sign and shape over frequency.
+
+        Near a resonance they rise and fall by far within a second of period; a spline would go below zero
+        beside it. Beyond the frequencies of the file they are as at its ends: waves that are short beside a
+        body are thrown back whole whatever their length.
+
+        Args:
+            known: frequencies, rising (m,) [rad/s].
+            drifts: (m, k, 3) [N/m², N/m].
+            frequency: of waves (n,) [rad/s].
+            directions: as the attribute.
+        """
+        from scipy.interpolate import PchipInterpolator  # takes a second to load
+
+        wanted = np.clip(frequency, known[0], known[-1])
+        smooth = PchipInterpolator(known, drifts)(wanted) if len(known) > 1 else drifts
+        return cls(directions, _cubics(directions, np.asarray(smooth, dtype=np.complex128)))
+
     def at(self, direction: float) -> Complex | None:
-        """Forces of waves in one direction [rad], shape (n, 6) [N/m, N]; None in a gap of more than 60°."""
+        """Those of waves in one direction [rad], shape (n, 6 or 3); None in a gap of more than 60°."""
         place = beside(self.directions, direction)
         if place is None:
             return None
@@ -84,7 +104,7 @@ def _cubics(directions: Array, forces: Complex) -> Complex:
     """A periodic spline, or one along each run of directions and straight lines across what is missing."""
     count = len(directions)
     gaps = np.diff(directions, append=directions[0] + math.tau)
-    cubics = np.zeros((len(forces), count, 4, 6), dtype=np.complex128)
+    cubics = np.zeros((len(forces), count, 4, forces.shape[2]), dtype=np.complex128)
     cubics[:, :, 0], cubics[:, :, 1] = forces, np.roll(forces, -1, axis=1) - forces
     wide = np.flatnonzero(gaps > _WIDEST)
     if not len(wide):

@@ -59,7 +59,9 @@ def _body(path: Path, file: h5py.File, key: str) -> HydrodynamicDatabase:
         table = numbers(file, f"{place}/added_mass/inf_freq")
         infinite = _own(path, table[:, :, None], first, 1)[0] * factor
     order = np.argsort(omega)
-    directions, excitation = _waves(file, place, 1.0 if is_scaled else density * gravity, len(omega))
+    weight = 1.0 if is_scaled else density * gravity
+    directions, excitation = _waves(file, place, weight, len(omega))
+    drift = _drift(file, place, weight, (len(directions), len(omega)))
     name = f"{key}/properties/name"
     depth = f"{parameters}/water_depth"
     volume = f"{key}/properties/disp_vol"
@@ -78,6 +80,7 @@ def _body(path: Path, file: h5py.File, key: str) -> HydrodynamicDatabase:
         water_depth=_depth(file, depth) if depth in file else None,
         directions=directions,
         excitation=None if excitation is None else excitation[order],
+        drift=None if drift is None else drift[order],
     )
 
 
@@ -110,3 +113,14 @@ def _waves(
     # The other sign of time: the conjugate.
     forces = np.asarray((real - 1j * imaginary) * factor, dtype=np.complex128)
     return directions, forces.transpose(2, 1, 0)
+
+
+def _drift(file: h5py.File, place: str, factor: float, shape: tuple[int, int]) -> Array | None:
+    """Surge, sway and yaw (n, k, 3) by the first of the ways to compute them that the file has."""
+    for way in ("momentum_conservation", "control_surface", "pressure_integration"):
+        name = f"{place}/mean_drift/{way}/val"
+        if name in file:
+            table = numbers(file, name)
+            if table.shape == (6, *shape) and table.any():
+                return table[[0, 1, 5]].transpose(2, 1, 0) * factor
+    return None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -11,12 +12,15 @@ import numpy.typing as npt
 from gantline.hydro.database.around import ForcesAround, beside
 from gantline.hydro.waves import wave_number
 
-__all__ = ["AXES", "DatabaseError", "HydrodynamicDatabase"]
+__all__ = ["AXES", "DRIFTING", "DatabaseError", "HydrodynamicDatabase"]
 
 Array = npt.NDArray[np.float64]
+Values = TypeVar("Values", npt.NDArray[np.float64], npt.NDArray[np.complex128])
 
 #: The six motions, in the order of rows and columns.
 AXES = ("surge", "sway", "heave", "roll", "pitch", "yaw")
+#: Those that drift forces are of.
+DRIFTING = ("surge", "sway", "yaw")
 
 #: Difference of a matrix from its transpose that panel methods leave, of the diagonal.
 _UNSYMMETRIC = 0.02
@@ -71,6 +75,7 @@ class HydrodynamicDatabase:
     water_depth: float | None = None
     directions: Array = field(default_factory=lambda: np.zeros(0))
     excitation: npt.NDArray[np.complex128] | None = None
+    drift: Array | None = None
     doubts: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -105,21 +110,23 @@ class HydrodynamicDatabase:
             raise DatabaseError(
                 f"{self.source}: its waves run in directions up to {farthest:g} rad; degrees are no radians"
             )
-        if self.excitation is None:
-            return
-        needed = (len(self.frequencies), len(self.directions), 6)
-        if self.excitation.shape != needed:
-            shape, wanted = (" × ".join(map(str, one)) for one in (self.excitation.shape, needed))
-            raise DatabaseError(
-                f"{self.source}: its wave forces are {shape}; {needed[0]} frequencies and {needed[1]} "
-                f"directions need {wanted}"
-            )
-        if not np.isfinite(self.excitation).all():
-            raise DatabaseError(f"{self.source}: its wave forces have numbers that are not finite")
+        shape = (len(self.frequencies), len(self.directions))
+        for what, values, motions in (("wave forces", self.excitation, 6), ("drift forces", self.drift, 3)):
+            if values is None:
+                continue
+            if values.shape != (*shape, motions):
+                own, wanted = (" × ".join(map(str, one)) for one in (values.shape, (*shape, motions)))
+                raise DatabaseError(
+                    f"{self.source}: its {what} are {own}; {shape[0]} frequencies and {shape[1]} "
+                    f"directions need {wanted}"
+                )
+            if not np.isfinite(values).all():
+                raise DatabaseError(f"{self.source}: its {what} have numbers that are not finite")
 
     def __repr__(self) -> str:
         count = len(self.directions)
         waves = f"wave forces in {count} directions" if self.excitation is not None else "no wave forces"
+        waves += "" if self.drift is None else " with drift forces"
         least, most = self.periods[[-1, 0]]
         periods = f"{len(self.frequencies)} periods from {least:.4g} s to {most:.4g} s"
         return f"<HydrodynamicDatabase {self.name!r}, {self.source}: {periods}, {waves}>"
@@ -212,15 +219,38 @@ class HydrodynamicDatabase:
         along = np.cos(self.directions) * x + np.sin(self.directions) * y
         way = np.outer(self._wave_number(self.frequencies), along)
         phased = self.excitation * np.exp(-1j * way)[:, :, np.newaxis]
+        forces, directions = self._all_round(phased, np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0]))
+        scaled = forces * complex(self._denser(density))
+        return ForcesAround.between(self.frequencies, scaled, frequency, directions)
+
+    def drift_around(self, frequency: Array, density: float) -> ForcesAround | None:
+        """Drift forces over the square of the amplitude in the directions of `excitation_around`.
+
+        None of a file that has none.
+
+        Args:
+            frequency: ω of waves (n,) [rad/s].
+            density: of the water that they are wanted for [kg/m^3].
+        """
+        if self.drift is None:
+            return None
+        drifts, directions = self._all_round(self.drift, np.array([1.0, -1.0, -1.0]))
+        scaled = drifts * self._denser(density)
+        return ForcesAround.drifts_between(self.frequencies, scaled, frequency, directions)
+
+    def _all_round(self, forces: Values, mirror: Array) -> tuple[Values, Array]:
+        """Forces (n, k, m) by rising direction, mirrored where the other side has none; directions [rad]."""
         # A file for a body with two sides alike needs half of the directions.
         missing = np.array([beside(self.directions, -angle) is None for angle in self.directions])
         own = np.degrees(self.directions)
         around = np.round(np.concatenate([own, -own[missing]]), 6) % 360.0
-        mirrored = phased[:, missing] * np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
         order = np.unique(around, return_index=True)[1]
-        given = np.concatenate([phased, mirrored], axis=1)[:, order]
-        scaled = given * complex(1.0 if self.density is None else density / self.density)
-        return ForcesAround.between(self.frequencies, scaled, frequency, np.radians(around[order]))
+        both = np.concatenate([forces, forces[:, missing] * mirror], axis=1)
+        return both[:, order], np.radians(around[order])
+
+    def _denser(self, density: float) -> float:
+        """Forces in water of this density [kg/m^3] over those of the file."""
+        return 1.0 if self.density is None else density / self.density
 
     def has_close(
         self, frequency: Array, direction: float, length: float, breadth: float

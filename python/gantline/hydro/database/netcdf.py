@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from gantline.hydro.database.model import AXES, DatabaseError, HydrodynamicDatabase
+from gantline.hydro.database.model import AXES, DRIFTING, DatabaseError, HydrodynamicDatabase
 from gantline.hydro.database.opening import checked_hdf5, text_of
 
 if TYPE_CHECKING:
@@ -60,6 +60,7 @@ def read_capytaine(path: Path) -> list[HydrodynamicDatabase]:
         for body, dofs in bodies.items():
             mass, damping = (_matrix(path, found[name], dofs) for name in ("added_mass", "radiation_damping"))
             directions, excitation = _capytaine_waves(path, found, dofs)
+            drift = _drift(path, found, directions)
             result.append(
                 HydrodynamicDatabase(
                     name=body or single or path.stem,
@@ -74,6 +75,8 @@ def read_capytaine(path: Path) -> list[HydrodynamicDatabase]:
                     water_depth=depth,
                     directions=directions,
                     excitation=None if excitation is None else excitation[kept],
+                    # Of several bodies the file has that of all together.
+                    drift=None if drift is None or len(bodies) > 1 else drift[kept],
                 )
             )
         return result
@@ -217,6 +220,32 @@ def _capytaine_waves(path: Path, found: xr.Dataset, dofs: Sequence[str]) -> tupl
     values = np.asarray(table.squeeze(extra).transpose(*wanted).values, dtype=complex)
     places = _places(path, table, "influenced_dof", dofs)
     return np.asarray(found["wave_direction"].values, dtype=float), values[:, :, places]
+
+
+def _drift(path: Path, found: xr.Dataset, directions: Array) -> Array | None:
+    """Surge, sway and yaw (n, k, 3) of single waves, `drift_force_surge` and so on.
+
+    Capytaine's `far_field_mean_drift_force` gives them for pairs of waves: of each with itself.
+    """
+    names = [f"drift_force_{axis}" for axis in DRIFTING]
+    if not all(name in found for name in names):
+        return None
+    tables = []
+    for name in names:
+        table = found[name]
+        if "complex" in table.dims:
+            real = [text_of(label) for label in table["complex"].values].index("re")
+            table = table.isel(complex=real)
+        over = ("omega", *(dim for dim in table.dims if str(dim).startswith("wave_direction")))
+        extra = [dim for dim in table.dims if dim not in over]
+        if any(table.sizes[dim] != 1 for dim in extra) or "omega" not in table.dims or len(over) == 1:
+            raise DatabaseError(f"{path}: its '{name}' runs over {', '.join(map(str, table.dims))}")
+        for dim in over[1:]:
+            if not np.array_equal(np.asarray(found[dim].values, dtype=float), directions):
+                raise DatabaseError(f"{path}: its '{name}' has other directions than its wave forces")
+        values = np.asarray(table.squeeze(extra).transpose(*over).values).real
+        tables.append(np.einsum("nkk->nk", values) if values.ndim == 3 else values)
+    return np.stack(tables, axis=-1)
 
 
 def _dhyd_waves(path: Path, names: Sequence[str], omega: Array) -> tuple[Array, Complex | None]:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.hydro.database.model import AXES, DatabaseError, HydrodynamicDatabase
+from gantline.hydro.database.model import AXES, DRIFTING, DatabaseError, HydrodynamicDatabase
 from gantline.replacing import replaced
 
 __all__ = ["write_database"]
@@ -36,13 +36,16 @@ def write_database(database: HydrodynamicDatabase, path: str | Path) -> Path:
     if place.suffix.lower() != ".nc":
         raise DatabaseError(f"{place}: has to end in '.nc'")
     omega, mass, damping = database.frequencies, database.added_mass, database.damping
-    waves = database.excitation
+    waves, drift = database.excitation, database.drift
     if database.infinite_added_mass is not None:
         nothing = np.zeros((1, 6, 6))
         omega = np.append(omega, np.inf)
         mass = np.concatenate([mass, database.infinite_added_mass[np.newaxis]])
         damping = np.concatenate([damping, nothing])
-        waves = None if waves is None else np.concatenate([waves, np.zeros((1, *waves.shape[1:]))])
+        waves, drift = (
+            None if table is None else np.concatenate([table, np.zeros((1, *table.shape[1:]))])
+            for table in (waves, drift)
+        )
     of_matrix = ("omega", "influenced_dof", "radiating_dof")
     tables: dict[str, Any] = {"added_mass": (of_matrix, mass), "radiation_damping": (of_matrix, damping)}
     motions = [axis.capitalize() for axis in AXES]
@@ -59,7 +62,12 @@ def write_database(database: HydrodynamicDatabase, path: str | Path) -> Path:
         of_waves = ("complex", "omega", "wave_direction", "influenced_dof")
         # Only their sum counts.
         tables |= {"Froude_Krylov_force": (of_waves, parts), "diffraction_force": (of_waves, 0.0 * parts)}
-        coordinates |= {"wave_direction": database.directions, "complex": ["re", "im"]}
+        coordinates["complex"] = ["re", "im"]
+    if drift is not None:
+        of_drift = ("omega", "wave_direction")
+        tables |= {f"drift_force_{axis}": (of_drift, drift[:, :, k]) for k, axis in enumerate(DRIFTING)}
+    if len(database.directions):
+        coordinates["wave_direction"] = database.directions
     if database.water_depth is not None:
         coordinates["water_depth"] = database.water_depth
     if database.reference is not None:
