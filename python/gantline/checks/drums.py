@@ -9,6 +9,7 @@ import numpy as np
 
 from gantline.checks.check import Check, Verdict
 from gantline.checks.measure import everywhere
+from gantline.results.alike import first_peak
 from gantline.results.gear import Drum
 from gantline.results.recording import Recording
 
@@ -37,7 +38,7 @@ def _of_drum(recording: Recording, drum: Drum) -> Iterator[Check]:
     if asked is None or not during.any():
         return
     wraps = np.where(during, recording.column("drum_wraps", drum.name), np.inf)
-    at = int(np.argmin(wraps))
+    at = first_peak(-wraps)
     left = float(wraps[at])
     if left >= asked and left >= 0.0:
         return

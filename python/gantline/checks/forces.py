@@ -18,6 +18,7 @@ import numpy as np
 
 from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
+from gantline.results.alike import earliest_peak
 from gantline.results.gear import Sling
 from gantline.results.recording import Recording
 from gantline.results.skew import skew_loads
@@ -349,7 +350,7 @@ def _with_peak(recording: Recording, force: Force, rope: str, during: BoolArray)
     force = _with_peak_of(recording, force, series.tightest_tension(recording, rope), during)
     if force.peak is None or not during.all():
         return force
-    highest = max(series.rope_peak(recording, rope), (force.peak, force.time or 0.0))
+    highest = earliest_peak(series.rope_peak(recording, rope), (force.peak, force.time or 0.0))
     return replace(force, peak=highest[0], time=highest[1])
 
 

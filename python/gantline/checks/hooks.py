@@ -12,6 +12,7 @@ from gantline.checks.forces import HUNG_OTHERWISE, NO_STATIC, Raised, as_it_is, 
 from gantline.checks.measure import Finding, Found, Missing, extreme
 from gantline.checks.ratings import SEVERAL, crane_of, kept_back
 from gantline.results import series
+from gantline.results.parting import while_there
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -59,12 +60,22 @@ def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fin
 
 
 def falls_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """How far the sheaves of a hook block stay below those above: length of the falls less a diameter."""
+    """How far the sheaves of a hook block stay below those above: length of the falls less a diameter.
+
+    Falls of a rope that has parted hang nowhere, and have no length.
+    """
     for hook in recording.rig.hooks:
         if not hook.falls or not hook.sheave_diameter:
             continue
-        lengths = np.min([recording.column("segment_length", part) for part in hook.falls], axis=0)
-        for found in extreme(recording, lengths - hook.sheave_diameter, during, hook.name, smallest=True):
+        of = [fall.rpartition("/")[0] for fall in hook.falls]
+        ropes = sorted(set(of))
+        whole = while_there(recording, ropes)[[ropes.index(rope) for rope in of]]
+        counts = during & whole.any(axis=0)
+        if during.any() and not counts.any():
+            yield Missing(hook.name, "its falls have parted")
+        falls = np.array([recording.column("segment_length", part) for part in hook.falls])
+        lengths = np.where(whole | ~whole.any(axis=0), falls, np.inf).min(axis=0)
+        for found in extreme(recording, lengths - hook.sheave_diameter, counts, hook.name, smallest=True):
             shortest = found.value + hook.sheave_diameter
             yield replace(
                 found, formula=f"falls of {shortest:.2f} m - sheaves of {hook.sheave_diameter:.2f} m"

@@ -8,6 +8,7 @@ from dataclasses import replace
 from gantline.checks.forces import kilonewton
 from gantline.checks.measure import Finding, Found, Missing, extreme
 from gantline.results import series
+from gantline.results.alike import earliest_peak
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 
@@ -21,7 +22,8 @@ def tension_of_breaking_force(recording: Recording, during: BoolArray) -> Iterat
             continue
         highest = series.peak(recording, recording.column("mooring_tension", line.name), during)
         if during.all():
-            highest = max(series.rope_peak(recording, line.rope), highest or (0.0, 0.0))
+            of_steps = series.rope_peak(recording, line.rope)
+            highest = of_steps if highest is None else earliest_peak(of_steps, highest)
         if highest is not None:
             text = f"{kilonewton(highest[0])} / {kilonewton(strength)}"
             yield Found(highest[0] / strength, line.name, highest[1], text)

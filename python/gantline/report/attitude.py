@@ -6,6 +6,7 @@ import numpy as np
 
 from gantline.report.subject import ABSENT, Subject, show, typeset
 from gantline.results import series
+from gantline.results.alike import first_peak
 from gantline.results.clearances import watched_during
 from gantline.results.drift import load_drift
 from gantline.results.lift_off import lift_off_in_words
@@ -85,7 +86,7 @@ def _tag_lines(subject: Subject) -> list[tuple[str, str]]:
     pulls = [(*series.rope_peak(subject.recording, line.rope), line.name) for line in subject.rig.tag_lines]
     if not pulls:
         return []
-    force, time, name = max(pulls)
+    force, time, name = pulls[first_peak([one[0] for one in pulls])]
     return [("largest pull of a tag line", f"{name} {show(force, 'kN', 1)} at {show(time, 's', 1)}")]
 
 

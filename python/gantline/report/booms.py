@@ -6,6 +6,7 @@ import numpy as np
 
 from gantline.checks import values_of
 from gantline.report.subject import ABSENT, Subject, number, show
+from gantline.results.alike import first_peak
 from gantline.results.boom import Boom
 from gantline.results.crawler import Crawler
 from gantline.results.rating import chart_load, chart_places, group_used, rated_groups
@@ -73,7 +74,7 @@ def _rated(subject: Subject, chart: RatingChart | None) -> dict[str, str]:
     group = groups[0] if most[group] <= _ALIKE * most[groups[0]] else group
     used = group_used(recording, chart, group)
     load = chart_load(recording, chart, group.hooks)
-    at = int(np.argmax(used))
+    at = first_peak(used)
     places = chart_places(recording, chart, group.hooks)[at]
     rated = chart.rated_at(places)
     place = float(places[int(np.argmin(rated))])

@@ -52,6 +52,18 @@ def first_largest(
     return next(alike, known[values.index(extreme)])
 
 
+def earliest_peak(*peaks: tuple[float, float]) -> tuple[float, float]:
+    """The largest of peaks of one thing, and of those alike but for rounding the first time.
+
+    Args:
+        peaks: Value, SI, and time [s] of each, at least one; one that is no number counts only if all are.
+    """
+    known = [one for one in peaks if not math.isnan(one[0])] or peaks
+    highest = max(value for value, _ in known)
+    least = highest - ROUNDING * max(abs(highest), 1.0) if math.isfinite(highest) else highest
+    return highest, min((time for value, time in known if value >= least), default=known[0][1])
+
+
 def first_peak(values: FloatArray | Sequence[float]) -> int:
     """Index of the largest of a series, shape (n,), SI: of those alike but for rounding the first."""
     series = np.asarray(values, dtype=float)

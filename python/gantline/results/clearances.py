@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
+from gantline.results.alike import first_peak
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, Watch
 from gantline.results.variable import BoolArray, Columns, FloatArray, Names
@@ -141,5 +142,5 @@ def _force_before(columns: Columns, names: Names, contact: str, moment: float) -
 def peak_support_force(recording: Recording, support: str) -> tuple[float, float]:
     """Largest force of a support over the samples [N], and when that was [s]."""
     force = recording.column("contact_force", support)
-    at = int(np.argmax(force))
+    at = first_peak(force)
     return float(force[at]), float(recording.time[at])

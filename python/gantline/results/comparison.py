@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series
-from gantline.results.alike import first_largest
+from gantline.results.alike import first_largest, first_peak
 from gantline.results.common_time import CommonTime, Deviation
 from gantline.results.gaps import without_gaps
 from gantline.results.parting import Parting, partings
@@ -332,7 +332,7 @@ def _hook(a: Recording, b: Recording, common: CommonTime | None, pair: tuple[str
 
 def _hook_peak(recording: Recording, hook: str) -> Peak:
     force = recording.column("hook_load", hook)
-    at = int(force.argmax())
+    at = first_peak(force)
     return Peak(float(force[at]), float(recording.time[at]))
 
 

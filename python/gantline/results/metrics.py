@@ -88,6 +88,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series, upper_end
+from gantline.results.alike import earliest_peak
 from gantline.results.clearances import peak_support_force, watched_during
 from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
@@ -203,7 +204,7 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
     if not slings:
         return
     clear = series.is_clear(recording)
-    highest = max(series.rope_peak(recording, sling.rope) for sling in slings)
+    highest = earliest_peak(*(series.rope_peak(recording, sling.rope) for sling in slings))
     yield "peak_sling_tension", highest[0]
     yield "peak_sling_tension_time", highest[1]
     amplification, factors, least, angles = [], [], [], []

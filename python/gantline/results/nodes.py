@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gantline.results.alike import earliest_peak, first_peak
 from gantline.results.gear import Rope
 from gantline.results.parting import PARTING
 from gantline.results.rig import Rig
@@ -132,9 +133,9 @@ def _peaks(
         found = [(float(of_steps[piece]), float(when[piece])) for piece in group]
         if len(group) > 1:
             found = [one for one in found if one[1] <= until[rope]]
-            at = int(np.argmax(tension[:, rope])) if len(tension) else None
+            at = first_peak(tension[:, rope]) if len(tension) else None
             found += [] if at is None else [(float(tension[at, rope]), float(columns["time"][at]))]
-        peak, time = max(found, key=lambda one: one[0], default=(0.0, 0.0))
+        peak, time = earliest_peak(*found) if found else (0.0, 0.0)
         peaks.append(peak)
         times.append(time)
     return np.array(peaks), np.array(times)

@@ -21,7 +21,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gantline.results.alike import first_peak
+from gantline.results.alike import earliest_peak, first_peak
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
 from gantline.results.parting import DETACHED, PARTING, while_there
 from gantline.results.recording import Recording
@@ -446,7 +446,7 @@ def rope_peak(recording: Recording, rope: str) -> tuple[float, float]:
     """Largest tension of a rope over all steps, not only over the samples.
 
     Of a mooring line steps know their ends alone, and a sample within one may have more. Samples that are no
-    number say nothing against what the steps had.
+    number say nothing against what the steps had. Of a rope at rest the first time counts at which it has it.
 
     Returns:
         Tension [N] and its time [s].
@@ -456,7 +456,7 @@ def rope_peak(recording: Recording, rope: str) -> tuple[float, float]:
         float(recording.column("rope_peak_time", rope)),
     )
     of_samples = peak(recording, recording.column("rope_tension", rope))
-    return of_samples if of_samples is not None and of_samples[0] > of_steps[0] else of_steps
+    return earliest_peak(of_steps, *([] if of_samples is None else [of_samples]))
 
 
 def peak(

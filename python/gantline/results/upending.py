@@ -51,7 +51,7 @@ def turning_in_words(recording: Recording, load: Load, *, in_t: bool) -> list[tu
     tilt = recording.column("load_tilt", load.name)
 
     def row(what: str, hook: str, values: FloatArray, unit: str, digits: int) -> tuple[str, str]:
-        at = int(np.argmax(np.where(during, values, -np.inf)))
+        at = first_peak(np.where(during, values, -np.inf))
         most = f"{hook} {format_quantity(float(values[at]), unit, digits)} at most"
         when = f"at {format_quantity(float(recording.time[at]), 's', 1)}"
         return what, f"{most}, {when}, tilted by {format_quantity(float(tilt[at]), 'deg', 1)}"
@@ -89,7 +89,7 @@ def kept_plumb_in_words(recording: Recording) -> list[tuple[str, str]]:
         goes_on = (recording.time >= begin) & (recording.time <= end)
         for hook in step.keep_plumb:
             aside = np.where(goes_on, recording.column("falls_out_of_plumb", hook), 0.0)
-            at = int(np.argmax(aside))
+            at = first_peak(aside)
             found = (float(aside[at]), float(recording.time[at]), step.step)
             farthest[hook] = max(farthest.get(hook, found), found)
     rows = [

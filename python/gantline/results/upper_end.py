@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
+from gantline.results.alike import earliest_peak
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -68,16 +69,20 @@ def peak_at_upper_end(recording: Recording, rope: str, during: BoolArray | None 
         The peak; None if `during` holds no sample.
     """
     more = own_weight(recording, rope)
+
+    def own(time: float) -> float:
+        return float(np.interp(time, recording.time, more)) if len(more) else 0.0
+
     found = []
     if during is None or during.all():
         tension, time = series.rope_peak(recording, rope)
-        own = float(np.interp(time, recording.time, more)) if len(more) else 0.0
-        found.append(UpperEnd(tension + own, own, time))
+        found.append((tension + own(time), time))
     highest = series.peak(recording, series.tightest_tension(recording, rope) + more, during)
-    if highest is not None:
-        found.append(UpperEnd(highest[0], float(np.interp(highest[1], recording.time, more)), highest[1]))
-    # A sample that is no number does not take the place of what the steps had.
-    return max(found, key=lambda one: one.tension, default=None)
+    found += [] if highest is None else [highest]
+    if not found:
+        return None
+    tension, time = earliest_peak(*found)
+    return UpperEnd(tension, own(time), time)
 
 
 def utilisation(recording: Recording, rope: str) -> float | None:

@@ -72,6 +72,9 @@ pub struct Samples {
     pub rope_peak_time: Vec<f64>,
 }
 
+/// Tensions that differ by less are alike, as a share: of a rope at rest the first of them is its largest.
+const ALIKE: f64 = 1e-9;
+
 /// Room is made for at most so many samples at once [numbers]: a run may end long before its duration.
 const MOST_ROOM: usize = 1 << 24;
 
@@ -146,7 +149,7 @@ impl Samples {
         for (line, mooring) in system.moorings().enumerate() {
             let tension = mooring.tension_of(&system.tree, kinematics, &state.v);
             let rope = system.rope_count + line;
-            if tension > self.rope_peak_tension[rope] {
+            if tension > self.rope_peak_tension[rope] * (1.0 + ALIKE) {
                 (self.rope_peak_tension[rope], self.rope_peak_time[rope]) = (tension, state.time);
             }
         }
@@ -159,7 +162,7 @@ impl Samples {
     }
 
     /// Keeps the largest tension of every rope: `peak` gives the largest force of a row in a step that ended at `q`,
-    /// and its time [s], where it is more than what is known.
+    /// and its time [s], where it is more than what is known, by more than rounding.
     pub fn note_peaks(
         &mut self,
         system: &System,
@@ -171,7 +174,7 @@ impl Samples {
         for ((rope, &first), (known, when)) in system.ropes().zip(&system.rows.first).zip(peaks) {
             for (index, span) in rope.spans.iter().enumerate() {
                 let scale = span.scale(q);
-                if let Some((force, time)) = peak(first + index, *known / scale) {
+                if let Some((force, time)) = peak(first + index, *known * (1.0 + ALIKE) / scale) {
                     (*known, *when) = (force * scale, time);
                 }
             }

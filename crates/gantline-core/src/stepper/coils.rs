@@ -134,8 +134,9 @@ impl CoilTangent {
         slopes.clear();
         spans.clear();
         for (index, (place, coil)) in system.coils.iter().zip(&state.coils).enumerate() {
-            let v = state.v[place.dof];
             let Passing { outside, strain, .. } = frame.passing[index];
+            // What a rope has that has parted does not change with what its drum turns.
+            let v = if state.modes[place.row].is_absent() { 0.0 } else { state.v[place.dof] };
             let by_strain =
                 if coil.winds && outside > 0.0 { -frame.feeding[index] * v / (1.0 + strain) } else { 0.0 };
             slopes.push([by_strain, place.rate_slope(&state.q) * v / (1.0 + strain)]);
@@ -254,10 +255,12 @@ pub fn turn(system: &System, state: &mut State) -> bool {
 }
 
 /// Puts the supplies of drums that pay out where they belong in the configuration `q`: what comes off is known, and the
-/// supply a function of how far the drum has turned.
-pub fn place(system: &System, coils: &[Coil], q: &mut [f64]) {
+/// supply a function of how far the drum has turned. Of a rope that has parted nothing comes.
+pub fn place(system: &System, coils: &[Coil], modes: &[Mode], q: &mut [f64]) {
     for (place, coil) in system.coils.iter().zip(coils).filter(|(_, coil)| !coil.winds) {
-        q[place.supply] = coil.let_go_at(place.wound(q));
+        if !modes[place.row].is_absent() {
+            q[place.supply] = coil.let_go_at(place.wound(q));
+        }
     }
 }
 
@@ -271,11 +274,20 @@ pub fn follow(system: &System, coils: &[Coil], feeding: &[f64], increments: &mut
 
 /// Lets all coils remember what they have wound since they last did. The energy of wound rope grows by that, and what
 /// has flowed into it and is not there is the method's loss: strains that were averaged.
+///
+/// Where the rope has parted its free end goes on to the drum, without strain, and what was wound before slips as it
+/// comes off, until it has none.
 pub fn remember(system: &System, state: &mut State, frame: &Frame) {
-    place(system, &state.coils, &mut state.q);
+    place(system, &state.coils, &state.modes, &mut state.q);
     let mut gained = 0.0;
     for (index, (place, coil)) in system.coils.iter().zip(&mut state.coils).enumerate() {
         let wound = place.wound(&state.q);
+        if state.modes[place.row].is_absent() {
+            let held = place.stiffness * coil.bring_to(wound, 0.0);
+            state.ledger.wound += held;
+            state.ledger.flows.friction -= held;
+            continue;
+        }
         let taken = coil.let_go - state.q[place.supply];
         let more = wound - coil.wound;
         let strain = if more > LEAST && taken > 0.0 {

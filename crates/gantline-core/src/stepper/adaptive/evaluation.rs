@@ -100,7 +100,7 @@ impl Evaluation {
 
     /// Positions, velocities and forces of the rows at q₀ ⊕ φ, v; no accelerations, no gradients.
     pub fn rows(&mut self, system: &System, at: &Point, modes: &[Mode]) {
-        self.place(system, at);
+        self.place(system, at, modes);
         system.clock.time(Stage::Assembly, || {
             self.frame.kinematics.twists(&system.tree, at.v, &mut self.dynamics.twists);
             self.divide(system, at, modes);
@@ -111,7 +111,7 @@ impl Evaluation {
 
     /// The same and the imbalance.
     pub fn forces(&mut self, system: &System, at: &Point, modes: &[Mode]) {
-        self.place(system, at);
+        self.place(system, at, modes);
         system.clock.time(Stage::Assembly, || self.add_forces(system, at, modes));
     }
 
@@ -142,7 +142,7 @@ impl Evaluation {
 
     /// The same and gradients. Here the wrenches of the dynamics are without the forces of the rows.
     pub fn all(&mut self, system: &System, at: &Point, modes: &[Mode]) {
-        self.place(system, at);
+        self.place(system, at, modes);
         system.clock.time(Stage::Assembly, || self.add_all(system, at, modes));
     }
 
@@ -166,12 +166,12 @@ impl Evaluation {
         }
     }
 
-    fn place(&mut self, system: &System, at: &Point) {
+    fn place(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         system.clock.time(Stage::Kinematics, || {
             self.v.copy_from_slice(at.v);
             self.q.copy_from_slice(at.base);
             system.tree.advance(&mut self.q, at.phi);
-            coils::place(system, at.coils, &mut self.q);
+            coils::place(system, at.coils, modes, &mut self.q);
             self.frame.kinematics.past.copy_from_slice(at.past);
             self.frame.kinematics.update(&system.tree, &self.q, at.schedule.time);
         });
