@@ -6,8 +6,9 @@
 //!
 //! s and ψ are the slow place of a point and the slow heading of the body ([`super::slow`]), β the direction of a wave, X
 //! force and moment per metre, D the mean surge, sway and yaw per square metre of one wave alone, each a cubic from each
-//! direction to the next, along axes that are level and turn with ψ. They act at a point P of the body. Within a step all of that depends on time alone. With the place of every moment the
-//! first part would have terms of second order that are a part of the true ones only; the second has all of them.
+//! direction to the next, along axes that are level and turn with ψ. They act at a point P of the body. Within a step all
+//! of that depends on time alone. With the place of every moment the first part would have terms of second order that are
+//! a part of the true ones only; the second has what is mean and slow of all of them.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;

@@ -1,5 +1,5 @@
-//! What a run keeps: samples of its motion and forces at equal intervals, and one where it ends. All else, poses, segments, forces in
-//! joints, follows from them and is worked out when it is asked for ([`columns::Columns`]).
+//! What a run keeps: samples of its motion and forces at equal intervals, and one where it ends. All else, poses,
+//! segments, forces in joints, follows from them and is worked out when it is asked for ([`columns::Columns`]).
 
 use crate::audit::KINDS;
 use crate::contact::spot::Spot;
