@@ -153,6 +153,14 @@ pub fn capacity(system: &System, state: &State, row: usize, brake: &Brake) -> f6
     braked.unwrap_or(brake.capacity)
 }
 
+/// What is taken to hold before the tension is known, which tells what a drum's rows have of `capacity`: no less than the
+/// most that may be, T (1 + ε/2) of rope that was wound without strain. What holds is not let fall.
+fn first_bound(system: &System, brake: &Brake, capacity: f64) -> f64 {
+    let coils = system.coils.iter().filter(|place| place.dof == brake.dof);
+    let strains = coils.map(|place| capacity / (place.rate.abs() * place.stiffness));
+    capacity * (1.0 + 0.5 * strains.fold(0.0, f64::max))
+}
+
 fn held(system: &System, state: &State, row: usize, sheaves: Sheaves) -> (Part, Option<Held>) {
     let position = |dof: usize| {
         let body = &system.tree.bodies[system.tree.owner[dof]];
@@ -164,7 +172,7 @@ fn held(system: &System, state: &State, row: usize, sheaves: Sheaves) -> (Part, 
         }
         AnyConstraint::Brake(brake) => {
             let part = match (brake.grip.is_none(), sheaves) {
-                (true, _) => Part::Hold(capacity(system, state, row, brake)),
+                (true, _) => Part::Hold(first_bound(system, brake, capacity(system, state, row, brake))),
                 // The groove grips, unless it is weaker than the bearing.
                 (false, _) if brake.spin.is_some() => Part::Hold(f64::INFINITY),
                 (false, Sheaves::Held) => Part::Hold(f64::INFINITY),

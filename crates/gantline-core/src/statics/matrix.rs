@@ -146,6 +146,19 @@ impl Matrix {
                 }
             }
         }
+        self.climb(system, here);
+    }
+
+    /// Adds what the radius of a drum does where its rope climbs onto the next layer: the same tension turns it with more
+    /// the more it has wound.
+    fn climb(&mut self, system: &System, here: &Potential) {
+        for (place, passing) in system.coils.iter().zip(&here.frame.passing) {
+            let slope = passing.supply * place.rate_slope(&here.q) / (1.0 + passing.strain);
+            let diagonal = self.slots.diagonal.get(self.layout.unknown[place.dof]);
+            if let Some(stiffness) = diagonal.and_then(|&slot| self.stiffness.get_mut(slot)) {
+                *stiffness += here.tension[place.row] * slope;
+            }
+        }
     }
 
     /// Puts the added mass at the frequency `omega` [rad/s] into M, where water remembers ([`crate::force::memory`]); none is

@@ -180,13 +180,17 @@ impl Statics {
         for round in 1.. {
             let steps = self.search.effort.steps;
             let descended = self.search.descend(system, state, &mut self.bearings);
-            descended.map_err(|stuck| self.explain(system, stuck, losses))?;
             let stays = self.search.effort.steps == steps;
             let (row, length) = self.move_multipliers(system);
             let has_lengths = length <= LENGTH_LEFT;
             // Friction that is set anew moves what has found its length.
             unsettled = if has_lengths { 0 } else { unsettled + 1 };
             let drums = self.follow_drums(system, state);
+            if let Err(stuck) = descended
+                && !(drums > DRUMS_LEFT && self.is_at_a_joint(system, stuck))
+            {
+                return Err(self.explain(system, stuck, losses));
+            }
             if has_lengths && drums <= DRUMS_LEFT && self.follow_friction(system, state, losses, stays) {
                 break;
             }

@@ -14,6 +14,7 @@
 
 use super::bearing::{Part, capacity};
 use super::losses::Losses;
+use super::search::{BALANCED, Stuck};
 use super::{NoEquilibrium, Rest, Statics};
 use crate::constraint::AnyConstraint;
 use crate::rope::coil::Coil;
@@ -31,6 +32,8 @@ const LEFT: f64 = 1e-9;
 const LEAST: f64 = 1e-12;
 /// How much more than it has let go a motor that keeps its pull asks for [m].
 const MORE: f64 = 1e3;
+/// So far from where a drum gets stuck lies the piece to which it gives way [m].
+const JOINT: f64 = 1e-6;
 /// Rope that came on last is not told from what lies below where it is no longer than this [m]: a brake that holds lets
 /// through some rounding, and where a drum is held at the joint of two pieces its torque has no one value there.
 const THIN: f64 = 1e-9;
@@ -94,7 +97,8 @@ impl Statics {
     }
 
     /// Drums give way where their rims see what motors and brakes can hold: ρ T, of which the gradients of rows have
-    /// T (1 + ε/2) ρ/(1 + ε_d). The largest change, relative to what they hold.
+    /// T (1 + ε/2) ρ/(1 + ε_d). The largest change, relative to what they hold. That jumps at the joint of two pieces of
+    /// rope, where a search gets no further if it began with what belongs to neither: the piece counts to which it gives way.
     pub(super) fn follow_drums(&mut self, system: &System, state: &State) -> f64 {
         let here = &self.search.here;
         let mut most = 0.0_f64;
@@ -104,22 +108,39 @@ impl Statics {
             else {
                 continue;
             };
-            let coils = system.coils.iter().enumerate().filter(|(_, place)| place.dof == brake.dof);
-            let (mut rim, mut rows) = (0.0_f64, 0.0);
-            for (index, place) in coils {
-                let scale = span_of(system, place).map_or(1.0, |span| span.scale(&here.q));
-                let tension = here.tension[place.row];
-                rim += tension * scale * place.rate_at(&here.q);
-                rows -= tension * here.frame.passing[index].supply * here.frame.feeding[index];
+            if !brake.grip.is_none() || brake.capacity.is_infinite() {
+                continue;
             }
-            if brake.grip.is_none() && brake.capacity.is_finite() {
-                let whole = capacity(system, state, row, brake);
-                let wanted = if rim == 0.0 { whole } else { whole * rows / rim };
-                most = most.max((wanted - *known).abs() / whole.max(f64::MIN_POSITIVE));
-                *known = wanted;
-            }
+            let coils = || system.coils.iter().enumerate().filter(|(_, place)| place.dof == brake.dof);
+            let arm = |place: &CoilPlace| {
+                span_of(system, place).map_or(1.0, |span| span.scale(&here.q)) * place.rate_at(&here.q)
+            };
+            let rim: f64 = coils().map(|(_, place)| here.tension[place.row] * arm(place)).sum();
+            let whole = capacity(system, state, row, brake);
+            // Where it pays out, in units of its flow, or hauls in.
+            let gives = (rim.abs() - whole) * rim;
+            let pulls = coils().map(|(index, place)| {
+                let passing = &here.frame.passing[index];
+                let strain = if here.imbalance(brake.dof) > BALANCED {
+                    let beyond = place.wound(&here.q) + JOINT.copysign(-place.rate * gives);
+                    state.coils[index].passing(beyond, passing.outside)
+                } else {
+                    passing.strain
+                };
+                -here.tension[place.row] * passing.supply * place.rate_at(&here.q) / (1.0 + strain)
+            });
+            let rows: f64 = pulls.sum();
+            let wanted = if rim == 0.0 { whole } else { whole * rows / rim };
+            most = most.max((wanted - *known).abs() / whole.max(f64::MIN_POSITIVE));
+            *known = wanted;
         }
         most
+    }
+
+    /// Whether a search got stuck with a drum out of balance, which may stand at the joint of two pieces of its rope.
+    pub(super) fn is_at_a_joint(&self, system: &System, stuck: Stuck) -> bool {
+        let is_out = |place: &CoilPlace| self.search.here.imbalance(place.dof) > BALANCED;
+        matches!(stuck, Stuck::NoStep(_)) && system.coils.iter().any(is_out)
     }
 
     /// From an equilibrium, or from where [`Statics::resume`] has been told, to the next one downhill of it, with drives

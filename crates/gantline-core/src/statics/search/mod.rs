@@ -37,7 +37,7 @@ const STEPS: usize = 500;
 /// What has moved so far falls without end [m].
 const ENDLESS: f64 = 1e4;
 /// Slope, relative to its terms, at which forces balance.
-const BALANCED: f64 = 1e-9;
+pub(super) const BALANCED: f64 = 1e-9;
 /// The same where nothing betters it: masses and stiffnesses that are very unlike leave that much to rounding.
 const ROUGH: f64 = 1e-5;
 /// And what rounding leaves of the sum of a few terms where nothing stretches.
