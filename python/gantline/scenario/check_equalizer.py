@@ -77,6 +77,9 @@ def _check_mechanism(
         add("mechanism", "'approximated' needs an 'adjusting_factor', such as 0.01")
     elif factor == 0:
         add("adjusting_factor", "at 0 nothing is adjusted; a number above 0 is right, such as 0.01")
+    if equalizer.travel.stops:
+        sentence = f"'{equalizer.name}' is approximated: it has no moving sheaves that stops could end"
+        add("travel.stops", f"{sentence}; leave it out")
     if len(slings) < 2:
         sentence = f"'approximated' adjusts the lengths of slings against each other; there are {len(slings)}"
         add("mechanism", f"{sentence}, at least 2 are right")
