@@ -10,7 +10,7 @@ use crate::state::State;
 use crate::system::System;
 
 /// What holds less than this share of its bound holds whatever the bound's last digits are.
-const WELL_WITHIN: f64 = 1.0 - 1e-9;
+pub(super) const WELL_WITHIN: f64 = 1.0 - 1e-9;
 
 /// What is left of the error of what contacts hold, as a share of the largest bound; where no search can tell, as a share of the
 /// largest force: ten times what a search leaves.

@@ -37,7 +37,9 @@ use crate::stepper::flows;
 use crate::system::System;
 use crate::tree::pose::Pose;
 use bearing::{Bearing, Part, bearings};
+use friction::WELL_WITHIN;
 use losses::{Contacts, Losses};
+use potential::Potential;
 use search::{Effort, Search, Stuck};
 
 /// What is left of the length of an inextensible rope [m].
@@ -231,16 +233,18 @@ impl Statics {
 
     /// What friction holds where a lift stands sticks, at its bound too: which of these is past that is rounding. Sheaves
     /// do, and where `losses` say that friction holds contacts, along and across what they have moved to where they stick,
-    /// and joints, but for motors: what one cannot hold drags it along.
+    /// and joints, but for motors: what one can just hold drags it along.
     fn stand(&mut self, system: &System, losses: Losses) {
         let is_held = losses.contacts == Contacts::Held;
-        let follows = &mut self.search.here.follows;
+        let Potential { follows, tension, .. } = &mut self.search.here;
         for (row, bearing) in self.bearings.iter().enumerate() {
             let AnyConstraint::Brake(brake) = system.constraint_of_row(row) else { continue };
-            let is_motor = || system.motors.iter().any(|&(motor, _)| motor == row);
-            let sticks = !brake.grip.is_none() || is_held && !is_motor();
-            if sticks && matches!(bearing.part, Part::Hold(bound) if bound > 0.0) {
+            let Part::Hold(bound) = bearing.part else { continue };
+            let is_motor = system.motors.iter().any(|&(motor, _)| motor == row);
+            if bound > 0.0 && (!brake.grip.is_none() || is_held && !is_motor) {
                 follows[row] = true;
+            } else if is_motor && tension[row].abs() >= WELL_WITHIN * bound {
+                follows[row] = false;
             }
         }
         for rows in system.friction.chunks_exact(2) {
