@@ -3,6 +3,7 @@
 mod rigs;
 
 use gantline_core::build::build;
+use gantline_core::rope::coil::Layers;
 use gantline_core::statics::Statics;
 use gantline_core::statics::bearing::{Part, bearings};
 use gantline_core::statics::losses::Losses;
@@ -24,10 +25,12 @@ fn potential(system: &System, state: &gantline_core::state::State) -> Potential 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// ∂V/∂q is the derivative of V, and dᵀ K d its second derivative along the increment d.
+    /// ∂V/∂q is the derivative of V, and dᵀ K d its second derivative along the increment d; the drum's rope climbs.
     #[test]
     fn slope_and_matrix_are_derivatives_of_the_energy(seeds in seeds(), directions in seeds()) {
-        let (system, state, _) = built(&seeds);
+        let (mut system, state, _) = built(&seeds);
+        let turns = 5.0 + state.q[system.coils[0].position] * system.coils[0].rate / (std::f64::consts::TAU * 0.5);
+        system.coils[0].layers = Some(Layers { radius: 0.5, growth: 0.3, turns: 5.0, start: turns });
         let direction = &directions[..system.tree.velocities];
         let mut here = potential(&system, &state);
         let bearings = bearings(&system, &state, Losses::NONE);
@@ -35,7 +38,14 @@ proptest! {
         let takes_part = here.value.iter().zip(&bearings).filter(|(_, bearing)| bearing.part != Part::Off);
         prop_assume!(takes_part.into_iter().all(|(value, _)| value.abs() > 0.02));
         let step = 1e-3;
-        let along = |scale: f64| potential(&system, &moved(&system, &state, direction, scale).0);
+        let along = |scale: f64| {
+            let (mut there, _) = moved(&system, &state, direction, scale);
+            for (place, coil) in system.coils.iter().zip(&state.coils) {
+                let let_go = |q: &[f64]| coil.let_go_at(place.wound(q));
+                there.q[place.supply] = state.q[place.supply] + let_go(&there.q) - let_go(&state.q);
+            }
+            potential(&system, &there)
+        };
         let sides = [-2.0, -1.0, 1.0, 2.0].map(|k| along(k * step));
         prop_assume!(sides.iter().all(|side| side.follows == here.follows));
         let [far_below, below, above, far_above] = sides.map(|side| side.energy);
