@@ -14,7 +14,7 @@ use gantline_core::spec::{
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
-use gantline_core::tree::bias::NewtonEuler;
+use gantline_core::tree::bias::{NewtonEuler, Wrench};
 use gantline_core::tree::kinematics::Twist;
 use gantline_core::tree::pose::Pose;
 use gantline_core::tree::tangent::{DynamicsTangent, Paired};
@@ -144,7 +144,13 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             drifts,
             directions,
         };
-        // By a matrix alone, where waves push: along their axes.
+        // Where waves push, added mass and a matrix alone act along their axes.
+        let level = ForceSpec::AddedMass {
+            name: named("level", k),
+            body: pushed.clone(),
+            at: at(&mut draw),
+            matrix: square(&mut draw, 10.0),
+        };
         let viscous = ForceSpec::Drag {
             name: named("viscous", k),
             body: pushed,
@@ -154,7 +160,7 @@ fn wet(seeds: &[f64]) -> (System, State, Frame) {
             stream: [0.0; 3],
             gusty: false,
         };
-        spec.forces.extend([buoyancy, added, drag, tank, wave, viscous]);
+        spec.forces.extend([buoyancy, added, drag, tank, wave, level, viscous]);
     }
     let component = |draw: &mut Draw| ComponentSpec {
         frequency: 1.0 + 0.5 * draw.number(),
@@ -309,6 +315,84 @@ proptest! {
         prop_assert!((added - energy).abs() < 1e-9 * (1.0 + dry));
     }
 
+    /// The wrench of added mass in waves against rates of the water's momenta along a path and as its axes turn, by differences:
+    /// ṗ, and about P L̇ + U × p, U the velocity of the slow place there; and what it gives and takes against the rate of its
+    /// energy, beside what waves put in.
+    #[test]
+    fn added_mass_in_waves_takes_the_rate_of_level_momentum(seeds in seeds()) {
+        let (system, state, frame) = wet(&seeds);
+        let size = system.tree.velocities;
+        let a = rates(&system, &seeds);
+        let (dynamics, _) = inverse(&system, &frame, &state.v, &a);
+        for force in &system.tree.forces {
+            let AnyForce::LevelMass(level) = force else { continue };
+            let own = &level.own;
+            let moving = |time: f64| {
+                let path: Vec<f64> = (0..size).map(|k| state.v[k] * time + 0.5 * a[k] * time * time).collect();
+                let v: Vec<f64> = (0..size).map(|k| state.v[k] + a[k] * time).collect();
+                let (_, frame) = moved(&system, &state, &path, 1.0);
+                let twist = twist_of(&system.tree, &frame.kinematics, own.body, &v);
+                let Slowly { velocity, heading, turning, .. } = level.slow.at(&state.past, NOW + time).unwrap();
+                let turn = DMat3::from_rotation_z(heading);
+                let motion = Twist { linear: twist.at(frame.kinematics.pose[own.body].rotation * own.at), ..twist };
+                let spin = DVec3::Z * turning;
+                let beside = turn * (own.at - level.slow.point).with_z(0.0);
+                let momentum = own.matrix.turned(&turn).times(&motion);
+                (momentum, motion, velocity.extend(0.0) + spin.cross(beside))
+            };
+            let (after, before, (here, motion, slow)) = (moving(STEP), moving(-STEP), moving(0.0));
+            let rate = (after.0.force - before.0.force) / (2.0 * STEP);
+            let moment = (after.0.moment - before.0.moment) / (2.0 * STEP)
+                + slow.cross(here.force);
+            let at = dynamics.at(&system.tree, &frame.kinematics, own.body);
+            let arm = frame.kinematics.pose[own.body].rotation * own.at;
+            let found = level.wrench(&at);
+            let scale = 1.0 + rate.length() + moment.length() + here.force.length() + here.moment.length();
+            prop_assert!((found.force + rate).length() < CLOSE * scale, "{} {rate}", found.force);
+            prop_assert!((found.moment + moment + arm.cross(rate)).length() < CLOSE * scale * 2.0);
+            let energy = |(momentum, motion, _): (Wrench, Twist, DVec3)| {
+                0.5 * (momentum.force.dot(motion.linear) + momentum.moment.dot(motion.angular))
+            };
+            let whole = level.inertia(&frame.kinematics).unwrap().times(&at.twist);
+            let held = 0.5 * (whole.force.dot(at.twist.linear) + whole.moment.dot(at.twist.angular));
+            prop_assert!((held - energy((here, motion, slow))).abs() < 1e-12 * (1.0 + held));
+            let stored = (energy(after) - energy(before)) / (2.0 * STEP);
+            let given = -found.force.dot(at.twist.linear) - found.moment.dot(at.twist.angular);
+            prop_assert!((stored - given - level.work(&at)).abs() < CLOSE * (scale + stored.abs() + given.abs()) * 2.0);
+        }
+    }
+
+    /// Where a body in waves moves as its slow place and heading do, level, its added mass is that of still water.
+    #[test]
+    fn added_mass_in_waves_is_that_of_still_water_where_all_is_slow(seeds in seeds()) {
+        let (system, state, frame) = wet(&seeds);
+        for force in &system.tree.forces {
+            let AnyForce::LevelMass(level) = force else { continue };
+            let slowly = level.slow.at(&state.past, NOW).unwrap();
+            let rotation = DMat3::from_rotation_z(slowly.heading);
+            let [spin, spinning] = [slowly.turning, slowly.quickening].map(|rate| DVec3::Z * rate);
+            let arm = rotation * -level.slow.point.with_z(0.0);
+            let swing = spin.cross(arm);
+            let twist = Twist { linear: slowly.velocity.extend(0.0) + swing, angular: spin };
+            let linear = slowly.acceleration.extend(0.0) + spinning.cross(arm) + spin.cross(swing);
+            let pose = Pose { rotation, position: DVec3::ZERO };
+            let rate = Twist { linear, angular: spinning };
+            let at = At { pose: &pose, twist, rate, gravity: DVec3::ZERO, time: NOW, q: &state.q, v: &state.v, past: &state.past };
+            let (still, found) = (level.own.wrench(&at), level.wrench(&at));
+            let scale = 1.0 + still.force.length() + still.moment.length();
+            prop_assert!((found.force - still.force).length() < 1e-12 * scale);
+            prop_assert!((found.moment - still.moment).length() < 1e-12 * scale);
+            prop_assert!(level.work(&at).abs() < 1e-12 * scale);
+        }
+        // And before anything has moved its axes are those of the body.
+        let mut kinematics = frame.kinematics.clone();
+        kinematics.past.clear();
+        for force in &system.tree.forces {
+            let AnyForce::LevelMass(level) = force else { continue };
+            prop_assert_eq!(level.inertia(&kinematics), level.own.inertia(&kinematics));
+        }
+    }
+
     /// At rest inverse dynamics is the slope of the energy of gravity, displaced water and mooring lines, less what a stream
     /// pushes with.
     #[test]
@@ -393,7 +477,8 @@ proptest! {
         let (system, mut state, frame) = wet(&seeds);
         let a = rates(&system, &seeds);
         let mut drift = vec![0.0; a.len()];
-        force::drift(&system.tree, &frame.kinematics, &state.v, &mut drift);
+        let (dynamics, _) = inverse(&system, &frame, &state.v, &a);
+        force::drift(&system.tree, &frame.kinematics, &dynamics, &mut drift);
         let mut at = |time: f64| {
             state.time = time;
             let mut frame = Frame::new(&system);
@@ -519,7 +604,8 @@ fn slow_places_follow_and_leave_out_waves() {
         let pose = Pose { rotation, position: DVec3::new(speed * time + cos, sin, 0.0) - arm };
         (pose, Twist { angular, linear: velocity - angular.cross(arm) })
     };
-    slow.start(&motion(0.0).0, 0.0, &mut past);
+    let (pose, twist) = motion(0.0);
+    slow.start((&pose, &twist), 0.0, &mut past);
     let mut time = 0.0;
     for step in 0..4000 {
         time += [0.02, 0.3, 0.1, 0.001][step % 4];
@@ -529,7 +615,8 @@ fn slow_places_follow_and_leave_out_waves() {
     // (1 + 5p)/(1 + p)⁵ with p = 5i: (1 + 25i)/(2876 + 1900i) = (50376 + 70000i)/26⁵. What it began with has gone: 421 s.
     let (real, imaginary) = [50_376.0, 70_000.0].map(|part| part / 11_881_376.0).into();
     let late = time + 0.4;
-    let Slowly { place, velocity, heading, turning: found } = slow.at(&past, late);
+    let Slowly { place, velocity, acceleration, heading, turning: found, quickening } =
+        slow.at(&past, late).unwrap();
     let (sin, cos) = (swing * late).sin_cos();
     let swung = DVec2::new(real * cos - imaginary * sin, real * sin + imaginary * cos);
     let expected = DVec2::new(speed * late, 0.0) + swung;
@@ -538,6 +625,9 @@ fn slow_places_follow_and_leave_out_waves() {
     assert!((place - expected).length() < 2e-8, "{place} {expected}");
     let rate = DVec2::new(speed, 0.0) + swing * DVec2::new(-swung.y, swung.x);
     assert!((velocity - rate).length() < 2e-8, "{velocity} {rate}");
+    // Of its acceleration that is 5 · 0.1⁴ · 0.25 · 0.4⁴/24 = 1.3e-7 m/s².
+    let bent = -swing * swing * swung;
+    assert!((acceleration - bent).length() < 2e-7 && quickening.abs() < 1e-9, "{acceleration} {bent}");
     // Past whole turns: 21 rad.
     assert!((heading - turning * late).abs() < 1e-9 && (found - turning).abs() < 1e-9, "{heading} {found}");
 }

@@ -79,7 +79,7 @@ impl Memory {
     }
 
     fn axes(&self, pose: &Pose, past: &[f64], time: f64) -> Axes {
-        Axes::new(pose, self.at, self.slow.as_ref().map(|slow| slow.at(past, time)))
+        Axes::new(pose, self.at, self.slow.as_ref().and_then(|slow| slow.at(past, time)))
     }
 
     /// ν of the motion of the body.
@@ -141,10 +141,11 @@ impl Memory {
         }
     }
 
-    /// Re Σ R z at P, for the states of all forces.
+    /// Re Σ R z at P, for the states of all forces; nothing where nothing has moved yet.
     fn held(&self, past: &[f64]) -> Wrench {
         let mut sum = Wrench::default();
-        for (term, z) in self.terms.iter().zip(past[self.states()].chunks_exact(WIDTH)) {
+        let states = past.get(self.states()).unwrap_or_default();
+        for (term, z) in self.terms.iter().zip(states.chunks_exact(WIDTH)) {
             let twist = |z: &[f64]| Twist {
                 linear: DVec3::from_slice(&z[..3]),
                 angular: DVec3::from_slice(&z[3..6]),

@@ -52,10 +52,14 @@ pub struct Slowly {
     pub place: DVec2,
     /// Its rate [m/s].
     pub velocity: DVec2,
+    /// The rate of that [m/s²].
+    pub acceleration: DVec2,
     /// From world x towards y [rad].
     pub heading: f64,
     /// Its rate [rad/s].
     pub turning: f64,
+    /// The rate of that [rad/s²].
+    pub quickening: f64,
 }
 
 impl Slow {
@@ -64,13 +68,15 @@ impl Slow {
         self.first..self.first + WIDTH
     }
 
-    /// Starts where the body is at `time` [s], at rest.
-    pub fn start(&self, pose: &Pose, time: f64, past: &mut [f64]) {
+    /// Starts where the body is at `time` [s], as if it had always moved as it does: yⱼ = u − j u̇/ω.
+    pub fn start(&self, (pose, twist): (&Pose, &Twist), time: f64, past: &mut [f64]) {
         let past = &mut past[self.states()];
         past[0] = time;
-        for (state, [now, _]) in past[1..].chunks_exact_mut(EACH).zip(self.seen(pose, &Twist::default())) {
-            state.fill(now);
-            state[1] = 0.0;
+        for (state, [now, rate]) in past[1..].chunks_exact_mut(EACH).zip(self.seen(pose, twist)) {
+            (state[0], state[1]) = (now, rate);
+            for (stage, y) in state[2..].iter_mut().enumerate() {
+                *y = now - (stage + 1) as f64 * rate / self.cut_off;
+            }
         }
     }
 
@@ -95,18 +101,29 @@ impl Slow {
         }
     }
 
-    /// Slow place and heading at `time` [s], in the step that the state is the start of.
-    pub fn at(&self, past: &[f64], time: f64) -> Slowly {
-        let past = &past[self.states()];
-        let mut found = [[0.0; 2]; 3];
+    /// Slow place and heading at `time` [s], in the step that the state is the start of; none where nothing has moved yet and
+    /// nothing is remembered, as in statics.
+    pub fn at(&self, past: &[f64], time: f64) -> Option<Slowly> {
+        let past = past.get(self.states())?;
+        let mut found = [[0.0; 3]; 3];
         for (state, found) in past[1..].chunks_exact(EACH).zip(&mut found) {
             let mut y: [f64; STAGES] = std::array::from_fn(|k| state[2 + k]);
             self.go_on([state[0], state[1], 0.0, 0.0], time - past[0], &mut y);
-            let [_, _, y3, y4, y5] = y;
-            *found = [5.0 * y4 - 4.0 * y5, self.cut_off * (5.0 * (y3 - y4) - 4.0 * (y4 - y5))];
+            let [_, y2, y3, y4, y5] = y;
+            let [d3, d4, d5] = [y2 - y3, y3 - y4, y4 - y5].map(|difference| self.cut_off * difference);
+            let of = |fourth: f64, fifth: f64| 5.0 * fourth - 4.0 * fifth;
+            *found = [of(y4, y5), of(d4, d5), self.cut_off * of(d3 - d4, d4 - d5)];
         }
-        let [x, y, [heading, turning]] = found;
-        Slowly { place: DVec2::new(x[0], y[0]), velocity: DVec2::new(x[1], y[1]), heading, turning }
+        let [x, y, [heading, turning, quickening]] = found;
+        let level = |k: usize| DVec2::new(x[k], y[k]);
+        Some(Slowly {
+            place: level(0),
+            velocity: level(1),
+            acceleration: level(2),
+            heading,
+            turning,
+            quickening,
+        })
     }
 
     /// y after `length` [s] of u = Σ cₖ tᵏ.

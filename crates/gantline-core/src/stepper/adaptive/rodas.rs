@@ -150,7 +150,8 @@ impl Rodas {
     pub fn linearise(&mut self, system: &System, state: &State, mass: &MassMatrix) {
         system.clock.time(Stage::Assembly, || self.matrix.linearise(system, &self.here, mass, state));
         if !self.drift.is_empty() {
-            force::drift(&system.tree, &self.here.frame.kinematics, &state.v, &mut self.drift);
+            let Evaluation { frame, dynamics, .. } = &self.here;
+            force::drift(&system.tree, &frame.kinematics, dynamics, &mut self.drift);
         }
     }
 
