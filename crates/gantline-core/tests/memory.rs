@@ -272,7 +272,7 @@ fn of_two_wave_forces_the_first_says_the_axes() {
             unreachable!()
         };
         let origin = [k as f64, 0.0, 0.0];
-        spec.forces.push(ForceSpec::Wave { name, body, at, origin, directions, phasors });
+        spec.forces.push(ForceSpec::Wave { name, body, at, origin, directions, phasors, drifts: Vec::new() });
     }
     let component =
         |frequency| ComponentSpec { frequency, wave_number: [0.3, 0.2], amplitude: 0.5, phase: 0.1 };
