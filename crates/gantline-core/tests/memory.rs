@@ -152,7 +152,7 @@ proptest! {
         for memory in memories(&system.tree) {
             prop_assert!(memory.slow.is_some() == in_waves);
             let here = under(&system.tree, &frame.kinematics, memory.body, &state.v);
-            let found = memory.drift_of_motion(&here);
+            let found = memory.motion_over_time(&here);
             let ends = [&after, &before].map(|frame| motion(&system, memory, frame, &state.v));
             let scale = ends[0].iter().fold(1.0_f64, |most, x| most.max(x.abs()));
             for k in 0..6 {
@@ -162,7 +162,7 @@ proptest! {
         }
         let mut drift = vec![0.0; state.v.len()];
         let (dynamics, _) = inverse(&system, &frame, &state.v);
-        force::drift(&system.tree, &frame.kinematics, &dynamics, &mut drift);
+        force::over_time(&system.tree, &frame.kinematics, &dynamics, &mut drift);
         let [up, down] = [&after, &before].map(|frame| inverse(&system, frame, &state.v).1);
         let scale = up.iter().fold(100.0_f64, |most, x| most.max(x.abs()));
         for dof in (0..state.v.len()).filter(|&dof| system.driven[dof].is_none()) {

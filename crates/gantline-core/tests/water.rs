@@ -171,7 +171,7 @@ proptest! {
         let a = rates(&system, &seeds);
         let mut drift = vec![0.0; a.len()];
         let (dynamics, _) = inverse(&system, &frame, &state.v, &a);
-        force::drift(&system.tree, &frame.kinematics, &dynamics, &mut drift);
+        force::over_time(&system.tree, &frame.kinematics, &dynamics, &mut drift);
         let mut at = |time: f64| {
             state.time = time;
             let mut frame = Frame::new(&system);

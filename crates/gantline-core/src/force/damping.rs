@@ -93,7 +93,7 @@ impl Force for Damping {
         Tangent { place, velocity, ..Tangent::NONE }
     }
 
-    fn drift(&self, at: &At) -> Option<Wrench> {
+    fn over_time(&self, at: &At) -> Option<Wrench> {
         let Push { axes, motion, matrix, wrench } = self.push(at);
         let spin = DVec3::Z * axes.turning?;
         let (linear, angular) = (spin.cross(motion.linear), spin.cross(motion.angular));

@@ -180,7 +180,7 @@ impl Force for LevelMass {
         Tangent { place, velocity: velocity.negated(), acceleration: matrix.about(arm).negated() }
     }
 
-    fn drift(&self, at: &At) -> Option<Wrench> {
+    fn over_time(&self, at: &At) -> Option<Wrench> {
         let moving = self.moving(at)?;
         let Moving {
             matrix,

@@ -88,7 +88,7 @@ impl Memory {
     }
 
     /// ∂ν/∂t, as far as the axes turn by themselves: −ψ̇ e_z × ν.
-    pub fn drift_of_motion(&self, at: &At) -> [f64; 6] {
+    pub fn motion_over_time(&self, at: &At) -> [f64; 6] {
         let axes = self.axes(at.pose, at.past, at.time);
         let (turning, [x, y, _, p, q, _]) = (axes.turning.unwrap_or(0.0), axes.motion(&at.twist));
         [turning * y, -turning * x, 0.0, turning * q, -turning * p, 0.0]
@@ -228,7 +228,7 @@ impl Force for Memory {
         Tangent::of_what_stays(force, moment, axes.arm)
     }
 
-    fn drift(&self, at: &At) -> Option<Wrench> {
+    fn over_time(&self, at: &At) -> Option<Wrench> {
         let (Wrench { force, moment }, axes) = self.pushing(at);
         let spin = DVec3::Z * axes.turning?;
         Some(Wrench { force: spin.cross(force), moment: spin.cross(moment) }.about(axes.arm))

@@ -120,7 +120,7 @@ pub trait Force {
     }
 
     /// Derivative of the wrench over time alone; none where it does not know time.
-    fn drift(&self, _at: &At) -> Option<Wrench> {
+    fn over_time(&self, _at: &At) -> Option<Wrench> {
         None
     }
 
@@ -312,11 +312,11 @@ pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f6
 
 /// Sets `out` to the derivative over time alone of what the motion needs along every degree of freedom: the opposite of
 /// how the push of waves and gusts changes, in the motion of the last update of `dynamics`.
-pub fn drift(tree: &Tree, kinematics: &Kinematics, dynamics: &NewtonEuler, out: &mut [f64]) {
+pub fn over_time(tree: &Tree, kinematics: &Kinematics, dynamics: &NewtonEuler, out: &mut [f64]) {
     out.fill(0.0);
     for force in &tree.forces {
         let body = force.body();
-        if let Some(wrench) = force.drift(&dynamics.at(tree, kinematics, body)) {
+        if let Some(wrench) = force.over_time(&dynamics.at(tree, kinematics, body)) {
             take(tree, kinematics, body, wrench, out);
         }
     }

@@ -203,7 +203,7 @@ impl Force for WaveForce {
         Tangent::of_what_stays(force, moment, at.pose.rotation * self.at)
     }
 
-    fn drift(&self, at: &At) -> Option<Wrench> {
+    fn over_time(&self, at: &At) -> Option<Wrench> {
         Some(self.about_origin(at, self.at_point(at.past, at.time)[1]))
     }
 
