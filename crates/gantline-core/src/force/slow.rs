@@ -29,6 +29,8 @@ use crate::tree::pose::Pose;
 const WIDTH: usize = 1 + 3 * EACH;
 const EACH: usize = 2 + STAGES;
 const STAGES: usize = 5;
+/// A place and its rates: as many as leave the last two stages behind another one.
+const RATES: usize = STAGES - 1;
 /// Degree of the polynomial in time as which y goes on within a part, and the length of a part in 1/ω: wrong by 0.25⁷/7! in
 /// it, 1e-8, and its rate by 0.25⁶/6!, 3e-7; by less in a shorter one.
 const DEGREE: usize = 6;
@@ -45,21 +47,13 @@ pub struct Slow {
     pub first: usize,
 }
 
-/// Slow place and heading.
+/// Slow place and heading, each with its first, second and third rate.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Slowly {
     /// World x and y [m].
-    pub place: DVec2,
-    /// Its rate [m/s].
-    pub velocity: DVec2,
-    /// The rate of that [m/s²].
-    pub acceleration: DVec2,
+    pub place: [DVec2; RATES],
     /// From world x towards y [rad].
-    pub heading: f64,
-    /// Its rate [rad/s].
-    pub turning: f64,
-    /// The rate of that [rad/s²].
-    pub quickening: f64,
+    pub heading: [f64; RATES],
 }
 
 impl Slow {
@@ -105,25 +99,20 @@ impl Slow {
     /// nothing is remembered, as in statics.
     pub fn at(&self, past: &[f64], time: f64) -> Option<Slowly> {
         let past = past.get(self.states())?;
-        let mut found = [[0.0; 3]; 3];
+        let mut found = [[0.0; RATES]; 3];
         for (state, found) in past[1..].chunks_exact(EACH).zip(&mut found) {
             let mut y: [f64; STAGES] = std::array::from_fn(|k| state[2 + k]);
             self.go_on([state[0], state[1], 0.0, 0.0], time - past[0], &mut y);
-            let [_, y2, y3, y4, y5] = y;
-            let [d3, d4, d5] = [y2 - y3, y3 - y4, y4 - y5].map(|difference| self.cut_off * difference);
-            let of = |fourth: f64, fifth: f64| 5.0 * fourth - 4.0 * fifth;
-            *found = [of(y4, y5), of(d4, d5), self.cut_off * of(d3 - d4, d4 - d5)];
+            for rate in found {
+                *rate = 5.0 * y[STAGES - 2] - 4.0 * y[STAGES - 1];
+                // Each takes one stage away: of rates of the first stages nothing is asked.
+                for k in (1..STAGES).rev() {
+                    y[k] = self.cut_off * (y[k - 1] - y[k]);
+                }
+            }
         }
-        let [x, y, [heading, turning, quickening]] = found;
-        let level = |k: usize| DVec2::new(x[k], y[k]);
-        Some(Slowly {
-            place: level(0),
-            velocity: level(1),
-            acceleration: level(2),
-            heading,
-            turning,
-            quickening,
-        })
+        let [x, y, heading] = found;
+        Some(Slowly { place: std::array::from_fn(|k| DVec2::new(x[k], y[k])), heading })
     }
 
     /// y after `length` [s] of u = Σ cₖ tᵏ.

@@ -87,7 +87,9 @@ impl WaveForce {
 
     /// F at P and its derivative over time; none before anything has moved.
     fn at_point(&self, past: &[f64], time: f64) -> [Wrench; 2] {
-        let Some(Slowly { place, velocity, heading, turning, .. }) = self.slow.at(past, time) else {
+        let Some(Slowly { place: [place, velocity, ..], heading: [heading, turning, ..] }) =
+            self.slow.at(past, time)
+        else {
             return [Wrench::default(); 2];
         };
         let (mut first, mut slow) = (Rated::<6>::default(), Drifting::default());
