@@ -84,6 +84,9 @@ def test_a_load_that_is_lost_stands_on_the_first_page(pumped: Recording) -> None
     )
     assert facts["'module' lost at once"] == "at 40.0 s, DOES NOT COME BACK"
     assert facts["barge as it is lost"] == "no end towards its stern, A2/A1 0.8"
+    wet = dataclasses.replace(lost, is_sound=False, flooded=["barge.hatch"])
+    facts = dict(afloat_facts(Subject(pumped, Beside(lost_load=wet))))
+    assert facts["'module' lost at once"] == "at 40.0 s, UNDER WATER ALREADY WITH IT: barge.hatch"
 
 
 def test_what_a_vessel_does_after_a_rope_has_parted(pumped: Recording) -> None:
