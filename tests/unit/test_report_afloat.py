@@ -89,6 +89,13 @@ def test_a_load_that_is_lost_stands_on_the_first_page(pumped: Recording) -> None
     assert facts["'module' lost at once"] == "at 40.0 s, UNDER WATER ALREADY WITH IT: barge.hatch"
 
 
+def test_a_lost_load_of_a_file_from_before_openings_were_looked_at() -> None:
+    swings: list[object] = []
+    document = {"sound": True, "scenario_sha256": "", "load": "module", "time": 40.0, "swings": swings}
+    assert SavedLostLoad.from_json(document).flooded == []
+    assert SavedLostLoad.from_json({**document, "flooded": ["barge.hatch"]}).flooded == ["barge.hatch"]
+
+
 def test_what_a_vessel_does_after_a_rope_has_parted(pumped: Recording) -> None:
     more = {"event_time": 4.0, "event_kind": "cut", "event_name": "mooring.line"}
     changed = {

@@ -200,7 +200,7 @@ def _has_rounding(comparison: Comparison) -> bool:
     )
     peaks = ((one.deviation, _largest(one)) for one in (*comparison.ropes, *comparison.hooks))
     forces = ((one, largest, _unit_of(largest)) for one, largest in peaks)
-    motions = ((of, 0.0, unit) for one in comparison.loads for of, unit in _parts(one))
+    motions = ((of, 0.0, unit) for one in _shown_motions(comparison) for of, unit in _parts(one))
     deviations = (
         one is not None and one.largest != 0.0 and without_rounding(one.largest, scale, unit) == 0.0
         for one, scale, unit in (*forces, *motions)
@@ -267,14 +267,18 @@ def _forces(title: str, forces: Sequence[ForceComparison]) -> list[str]:
 
 
 def _motion(comparison: Comparison) -> list[str]:
-    motions = comparison.loads or [one for one in comparison.bodies if _moves(one)]
     rows = []
-    for one in motions:
+    for one in _shown_motions(comparison):
         cells = (cell for of, unit in _parts(one) for cell in _deviation(of, 0.0, unit, _plain))
         rows.append((_both(one.name, one.name_b), *cells))
     title = "Motion of the load" if comparison.loads else "Motion"
     head = (title, "apart: rms", "largest", "at", "turned: rms", "largest", "at")
     return table(head, rows, "lrrrrrr") if rows else []
+
+
+def _shown_motions(comparison: Comparison) -> Sequence[MotionComparison]:
+    """Those of the loads; of a lift without any those of all bodies that are apart."""
+    return comparison.loads or [one for one in comparison.bodies if _moves(one)]
 
 
 def _moves(motion: MotionComparison) -> bool:

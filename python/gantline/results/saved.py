@@ -204,7 +204,8 @@ class SavedLostLoad:
             _text(whole, "load"),
             _number(whole, "time"),
             [_swing(_object(one)) for one in _list(whole, "swings")],
-            [str(one) for one in _list(whole, "flooded")],
+            # Files from before there was the word say nothing of it.
+            [str(one) for one in _list(whole, "flooded")] if "flooded" in whole else [],
         )
 
 
