@@ -45,7 +45,7 @@ LENGTH = "slings.S1.length"
             "--a equalizers: 'loose' is none; 'locked' pins all moving sheaves where they start",
         ),
         (
-            "compare pulleys equalizer --both 'step=1 ms'",
+            "compare equalizer --a integrator=del --both 'step=1 ms'",
             "B: --both step: not a setting of the integrator adaptive; del and explicit have it",
         ),
         (
