@@ -81,6 +81,15 @@ def quantity_of(option: str, text: str | None, dimension: str) -> float | None:
         stop(f"{option}: {problem}")
 
 
+def unit_of(text: str | None) -> str | None:
+    """A unit of length as it stands behind `--unit`; None if the option was not given."""
+    from gantline.units import DIMENSIONS
+
+    if text is not None and text not in DIMENSIONS["length"]:
+        stop(f"--unit: '{text}' is no unit of length; there are {', '.join(DIMENSIONS['length'])}")
+    return text
+
+
 def moment_of(time: str | None) -> float | None:
     """Time of the plan that was asked for [s]; None for the end of the lift."""
     moment = quantity_of("--time", time, "time")
