@@ -59,8 +59,10 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     parts.sea = {"components": listed, "rise_time": rise_time}
     moved = {name: vessel for name, vessel in (scenario.vessels or {}).items() if vessel.wave_forces}
     for name, vessel in moved.items():
-        parts.forces.append(_force(parts, scenario, name, vessel, trains))
+        force = _force(parts, scenario, name, vessel, trains)
+        parts.forces.append(force)
         parts.doubts += _other_period(scenario, name, vessel)
+        parts.doubts += _drifting(scenario, name, vessel, drifts=bool(force["drifts"]))
     parts.doubts += _idle(scenario, moved) + _steep(scenario)
 
 
@@ -237,6 +239,27 @@ def _other_period(scenario: Scenario, name: str, vessel: Vessel) -> list[Doubt]:
             sentence = f"{key} of {name} is that of motions of {read:g} s; the waves have {shown}"
             found.append(Doubt(("vessels", name, key), f"{sentence}; 'radiation' takes all periods"))
     return found
+
+
+def _drifting(scenario: Scenario, name: str, vessel: Vessel, *, drifts: bool) -> list[Doubt]:
+    """A vessel that drift forces take away, or moorings whose pull is without them and nobody says so."""
+    given = vessel.wave_forces
+    assert given is not None
+    path = ("vessels", name, "wave_forces")
+    is_moored = any(line.vessel == name for line in (scenario.mooring_lines or {}).values())
+    if drifts and not is_moored:
+        sentence = (
+            f"no mooring line holds {name} against the drift forces of its waves, which take it along ever "
+            "faster; 'drift: false' leaves them out"
+        )
+        return [Doubt(path, sentence)]
+    if is_moored and given.drift is None and not drifts:
+        sentence = (
+            f"{given.database} has no drift forces: the pull of the mooring lines of {name} is without them, "
+            "and so is where it lies; 'drift: false' says that this is known"
+        )
+        return [Doubt(path, sentence)]
+    return []
 
 
 def _idle(scenario: Scenario, moved: dict[str, Vessel]) -> list[Doubt]:
