@@ -2,7 +2,7 @@
 
 The file of a barge of 90 × 30 × 3 m served a crane vessel of 105.6 × 46 × 4.2 m, which felt half of the
 forces of its waves. With `at` at the stern, where the file has its point amidships, waves lifted the barge
-of `crane_barge_in_swell` by its stern: GO, with a dynamic factor of 1.027 in place of 1.050. The longest
+of `crane_barge_in_swell` by its stern: GO, with a dynamic factor of 1.025 in place of 1.044. The longest
 waves of a file say whose it is: they lift a hull with ρ g A − ω² (ρ V + A₃₃) per metre, in the middle of
 its waterplane.
 """
