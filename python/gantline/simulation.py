@@ -321,7 +321,9 @@ class Simulation:
     def recording(self) -> Recording:
         """Everything recorded so far."""
         remainder = self._core.energy_remainder()
-        warnings = list(self.assembly.warnings)
+        # By the name of the file alone: its folder is that of one machine.
+        file = Path(self.scenario.source).name
+        warnings = [doubt.of(file) for doubt in self.assembly.doubts]
         bound = energy_bound(self.settings)
         if remainder > bound:
             missed = f"remainder {remainder:.2g} of the largest energy, bound {bound:g}"

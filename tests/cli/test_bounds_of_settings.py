@@ -15,17 +15,20 @@ from gantline.cli.app import app
     [
         (
             ["--integrator", "del", "--step", "100 s"],
-            "step: the step of 100 s is longer than the duration of 40 s",
+            "--step: the step of 100 s is longer than the duration of 40 s",
         ),
-        (["--integrator", "del", "--step", "1e-15 s"], "step: 1e-15 is absurdly small"),
+        (["--integrator", "del", "--step", "1e-15 s"], "--step: '1e-15 s' is absurdly small"),
         (
             ["--integrator", "del", "--step", "1e-8 s"],
-            "step: 40 s in parts of 1e-08 s are more than 100 million",
+            "--step: 40 s in parts of 1e-08 s are more than 100 million",
         ),
-        (["--tension-tolerance", "1e-300 N"], "tension_tolerance: 1e-300 is absurdly small"),
-        (["--duration", "1e-300 s"], "duration: 1e-300 is absurdly small"),
-        (["--duration", "10 ms"], "0.02 s between samples are more than the duration of 0.01 s"),
-        (["--sample-interval", "1 us"], "sample_interval: 40 s in parts of 1e-06 s are more than 1 million"),
+        (["--tension-tolerance", "1e-300 N"], "--tension-tolerance: '1e-300 N' is absurdly small"),
+        (["--duration", "1e-300 s"], "--duration: '1e-300 s' is absurdly small"),
+        (["--duration", "10 ms"], "--duration: 0.02 s between samples are more than the duration of 0.01 s"),
+        (
+            ["--sample-interval", "1 us"],
+            "--sample-interval: 40 s in parts of 1e-06 s are more than 1 million",
+        ),
     ],
 )
 def test_settings(tmp_path: Path, words: list[str], says: str) -> None:

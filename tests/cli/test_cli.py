@@ -234,6 +234,18 @@ def test_a_new_lift_has_the_files_that_it_names(name: str, file: str, tmp_path: 
     assert code == 0, err
 
 
+def test_the_help_of_new_names_every_lift_that_comes_with_gantline(tmp_path: Path) -> None:
+    """It said `equalizer, ...`; the names are those of the files, and shells complete them."""
+    code, out, _ = gantline_says("new", "--help")
+    assert code == 0
+    named = out.split("Lifts that come with gantline:\n")[1].split("\n\n")[0]
+    assert " ".join(named.split()) == ", ".join(shipped())
+    assert out.rstrip().splitlines()[-1].strip() == "a folder with a lift file to change"
+    assert completed("new", "mine", "--from", "eq", folder=tmp_path) == [
+        name for name in shipped() if name.startswith("eq")
+    ]
+
+
 def test_a_new_lift_from_an_unknown_name(tmp_path: Path) -> None:
     code, _, err = gantline_says("new", str(tmp_path / "mine"), "--from", "derrick")
     assert code == 2

@@ -71,7 +71,7 @@ def test_only_some_tanks(lift: Path) -> None:
         (["--at-time", "700 s"], 2, "700 s is not in the lift, which lasts 600 s"),
         (["--draft", "4"], 2, "--draft: '4' has no unit"),
         (["--draft", "0 m"], 2, "--draft: '0 m' is no draft"),
-        (["--heel", "50 deg"], 2, "heel and trim are less than 45 deg"),
+        (["--heel", "50 deg"], 2, "--heel: 50 deg is too steep; less than 45 deg is right"),
         (["--trim", "10 m"], 2, "--trim: '10 m' is a length"),
         (["--draft", "8 m"], 2, "8 m is not between the keel of barge at 0 m and its deck at 8 m; it floats"),
         (["--draft", "70 m"], 2, "a draft of 70 m is not between the keel of barge"),

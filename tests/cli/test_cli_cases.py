@@ -225,7 +225,10 @@ def test_a_sweep_says_which_check_failed_and_where(lift: Path) -> None:
         ("load.weight.calculated=1 t..2 m/3", "found '2 m'; a mass is written like"),
         ("load.weight=1 t..2 t/3", "'load.weight' has several values; name one of its parts"),
         ("lood.weight=1 t..2 t/3", "there is no 'lood' of this file; did you mean 'load'?"),
-        ("load.weight.calculated=-1 t..2 t/3", "load.weight.calculated: '-1000.0 kg' is negative"),
+        (
+            "load.weight.calculated=-1 t..2 t/3",
+            "--sweep: load.weight.calculated=-1000.0 kg: '-1000.0 kg' is negative",
+        ),
     ],
 )
 def test_a_sweep_that_cannot_be(lift: Path, sweep: str, says: str) -> None:

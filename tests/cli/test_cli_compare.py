@@ -137,10 +137,10 @@ def test_slings_hooks_and_loads_stand_side_by_side(tmp_path: Path) -> None:
         (["pulleys", "--b", "step"], "--b: 'step' is no setting; one is written like 'step=1 ms'"),
         (["pulleys", "--b", "speed=1"], "--b: there is no setting 'speed'; there are integrator, step"),
         (["pulleys", "--b", "step=1"], "--b step: '1' has no unit"),
-        (["pulleys", "--b", "step=0 ms"], "B: step: 0.0 is not a time above zero"),
+        (["pulleys", "--b", "step=0 ms"], "--b step: '0 ms' is not a time above zero"),
         (["pulleys", "--b", "paper=yes"], "--b paper: 'yes' is neither true nor false"),
         (["pulleys", "--a", "step=1 ms", "--a", "step=2 ms"], "--a: step is given twice"),
-        (["pulleys", "--b", "integrator=euler"], "euler"),
+        (["pulleys", "--b", "integrator=euler"], "--b integrator: 'euler' is none"),
     ],
 )
 def test_bad_input_is_one_message_and_nothing_is_written(

@@ -69,7 +69,7 @@ def test_drafts_are_chosen_where_none_are_given() -> None:
         (["box:100m,30m,8m", "--heel", "200 deg", "--kg", "5 m"], "up to 180 deg"),
         (["box:100m,30m,8m", "--trim", "60 deg"], "too steep"),
         (["box:100m,30m,8m", "--density", "0 t/m^3"], "not the density of water"),
-        (["box:100m,30m,8m", "--unit", "yd"], "'yd' is no unit of length"),
+        (["box:100m,30m,8m", "--unit", "yd"], "--unit: 'yd' is no unit of length"),
         (["box:100m,30m,8m", "--up", "x"], "--up: 'x' is no axis that a hull has upwards; 'y' or 'z' is"),
         (["box:100m,30m,8m", "-o", "picture.xyz"], "names end in .png, .svg, .pdf"),
     ],

@@ -71,6 +71,19 @@ def test_a_vessel_that_does_not_come_back(tmp_path: Path) -> None:
     assert "has no 'openings'" not in said
 
 
+def test_an_opening_under_water_before_the_load_is_lost(tmp_path: Path) -> None:
+    """A hatch at the bow, 4 m over the keel, is under with the load and dry without: it ended with 0."""
+    code, said, _ = lost(with_opening(tmp_path, "[100 m, 0 m, 4 m]"), "--lost", "load")
+    assert code == 1
+    comes = "water comes in, which arms and areas do not know of"
+    assert f"\n  WARNING: barge has hatch under water already with 'load' on: {comes}\n" in said
+    code, said, _ = lost(with_opening(tmp_path, "[100 m, 0 m, 4 m]"), "--lost", "load", "--json")
+    found = json.loads(said)
+    assert (code, found["sound"]) == (1, False)
+    assert found["swings"][0]["ratio"] > 1.0
+    assert found["under_with_load"] == {"barge": ["hatch"]} and found["flooded"] == ["barge.hatch"]
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import socket
 import threading
 import time
 import urllib.request
 from pathlib import Path
+from typing import Any
 
 import pytest
 from typer.testing import CliRunner, Result
 
+import gantline.report
 import gantline.report.page
 import gantline.viewer.server
 from gantline.cli.app import app
@@ -91,6 +94,42 @@ def test_a_report_that_cannot_be_written_gets_one_sentence(tmp_path: Path) -> No
     assert result.exit_code == 2 and "cannot be written" in result.stderr
 
 
+def count_pages(monkeypatch: pytest.MonkeyPatch) -> list[object]:
+    """Recordings of which a page is made from now on."""
+    made = list[object]()
+    render = gantline.report.render_report
+
+    def counted(recording: Any, **more: Any) -> str:
+        made.append(recording)
+        return render(recording, **more)
+
+    monkeypatch.setattr(gantline.report, "render_report", counted)
+    return made
+
+
+@pytest.mark.usefixtures("player")
+def test_view_says_at_once_what_it_does(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A recording of 71 MB was read for seven seconds without a word."""
+    recording = ringing_lift().save(tmp_path / "recording.nc")
+
+    def slow(*_: object, **__: object) -> str:
+        raise ValueError("as if it took for ever")
+
+    monkeypatch.setattr(gantline.report, "render_report", slow)
+    lines = says("view", recording, "--no-browser").stderr.splitlines()
+    assert lines[0].startswith(f"making the page of {recording} (")
+    assert lines[1] == f"error: {recording}: as if it took for ever"
+
+
+def test_a_port_that_cannot_be_used(tmp_path: Path) -> None:
+    recording = ringing_lift().save(tmp_path / "recording.nc")
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        result = says("view", recording, "--port", port, "--no-browser")
+    assert result.exit_code == 2
+    assert result.stderr == f"error: --port: {port} cannot be used (address already in use)\n"
+
+
 @pytest.mark.usefixtures("player")
 def test_view_serves_the_report_and_notices_that_its_recording_has_changed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
@@ -104,6 +143,7 @@ def test_view_serves_the_report_and_notices_that_its_recording_has_changed(
         serve(self, poll_interval)
 
     monkeypatch.setattr(gantline.viewer.server.PageServer, "serve_forever", remember)
+    made = count_pages(monkeypatch)
     thread = threading.Thread(target=view, args=(recording, 0, False), daemon=True)
     thread.start()
     deadline = time.monotonic() + 60.0
@@ -115,11 +155,16 @@ def test_view_serves_the_report_and_notices_that_its_recording_has_changed(
         with urllib.request.urlopen(address + name, timeout=30) as answer:
             return str(answer.read().decode())
 
-    assert address in capsys.readouterr().out
+    told = capsys.readouterr()
+    assert told.out.startswith(f"{address}\n")
+    size = f"{recording.stat().st_size / 1e6:.3g} MB"
+    assert told.err == f"making the page of {recording} ({size}); it will be at {address}\n"
     assert '<meta name="gantline-reload" content="version">' in read()
+    assert read() == read() and len(made) == 1, "what was made to see whether it can be is what is shown"
     state = read("version")
     ringing_lift(events=[]).save(recording)
     assert read("version") != state
+    assert read() == read() and len(made) == 2
     for beside in ("cases.json", "equilibrium.nc"):
         state = read("version")
         (tmp_path / beside).write_text("{}")

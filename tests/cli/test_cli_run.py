@@ -111,9 +111,9 @@ def test_a_failed_check_ends_with_one(tmp_path: Path) -> None:
     [
         (["none.yaml"], "none.yaml"),
         ([str(SCENARIOS / "pulleys"), "--step", "1"], "--step: '1' has no unit"),
-        ([str(SCENARIOS / "pulleys"), "--step", "-1 ms"], "step: -0.001 is not a time above zero"),
+        ([str(SCENARIOS / "pulleys"), "--step", "-1 ms"], "--step: '-1 ms' is not a time above zero"),
         ([str(SCENARIOS / "pulleys"), "--duration", "3 kg"], "--duration: '3 kg' is a mass"),
-        ([str(SCENARIOS / "pulleys"), "--integrator", "euler"], "euler"),
+        ([str(SCENARIOS / "pulleys"), "--integrator", "euler"], "--integrator: 'euler' is none"),
     ],
 )
 def test_bad_input_is_one_message_and_nothing_is_written(

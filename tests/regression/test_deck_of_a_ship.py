@@ -81,8 +81,8 @@ def test_pontoons_are_no_deck_and_told(tmp_path: Path) -> None:
     run = at_rest(tmp_path, boxes(tmp_path, *PONTOONS, *COLUMNS, TOP), 10.0)
     assert run.metrics()["least_freeboard"] == pytest.approx(5.0, abs=1e-3)
     assert said(run, "looks up") == [
-        "32 % of what looks up on the hull of barge is under water at 10 m of draft: pontoons, if that is "
-        "right; the deck's edge is that of the rest"
+        "lift.yaml:1: vessels.barge.draft: 32 % of what looks up on the hull of barge is under water at 10 m "
+        "of draft: pontoons, if that is right; the deck's edge is that of the rest"
     ]
     # Afloat on them they are the deck: with 4 m of draft 1 m is left.
     run = at_rest(tmp_path, tmp_path / "hull.obj", 4.0)

@@ -27,8 +27,8 @@ IN_MID_AIR = STRONG.replace("D: {at: [ 2.5 m, -1.5 m, 3 m]", "D: {at: [ 2.5 m, -
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        (LEFT_OUT, "no sling leads to lug D"),
-        (IN_MID_AIR, "lug D lies 1.5 m outside the load's box"),
+        (LEFT_OUT, "scenario.yaml:17: load.lugs.D: no sling leads to lug D"),
+        (IN_MID_AIR, "scenario.yaml:17: load.lugs.D.at: lug D lies 1.5 m outside the load's box"),
     ],
     ids=["a sling left out", "a lug in mid-air"],
 )

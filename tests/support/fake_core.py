@@ -103,7 +103,7 @@ def core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
         rig=sample_rig(),
         scene=sample_scene(),
         document_text=lambda: "{}",
-        warnings=(),
+        doubts=(),
     )
     monkeypatch.setattr(gantline._core, "Simulation", Core)
     monkeypatch.setattr(gantline.simulation, "load_scenario", lambda lift: scenario)

@@ -130,9 +130,13 @@ def test_a_stated_centre_is_held_against_the_one_from_cad(tmp_path: Path) -> Non
 
 
 def test_the_check_of_a_lift_file_warns_of_it_too(tmp_path: Path) -> None:
-    result = CliRunner().invoke(app, ["check", str(lift(tmp_path, OUTFITTING))])
+    path = lift(tmp_path, OUTFITTING)
+    result = CliRunner().invoke(app, ["check", str(path)])
     assert result.exit_code == 0, result.output
-    assert "warning: the centre of gravity of the load is stated at (0, 0, 1.5) m" in result.output
+    (line,) = (one for one in result.output.splitlines() if "CAD and outfitting give" in one)
+    assert line.startswith(f"warning: {path}:")
+    told = "load.centre_of_gravity.at: the centre of gravity of the load is stated at (0, 0, 1.5) m"
+    assert f": {told}; CAD and outfitting give" in line
 
 
 def test_a_stated_inertia_goes_before_the_one_from_cad(tmp_path: Path) -> None:

@@ -227,6 +227,18 @@ def test_hooks_side_by_side_do_not_cover_each_other(way: tuple[float, float], ri
     assert side.title.endswith(right)
 
 
+@pytest.mark.parametrize(
+    ("names", "said"), [(["east"], "<dt>crane</dt>"), (["east", "west"], "<dt>cranes</dt>")]
+)
+def test_two_cranes_are_cranes(names: list[str], said: str) -> None:
+    plain = ringing_lift()
+    rig = plain.attributes["rig"]
+    (hook,) = rig["hooks"]
+    lift = {**rig, "hooks": [{**hook, "crane": name} for name in names]}
+    page = render_report(Recording(plain.variables, plain.coordinates, {**plain.attributes, "rig": lift}))
+    assert f"{said}<dd>{', '.join(names)}</dd>" in page
+
+
 def test_what_a_run_counts_has_names_for_people() -> None:
     counters = {"steps": 12000, "cut": 8, "fill": 1318, "of a later version": 3}
     plain = ringing_lift()

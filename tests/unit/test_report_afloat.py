@@ -84,6 +84,16 @@ def test_a_load_that_is_lost_stands_on_the_first_page(pumped: Recording) -> None
     )
     assert facts["'module' lost at once"] == "at 40.0 s, DOES NOT COME BACK"
     assert facts["barge as it is lost"] == "no end towards its stern, A2/A1 0.8"
+    wet = dataclasses.replace(lost, is_sound=False, flooded=["barge.hatch"])
+    facts = dict(afloat_facts(Subject(pumped, Beside(lost_load=wet))))
+    assert facts["'module' lost at once"] == "at 40.0 s, UNDER WATER ALREADY WITH IT: barge.hatch"
+
+
+def test_a_lost_load_of_a_file_from_before_openings_were_looked_at() -> None:
+    swings: list[object] = []
+    document = {"sound": True, "scenario_sha256": "", "load": "module", "time": 40.0, "swings": swings}
+    assert SavedLostLoad.from_json(document).flooded == []
+    assert SavedLostLoad.from_json({**document, "flooded": ["barge.hatch"]}).flooded == ["barge.hatch"]
 
 
 def test_what_a_vessel_does_after_a_rope_has_parted(pumped: Recording) -> None:

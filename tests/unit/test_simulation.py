@@ -93,7 +93,10 @@ def test_settings_may_be_numbers_of_numpy(core: type[FakeCore]) -> None:
         ({"duration": float("nan")}, "duration: nan is not a time above zero"),
         ({"sample_interval": "20 ms"}, "sample_interval: '20 ms' is not a time above zero"),
         ({"steps": 3}, "steps: not a setting of the integrator del; there are integrator, step"),
-        ({"tension_tolerance": 5.0}, "tension_tolerance: not a setting of the integrator del"),
+        (
+            {"tension_tolerance": 5.0},
+            "tension_tolerance: not a setting of the integrator del; adaptive has it",
+        ),
         ({"type": "explicit"}, "type: not a setting of the integrator del; there are integrator, step"),
         ({"duration": 10**400}, "duration: 10+ is not a time above zero"),
         ({"step": True}, "step: True is not a time above zero"),

@@ -75,6 +75,27 @@ def test_what_is_told(tmp_path: Path) -> None:
     )
 
 
+@pytest.mark.parametrize(("drifts", "moored"), [(True, False), (False, True), (True, True)])
+def test_drift_forces_and_moorings_belong_together(tmp_path: Path, drifts: bool, moored: bool) -> None:
+    """A vessel that nothing holds, and a mooring whose mean pull is not there; not where it is said."""
+    line = {"vessel": "barge", "fairlead": ["0 m", "0 m", "6 m"], "to": ["-180 m", "20 m", "0 m"]}
+    rope = {"mass": "10 kg/m", "axial_stiffness": "80 MN", "minimum_breaking_force": "1 MN"}
+    lines = {"aft": {**line, "rope": "stay", "pretension": "100 kN"}}
+    given: dict[str, Any] = {"ropes": {"stay": rope}, "mooring_lines": lines} if moored else {}
+    path = waves.in_waves(tmp_path, {"swell": SWELL}, **given)
+    size = (len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3)
+    waves.database(tmp_path, drift=np.ones(size) if drifts else None)
+    (told,) = assemble(load_scenario(path)).warnings if drifts != moored else ("",)
+    expected = {
+        (True, False): "no mooring line holds barge against the drift forces of its waves",
+        (False, True): "barge.nc has no drift forces: the pull of the mooring lines of barge is without them",
+    }
+    assert expected.get((drifts, moored), "") in told
+    known = path.read_text().replace('"wave_forces": {', '"wave_forces": {"drift": false, ')
+    path.write_text(known)
+    assert assemble(load_scenario(path)).warnings == ()
+
+
 def test_waves_that_the_file_does_not_know(tmp_path: Path) -> None:
     """A regular wave beyond its shortest, a sea that is mostly shorter, a direction that it has not."""
     for train, said in (

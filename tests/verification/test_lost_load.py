@@ -17,6 +17,7 @@ from gantline.simulation import simulate
 from gantline.statics import NoEquilibriumError, Statics
 from gantline.study import LostLoad, lose_load
 from gantline.study.inclining import metacentric_heights
+from mechanics import G
 
 #: Load, its own height and that from which it hangs, by a rope of this length [kg, m].
 LOAD, HEIGHT, ABOVE, ROPE = 400e3, 4.0, 60.0, 30.0
@@ -211,4 +212,68 @@ def test_a_vessel_that_capsizes_without_its_load(tmp_path: Path) -> None:
     question = Statics(written(tmp_path, hung(barge(masses=masses, draft="5 m"), (LENGTH / 2, 140.0))))
     rest = question.equilibrium()
     with pytest.raises(NoEquilibriumError, match="capsizes"):
+        lose_load(question, rest, "module")
+
+
+def test_openings_under_water_with_the_load_on(tmp_path: Path) -> None:
+    """400 t at y = 20 m heel the barge to port; a hatch there is under before the load is lost.
+
+    Of a box at rest at the draft T amidships, heeled by φ, a point (y, z) is under where z < T + y tan φ,
+    z up from its keel and y to port.
+    """
+    port = barge(openings={"hatch": ["50 m", "14 m", "4.5 m"], "vent": ["50 m", "-14 m", "7 m"]})
+    question, found = lost(tmp_path, hung(port, (LENGTH / 2, 20.0)))
+    before = question.equilibrium().recording
+    heel, draft = (float(before.column(name, "barge")[-1]) for name in ("vessel_heel", "vessel_draft"))
+    assert draft + 14.0 * math.tan(heel) < 4.5 < draft - 14.0 * math.tan(heel) < 5.0
+    assert found.under_with_load == {"barge": ["hatch"]} and found.flooded == {"barge": ["hatch"]}
+    assert not found.is_sound and all(swing.is_held for swing in found.swings)
+    # A higher one is dry there.
+    dry = barge(openings={"hatch": [f"{LENGTH / 2} m", "14 m", "5 m"]})
+    _, found = lost(tmp_path, hung(dry, (LENGTH / 2, 20.0)))
+    assert found.under_with_load == {} and found.is_sound
+
+
+def resting(aside: float, shorter: float, **more: Any) -> dict[str, Any]:
+    """The load stands 4 m over the water, `aside` of the centre plane, its rope shorter than its way [m]."""
+    given = hung(barge(), (LENGTH / 2, aside), **more)
+    given["load"]["position"][2] = "4 m"
+    straight = ABOVE - 4.0 - HEIGHT - 4.0
+    # The place of its end counts from the load's centre of gravity.
+    given["mechanics"]["ropes"]["falls"]["length"] = f"{straight - HEIGHT / 2 - shorter!r} m"
+    return given
+
+
+CONTACT = {"stiffness": "40000 MN/m", "damping": "400 MN s/m", "friction": 0.3}
+
+
+def test_of_a_load_that_stands_ashore_its_share_is_lost(tmp_path: Path) -> None:
+    """A vessel heels by what its rope bears, and not by the load's weight; without that it is upright.
+
+    What is left in it is the work of its arms between the two.
+    """
+    given = resting(24.0, 0.6, ground={"level": "4 m", **CONTACT})
+    question = Statics(written(tmp_path, given))
+    rest = question.equilibrium()
+    transferred = float(rest.recording.column("load_transferred", "module")[-1])
+    assert 0.2 < transferred < 0.8
+    found = lose_load(question, rest, "module")
+    assert not found.stands and found.is_sound
+    (swing,) = found.swings
+    assert swing.after == pytest.approx(0.0, abs=1e-6)
+    righting = Righting(box_hull([LENGTH, BREADTH, DEPTH]), MASS, [LENGTH / 2, 0.0, KG], density=SEA)
+    pull = float(rest.recording.column("rope_tension", "falls")[-1])
+    assert pull == pytest.approx(transferred * LOAD * G, rel=1e-3)
+    assert swing.left == pytest.approx(righting.at(-swing.before).work - righting.at(0.0).work, rel=1e-6)
+
+
+@pytest.mark.parametrize("shorter", [0.01, -0.1])
+def test_a_load_that_rests_aboard_is_not_lost(tmp_path: Path, shorter: float) -> None:
+    """Its slings let it go onto the deck: a vessel without it is not what comes of that."""
+    given = resting(5.0, shorter)
+    given["mechanics"]["body_contacts"] = {"on_deck": {"between": ["module", "barge"], **CONTACT}}
+    question = Statics(written(tmp_path, given))
+    rest = question.equilibrium(losses="held")
+    words = r"at 1 s barge bears \d\S* % of 'module', which stays aboard where its slings let it go; --time"
+    with pytest.raises(ValueError, match=words):
         lose_load(question, rest, "module")

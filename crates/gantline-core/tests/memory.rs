@@ -152,7 +152,7 @@ proptest! {
         for memory in memories(&system.tree) {
             prop_assert!(memory.slow.is_some() == in_waves);
             let here = under(&system.tree, &frame.kinematics, memory.body, &state.v);
-            let found = memory.drift_of_motion(&here);
+            let found = memory.motion_over_time(&here);
             let ends = [&after, &before].map(|frame| motion(&system, memory, frame, &state.v));
             let scale = ends[0].iter().fold(1.0_f64, |most, x| most.max(x.abs()));
             for k in 0..6 {
@@ -161,7 +161,8 @@ proptest! {
             }
         }
         let mut drift = vec![0.0; state.v.len()];
-        force::drift(&system.tree, &frame.kinematics, &state.v, &mut drift);
+        let (dynamics, _) = inverse(&system, &frame, &state.v);
+        force::over_time(&system.tree, &frame.kinematics, &dynamics, &mut drift);
         let [up, down] = [&after, &before].map(|frame| inverse(&system, frame, &state.v).1);
         let scale = up.iter().fold(100.0_f64, |most, x| most.max(x.abs()));
         for dof in (0..state.v.len()).filter(|&dof| system.driven[dof].is_none()) {
@@ -249,4 +250,50 @@ fn what_gives_energy_is_refused() {
     assert!(drives.contains("past") && drives.contains("negative eigenvalues"), "{drives}");
     let endless = refused(|term| term.imaginary[0][0] = f64::INFINITY);
     assert!(endless.contains("past"), "{endless}");
+}
+
+/// Of two wave forces on a body, with points of their own, the first says along which axes memory, damping and added mass act:
+/// all along the same, and the heading of both is one.
+#[test]
+fn of_two_wave_forces_the_first_says_the_axes() {
+    let mut seeds = vec![0.1; 400];
+    seeds.iter_mut().enumerate().for_each(|(k, seed)| *seed = ((k * 37) % 101) as f64 / 101.0 - 0.5);
+    let mut spec = rig(&seeds);
+    let mut draw = Draw::new(&seeds[250..]);
+    let (name, body, terms) = ("past".to_owned(), "b0".to_owned(), terms(&drawn(&mut draw)));
+    let matrix = std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
+    let (at, quadratic, stream) = ([0.0; 3], [0.0; 6], [0.0; 3]);
+    spec.forces.push(ForceSpec::Memory { name, body: body.clone(), at, terms });
+    let (name, added) = ("viscous".to_owned(), "added".to_owned());
+    spec.forces.push(ForceSpec::AddedMass { name: added, body: body.clone(), at, matrix });
+    spec.forces.push(ForceSpec::Drag { name, body, at, damping: matrix, quadratic, stream, gusty: false });
+    for k in 0..2 {
+        let ForceSpec::Wave { name, body, at, directions, phasors, .. } = wave(&mut draw, k, "b0") else {
+            unreachable!()
+        };
+        let origin = [k as f64, 0.0, 0.0];
+        spec.forces.push(ForceSpec::Wave { name, body, at, origin, directions, phasors, drifts: Vec::new() });
+    }
+    let component =
+        |frequency| ComponentSpec { frequency, wave_number: [0.3, 0.2], amplitude: 0.5, phase: 0.1 };
+    spec.sea = Some(TrainsSpec { components: vec![component(0.8), component(1.3)], rise_time: 1.0 });
+    let (system, _) = build(&spec).expect("two wave forces may act on a body");
+    let waves: Vec<_> = system
+        .tree
+        .forces
+        .iter()
+        .filter_map(|force| if let AnyForce::Wave(wave) = force { Some(&wave.slow) } else { None })
+        .collect();
+    let mut seen = 0;
+    for force in &system.tree.forces {
+        let slow = match force {
+            AnyForce::Memory(memory) => memory.slow.as_ref().expect("waves push its body"),
+            AnyForce::Damping(damping) => &damping.slow,
+            AnyForce::LevelMass(level) => &level.slow,
+            _ => continue,
+        };
+        assert!(slow == waves[0] && slow != waves[1]);
+        seen += 1;
+    }
+    assert_eq!((seen, waves.len()), (3, 2));
 }

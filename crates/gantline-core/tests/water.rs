@@ -7,238 +7,15 @@ use gantline_core::build::build;
 use gantline_core::force::drag::Drag;
 use gantline_core::force::slow::{Slow, Slowly};
 use gantline_core::force::{self, AnyForce, At, Energies, Force, twist_of};
-use gantline_core::spec::{
-    BodySpec, ComponentSpec, DriveSpec, ForceSpec, JointSpec, MooringSpec, PhasorSpec, PumpedSpec,
-    SystemSpec, TrainsSpec,
-};
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
-use gantline_core::system::System;
-use gantline_core::tree::bias::NewtonEuler;
 use gantline_core::tree::kinematics::Twist;
 use gantline_core::tree::pose::Pose;
 use gantline_core::tree::tangent::{DynamicsTangent, Paired};
 use glam::{DMat3, DVec2, DVec3};
 use proptest::prelude::*;
-use rigs::hulls::sphere;
-use rigs::{Draw, moved, rig, seeds};
-
-/// Central differences as in the tests of mechanics; forces of water are up to some 1e4 here.
-const STEP: f64 = 1e-5;
-const CLOSE: f64 = 1e-6;
-/// When all is looked at [s]: waves still grow.
-const NOW: f64 = 3.0;
-/// Time in which they grow [s].
-const GROWN: f64 = 5.0;
-
-/// Symmetric without negative eigenvalues: B Bᵀ.
-fn square(draw: &mut Draw, size: f64) -> [[f64; 6]; 6] {
-    let root: [[f64; 6]; 6] = std::array::from_fn(|_| std::array::from_fn(|_| draw.number()));
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| size * (0..6).map(|k| root[i][k] * root[j][k]).sum::<f64>())
-    })
-}
-
-/// A mooring line from a body far down, with a winch: taut, slack, or with a part of it on a bed.
-fn mooring(spec: &mut SystemSpec, draw: &mut Draw, k: usize) -> ForceSpec {
-    let up = -DVec3::from_array(spec.gravity).normalize();
-    let down = DVec3::from_array(draw.scaled(10.0)) - up * 40.0;
-    let body = format!("b{}", draw.choice(7));
-    let winch = format!("winch{k}");
-    let joint = JointSpec::Flow {
-        inertia: 3.0,
-        velocity: draw.number(),
-        damping: 0.0,
-        brake: 0.0,
-        capacity: None,
-        keeps_pull: false,
-        power: None,
-        drive: None,
-    };
-    let mut flow = spec.bodies[0].clone();
-    (flow.name, flow.parent, flow.joint) = (winch.clone(), Some(body.clone()), joint);
-    (flow.mass, flow.centre_of_gravity, flow.inertia) = (0.0, [0.0; 3], [0.0; 6]);
-    spec.bodies.push(flow);
-    ForceSpec::Mooring(Box::new(MooringSpec {
-        name: format!("line{k}"),
-        body,
-        at: draw.vector(),
-        to: down.to_array(),
-        weight: 1.0,
-        axial_stiffness: 4000.0,
-        damping_time: 0.05,
-        length: (k == 1).then_some(90.0),
-        pretension: (k != 1).then_some(100.0 + 20.0 * draw.number()),
-        sea_bed: (k == 2).then_some(down.dot(up)),
-        winch: Some(winch),
-        breaking_force: None,
-        cut_at: None,
-    }))
-}
-
-/// The random rig with dented hulls and tanks, added mass and drag on bodies somewhere in its tree.
-fn wet(seeds: &[f64]) -> (System, State, Frame) {
-    let mut spec = rig(seeds);
-    let mut draw = Draw::new(&seeds[250..]);
-    let mesh = sphere(2.0, 5);
-    let dented = |draw: &mut Draw| {
-        let place = DVec3::from_array(draw.scaled(0.5));
-        mesh.vertices
-            .iter()
-            .map(|vertex| (*vertex * (1.0 + 0.2 * draw.number()) + place).to_array())
-            .collect()
-    };
-    let body = |draw: &mut Draw| format!("b{}", draw.choice(7));
-    let (named, at) = (|name: &str, k: usize| format!("{name}{k}"), |draw: &mut Draw| draw.vector());
-    for k in 0..2 {
-        let buoyancy = ForceSpec::Buoyancy {
-            name: named("hull", k),
-            body: body(&mut draw),
-            vertices: dented(&mut draw),
-            triangles: mesh.triangles.clone(),
-            density: 60.0,
-            level: draw.number(),
-        };
-        let added = ForceSpec::AddedMass {
-            name: named("added", k),
-            body: body(&mut draw),
-            at: at(&mut draw),
-            matrix: square(&mut draw, 10.0),
-        };
-        let drag = ForceSpec::Drag {
-            name: named("drag", k),
-            body: body(&mut draw),
-            at: at(&mut draw),
-            damping: square(&mut draw, 20.0),
-            quadratic: std::array::from_fn(|_| 10.0 * draw.number().abs()),
-            // One stands, the other streams and comes in gusts.
-            stream: if k == 0 { [0.0; 3] } else { draw.scaled(2.0) },
-            gusty: k == 1,
-        };
-        let has_tank = body(&mut draw);
-        // One of the two is pumped.
-        let pumped = (k == 1).then(|| PumpedSpec { content: "content".to_owned(), level: draw.number() });
-        if pumped.is_some() {
-            spec.bodies.push(content_of(&has_tank));
-            spec.drives.push(DriveSpec { name: "pump".to_owned(), ramps: Vec::new() });
-        }
-        let tank = ForceSpec::Tank {
-            name: named("tank", k),
-            body: has_tank,
-            vertices: dented(&mut draw),
-            triangles: mesh.triangles.clone(),
-            density: 40.0,
-            volume: 8.0 + 7.0 * draw.number(),
-            pumped,
-        };
-        let pushed = body(&mut draw);
-        let directions: Vec<f64> = (0..4).map(|k| f64::from(k) + 0.4 * draw.number()).collect();
-        // One of the two drifts.
-        let drifts = (0..3 * k).map(|_| level(&from_all_sides(&mut draw, &directions))).collect();
-        let wave = ForceSpec::Wave {
-            name: named("wave", k),
-            body: pushed.clone(),
-            at: at(&mut draw),
-            origin: at(&mut draw),
-            phasors: (0..3).map(|_| from_all_sides(&mut draw, &directions)).collect(),
-            drifts,
-            directions,
-        };
-        // By a matrix alone, where waves push: along their axes.
-        let viscous = ForceSpec::Drag {
-            name: named("viscous", k),
-            body: pushed,
-            at: at(&mut draw),
-            damping: square(&mut draw, 20.0),
-            quadratic: [0.0; 6],
-            stream: [0.0; 3],
-            gusty: false,
-        };
-        spec.forces.extend([buoyancy, added, drag, tank, wave, viscous]);
-    }
-    let component = |draw: &mut Draw| ComponentSpec {
-        frequency: 1.0 + 0.5 * draw.number(),
-        wave_number: [draw.number(), draw.number()],
-        amplitude: draw.number(),
-        phase: draw.number(),
-    };
-    for trains in [&mut spec.sea, &mut spec.gusts] {
-        let components = (0..3).map(|_| component(&mut draw)).collect();
-        *trains = Some(TrainsSpec { components, rise_time: GROWN });
-    }
-    for k in 0..3 {
-        let line = mooring(&mut spec, &mut draw, k);
-        spec.forces.push(line);
-    }
-    let (system, mut state) = build(&spec).expect("the generator makes valid rigs");
-    state.time = NOW;
-    // Slow places and headings that are on their way, by any state of their filters a moment ago.
-    for force in &system.tree.forces {
-        if let AnyForce::Wave(wave) = force {
-            let past = &mut state.past[wave.slow.states()];
-            past.iter_mut().for_each(|number| *number = draw.number());
-            past[0] = NOW - 0.5;
-        }
-    }
-    let mut frame = Frame::new(&system);
-    frame.update(&system, &state);
-    (system, state, frame)
-}
-
-/// Real parts of surge, sway and yaw.
-fn level(forces: &[[PhasorSpec; 4]]) -> Vec<[[f64; 3]; 4]> {
-    forces.iter().map(|terms| terms.map(|term| [0, 1, 5].map(|axis| term[axis][0]))).collect()
-}
-
-/// Forces of a wave that go on from direction to direction without a bend, by Hermite's cubics.
-fn from_all_sides(draw: &mut Draw, directions: &[f64]) -> Vec<[PhasorSpec; 4]> {
-    let count = directions.len();
-    let mut drawn = || -> Vec<PhasorSpec> {
-        let mut phasor = || std::array::from_fn(|_| std::array::from_fn(|_| 100.0 * draw.number()));
-        (0..count).map(|_| phasor()).collect()
-    };
-    let (values, slopes) = (drawn(), drawn());
-    let cubic = |k: usize| {
-        let next = (k + 1) % count;
-        let wide = directions[next] - directions[k] + if next == 0 { std::f64::consts::TAU } else { 0.0 };
-        let term = |power: usize| {
-            std::array::from_fn(|i| {
-                std::array::from_fn(|part| {
-                    let (here, there) = (values[k][i][part], values[next][i][part]);
-                    let (leaves, comes) = (wide * slopes[k][i][part], wide * slopes[next][i][part]);
-                    match power {
-                        0 => here,
-                        1 => leaves,
-                        2 => 3.0 * (there - here) - 2.0 * leaves - comes,
-                        _ => leaves + comes - 2.0 * (there - here),
-                    }
-                })
-            })
-        };
-        [term(0), term(1), term(2), term(3)]
-    };
-    (0..count).map(cubic).collect()
-}
-
-/// The content of a tank on a body, as a joint.
-fn content_of(body: &str) -> BodySpec {
-    let given = serde_json::json!({
-        "name": "content", "parent": body, "mass": 0.0, "centre_of_gravity": [0, 0, 0], "inertia": [0, 0, 0, 0, 0, 0],
-        "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
-        "joint": {"type": "content", "drive": "pump"}});
-    serde_json::from_value(given).expect("it is a body")
-}
-
-fn rates(system: &System, seeds: &[f64]) -> Vec<f64> {
-    (0..system.tree.velocities).map(|k| seeds[(7 * k + 3) % seeds.len()]).collect()
-}
-
-fn inverse(system: &System, frame: &Frame, v: &[f64], a: &[f64]) -> (NewtonEuler, Vec<f64>) {
-    let mut dynamics = NewtonEuler::new(&system.tree);
-    let mut out = vec![0.0; v.len()];
-    dynamics.update(&system.tree, &frame.kinematics, v, Some(a), None, &mut out);
-    (dynamics, out)
-}
+use rigs::wet::{CLOSE, GROWN, NOW, STEP, inverse, rates, wet};
+use rigs::{moved, seeds};
 
 fn entry(paired: &Paired, frame: &Frame, row: usize, column: usize) -> f64 {
     let (low, high, values) =
@@ -310,10 +87,11 @@ proptest! {
     }
 
     /// At rest inverse dynamics is the slope of the energy of gravity, displaced water and mooring lines, less what a stream
-    /// pushes with.
+    /// pushes with, where nothing has moved yet.
     #[test]
     fn buoyancy_is_the_slope_of_its_energy(seeds in seeds()) {
-        let (system, state, frame) = wet(&seeds);
+        let (system, state, mut frame) = wet(&seeds);
+        frame.kinematics.past.clear();
         let still = vec![0.0; system.tree.velocities];
         let (_, slope) = inverse(&system, &frame, &still, &still);
         let mut pushed = still.clone();
@@ -393,7 +171,8 @@ proptest! {
         let (system, mut state, frame) = wet(&seeds);
         let a = rates(&system, &seeds);
         let mut drift = vec![0.0; a.len()];
-        force::drift(&system.tree, &frame.kinematics, &state.v, &mut drift);
+        let (dynamics, _) = inverse(&system, &frame, &state.v, &a);
+        force::over_time(&system.tree, &frame.kinematics, &dynamics, &mut drift);
         let mut at = |time: f64| {
             state.time = time;
             let mut frame = Frame::new(&system);
@@ -519,7 +298,8 @@ fn slow_places_follow_and_leave_out_waves() {
         let pose = Pose { rotation, position: DVec3::new(speed * time + cos, sin, 0.0) - arm };
         (pose, Twist { angular, linear: velocity - angular.cross(arm) })
     };
-    slow.start(&motion(0.0).0, 0.0, &mut past);
+    let (pose, twist) = motion(0.0);
+    slow.start((&pose, &twist), 0.0, &mut past);
     let mut time = 0.0;
     for step in 0..4000 {
         time += [0.02, 0.3, 0.1, 0.001][step % 4];
@@ -529,17 +309,25 @@ fn slow_places_follow_and_leave_out_waves() {
     // (1 + 5p)/(1 + p)⁵ with p = 5i: (1 + 25i)/(2876 + 1900i) = (50376 + 70000i)/26⁵. What it began with has gone: 421 s.
     let (real, imaginary) = [50_376.0, 70_000.0].map(|part| part / 11_881_376.0).into();
     let late = time + 0.4;
-    let Slowly { place, velocity, heading, turning: found } = slow.at(&past, late);
+    let Slowly { place, heading } = slow.at(&past, late).unwrap();
     let (sin, cos) = (swing * late).sin_cos();
     let swung = DVec2::new(real * cos - imaginary * sin, real * sin + imaginary * cos);
     let expected = DVec2::new(speed * late, 0.0) + swung;
     // Steps of 0.3 s: (0.15)⁴/384 = 1e-6 of the swing, of which H leaves 0.7 %; that the swing goes on straight for 0.4 s,
     // 5 · 0.1⁴ · 0.25 · 0.4⁶/720 = 7e-10 m.
-    assert!((place - expected).length() < 2e-8, "{place} {expected}");
-    let rate = DVec2::new(speed, 0.0) + swing * DVec2::new(-swung.y, swung.x);
-    assert!((velocity - rate).length() < 2e-8, "{velocity} {rate}");
+    let across = |way: DVec2| swing * DVec2::new(-way.y, way.x);
+    let expected = [
+        expected,
+        DVec2::new(speed, 0.0) + across(swung),
+        across(across(swung)),
+        across(across(across(swung))),
+    ];
+    // That of its second rate is 5 · 0.1⁴ · 0.25 · 0.4⁴/24 = 1.3e-7 m/s², and 0.4³/6 of its third 1.3e-6 m/s³.
+    let off: [f64; 4] = std::array::from_fn(|k| (place[k] - expected[k]).length());
+    assert!(off[0] < 2e-8 && off[1] < 2e-8 && off[2] < 2e-7 && off[3] < 2e-6, "{off:?}");
     // Past whole turns: 21 rad.
-    assert!((heading - turning * late).abs() < 1e-9 && (found - turning).abs() < 1e-9, "{heading} {found}");
+    let turned = [turning * late, turning, 0.0, 0.0];
+    assert!((0..4).all(|k| (heading[k] - turned[k]).abs() < 1e-9), "{heading:?}");
 }
 
 /// Wave forces that do not belong to their sea, or to no direction, are refused by name.

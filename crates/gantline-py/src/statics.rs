@@ -143,6 +143,7 @@ impl Statics {
         out.set_item("damping_ratio", array(py, modes.iter().map(ratio).collect(), &[count])?)?;
         out.set_item("shape", array(py, shapes, &[count, self.degrees_of_freedom()])?)?;
         out.set_item("body_motion", array(py, motion, &[count, bodies, 6])?)?;
+        out.set_item("flows", self.inner.flows().collect::<Vec<_>>())?;
         Ok(out)
     }
 

@@ -15,6 +15,7 @@ from gantline.assembly.doubtful_empty import doubtful_empty
 from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_heights import doubtful_heights
+from gantline.assembly.doubtful_rails import doubtful_rails
 from gantline.assembly.doubtful_stops import doubtful_stops
 from gantline.assembly.doubtful_turns import doubtful_turns
 from gantline.assembly.doubtful_waits import doubtful_waits
@@ -41,6 +42,7 @@ from gantline.assembly.water import add_water
 from gantline.assembly.waves import add_waves
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Rigging, Scenario, StartError, resolve
+from gantline.scenario.errors import Problem
 from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
 from gantline.scenario.pins import pins_of
 
@@ -56,14 +58,19 @@ class Assembly:
         settings: method, duration and sampling.
         rig: who carries whom and what is allowed, for results and checks.
         scene: what is needed to draw.
-        warnings: what does not agree in the lift file, a sentence each.
+        doubts: what does not agree in the lift file, or cannot well be meant, each with its place.
     """
 
     document: dict[str, Any]
     settings: dict[str, Any]
     rig: dict[str, Any]
     scene: dict[str, Any]
-    warnings: tuple[str, ...] = ()
+    doubts: tuple[Problem, ...] = ()
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """The sentences of these doubts, without their places."""
+        return tuple(doubt.sentence for doubt in self.doubts)
 
     def document_text(self) -> str:
         """The document as JSON, floats exact."""
@@ -87,7 +94,7 @@ def assemble(scenario: Scenario) -> Assembly:
         return _assembled(scenario, rigging)
     except StartError as error:
         # Slings are too short for a load that sinks in, where only its weight is wrong.
-        heavy = [scenario.problem(("load", "weight"), said) for said in doubtful_weight(scenario, rigging)]
+        heavy = [scenario.problem(*doubt) for doubt in doubtful_weight(scenario, rigging)]
         if not heavy:
             raise
         raise StartError(scenario.source, [*heavy, *error.problems]) from None
@@ -136,24 +143,26 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     parts.emergency_stop = emergency_stop(scenario)
     add_partings(parts, scenario)
     warn_of_cuts(parts, scenario)
+    doubts = (
+        *(() if lifted is None else lifted.body.doubts),
+        *parts.doubts,
+        *doubtful_weight(scenario, rigging),
+        *doubtful_empty(scenario, rigging),
+        *doubtful_turns(scenario),
+        *doubtful_waits(parts, scenario),
+        *doubtful_heights(scenario),
+        *doubtful_stops(scenario),
+        *doubtful_rails(scenario),
+        *doubtful_cranes(scenario),
+        *doubtful_gear(scenario, rigging),
+        *doubtful_following(scenario, rigging),
+    )
     return Assembly(
         document=parts.document(scenario.simulation.gravity),
         settings=_settings(scenario),
         rig=rig(scenario, rigging, lifted, parts),
         scene=scene(scenario, rigging, lifted, parts),
-        warnings=(
-            *(() if lifted is None else lifted.body.warnings),
-            *parts.warnings,
-            *doubtful_weight(scenario, rigging),
-            *doubtful_empty(scenario, rigging),
-            *doubtful_turns(scenario),
-            *doubtful_waits(parts, scenario),
-            *doubtful_heights(scenario),
-            *doubtful_stops(scenario),
-            *doubtful_cranes(scenario),
-            *doubtful_gear(scenario, rigging),
-            *doubtful_following(scenario, rigging),
-        ),
+        doubts=tuple(scenario.problem(*doubt) for doubt in doubts),
     )
 
 

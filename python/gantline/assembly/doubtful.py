@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from gantline.scenario import Scenario
 from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.crawler import Crawler
+from gantline.scenario.errors import Doubt
+from gantline.scenario.findings import Path
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.rating import Rating
 from gantline.units import format_by_size, format_quantity
@@ -30,8 +32,8 @@ _RADII = (0.03, 1.0)
 _MOST_OF_TIPPING = 0.9
 
 
-def doubtful_cranes(scenario: Scenario) -> list[str]:
-    """A sentence for each thing that cannot well be meant of cranes."""
+def doubtful_cranes(scenario: Scenario) -> list[Doubt]:
+    """Each thing that cannot well be meant of cranes."""
     return [
         *_rising_charts(scenario),
         *_unsaid_ratings(scenario),
@@ -44,8 +46,8 @@ def doubtful_cranes(scenario: Scenario) -> list[str]:
     ]
 
 
-def _rising_charts(scenario: Scenario) -> list[str]:
-    """A sentence for each rating chart by which more may hang farther out."""
+def _rising_charts(scenario: Scenario) -> list[Doubt]:
+    """Each rating chart by which more may hang farther out."""
     doubts = []
     for name, crane in (scenario.cranes or {}).items():
         chart: Rating | None = getattr(crane, "rating", None)
@@ -56,12 +58,12 @@ def _rising_charts(scenario: Scenario) -> list[str]:
                 for place, mass in chart.rises
             )
             sentence = f"the rating chart of {name} has {far} and only {near}, nearer by"
-            doubts.append(f"{sentence}; charts fall outwards")
+            doubts.append(Doubt(("cranes", name, "rating"), f"{sentence}; charts fall outwards"))
     return doubts
 
 
-def _unsaid_ratings(scenario: Scenario) -> list[str]:
-    """A sentence for each crane of which nothing says whether its ratings have hook block and falls in them.
+def _unsaid_ratings(scenario: Scenario) -> list[Doubt]:
+    """Each crane of which nothing says whether its ratings have hook block and falls in them.
 
     They are then taken for hook loads, which leaves the weight of hook block and falls out.
     """
@@ -73,15 +75,16 @@ def _unsaid_ratings(scenario: Scenario) -> list[str]:
         rated = [one.rated_capacity for one in (crane, *hooks, *of_trolleys)]
         is_rated = any(one is not None for one in (*rated, getattr(crane, "rating", None)))
         if is_heavy and is_rated and "rating_includes_hook_block" not in crane.model_fields_set:
-            doubts.append(
+            sentence = (
                 f"nothing says whether {name} is rated with its hook block and falls: they are left out of "
                 "what is compared; 'rating_includes_hook_block: true' counts them, as most charts do"
             )
+            doubts.append(Doubt(("cranes", name), sentence))
     return doubts
 
 
-def _charts_past_tipping(scenario: Scenario) -> Iterator[str]:
-    """A sentence for each crawler crane whose chart and masses do not agree: it would nearly tip, or more."""
+def _charts_past_tipping(scenario: Scenario) -> Iterator[Doubt]:
+    """Each crawler crane whose chart and masses do not agree: it would nearly tip, or more."""
     for name, crane in (scenario.cranes or {}).items():
         if not isinstance(crane, Crawler) or crane.rating is None or crane.rating.over == "outreach":
             continue
@@ -93,7 +96,8 @@ def _charts_past_tipping(scenario: Scenario) -> Iterator[str]:
             row = f"{format_quantity(rated, 't', 1)} at {format_quantity(radius, 'm', 1)}"
             share = f"{100.0 * used:.3g} % of what tips the crane by its masses, where 75 % is usual"
             right = "the chart is too large, or a mass of the crane too small"
-            yield f"the rating chart of {name} has {row}, {share}; {right}"
+            sentence = f"the rating chart of {name} has {row}, {share}; {right}"
+            yield Doubt(("cranes", name, "rating"), sentence)
 
 
 def _by_radius(crane: Crawler, chart: Rating) -> list[tuple[float, float]]:
@@ -120,23 +124,24 @@ def _tipping_mass(crane: Crawler, radius: float) -> float:
     return max(0.0, math.fsum(mass * (half - at) for mass, at in lumps) / (radius - half))
 
 
-def _light_hook_blocks(scenario: Scenario) -> Iterator[str]:
-    """A sentence for each hook block that weighs next to nothing of what it may carry."""
+def _light_hook_blocks(scenario: Scenario) -> Iterator[Doubt]:
+    """Each hook block that weighs next to nothing of what it may carry."""
     for name, hook in scenario.hooks.items():
         gear, rated = hook.hook_block, hook.rated_capacity
         if gear is not None and rated is not None and gear.mass < _LIGHTEST * rated:
             weight, carried = format_by_size(gear.mass, "mass", 4), format_quantity(rated, "t", 1)
             carries = f"weighs {weight} and may carry {carried}"
-            yield f"the hook block of {name} {carries}; a unit has slipped, kg for t"
+            sentence = f"the hook block of {name} {carries}; a unit has slipped, kg for t"
+            yield Doubt((*hook.paths[""], "hook_block"), sentence)
 
 
-def _strong_hoists(scenario: Scenario) -> Iterator[str]:
-    """A sentence for each hoist whose motor or brake pulls as if it were at the hook, not at each rope."""
+def _strong_hoists(scenario: Scenario) -> Iterator[Doubt]:
+    """Each hoist whose motor or brake pulls as if it were at the hook, not at each rope."""
     gravity = scenario.simulation.gravity
     for name, hook in scenario.hooks.items():
         if hook.reeving is None or hook.hoist.capacity is None:
             continue
-        rope = (scenario.ropes or {})[hook.reeving.rope]
+        rope, path = (scenario.ropes or {})[hook.reeving.rope], (*hook.paths[""], "hoist")
         parts = hook.reeving.ropes * hook.reeving.parts_each
         pulls: dict[float, list[str]] = {hook.hoist.capacity: ["motor"]}
         if hook.hoist.brake is not None:
@@ -148,34 +153,36 @@ def _strong_hoists(scenario: Scenario) -> Iterator[str]:
             if hook.rated_capacity is not None and held > _STRONGEST * hook.rated_capacity:
                 would = f"{parts} parts of line would hold {format_by_size(held, 'mass')}"
                 rated = f"the rated capacity is {format_by_size(hook.rated_capacity, 'mass')}"
-                yield f"{said}: {would}, and {rated}; it may be the pull at the hook"
+                sentence = f"{said}: {would}, and {rated}; it may be the pull at the hook"
+                yield Doubt(path, sentence)
             elif rope.breaking_force is not None and pull > rope.breaking_force:
                 breaks = f"which breaks at {format_by_size(rope.breaking_force, 'force')}"
-                yield f"{said}, {breaks}; it may be the pull at the hook"
+                yield Doubt(path, f"{said}, {breaks}; it may be the pull at the hook")
 
 
-def _light_parts(scenario: Scenario) -> Iterator[str]:
-    """A sentence for each part of a crane that weighs next to nothing of what the crane may carry."""
+def _light_parts(scenario: Scenario) -> Iterator[Doubt]:
+    """Each part of a crane that weighs next to nothing of what the crane may carry."""
     for name, crane in (scenario.cranes or {}).items():
-        parts: dict[str, tuple[float, float | None]] = {}
+        parts: dict[str, tuple[Path, float, float | None]] = {}
         if isinstance(crane, Goliath):
             rated = crane.rated_capacity
-            parts["the girder"] = crane.girder.mass, rated
-            parts["the fixed leg"] = crane.legs.fixed, rated
-            parts["the hinged leg"] = crane.legs.hinged, rated
+            parts["the girder"] = ("girder",), crane.girder.mass, rated
+            parts["the fixed leg"] = ("legs", "fixed"), crane.legs.fixed, rated
+            parts["the hinged leg"] = ("legs", "hinged"), crane.legs.hinged, rated
             parts |= {
-                f"trolley {one}": (trolley.mass, trolley.rated_capacity)
+                f"trolley {one}": (("trolleys", one), trolley.mass, trolley.rated_capacity)
                 for one, trolley in crane.trolleys.items()
             }
         elif isinstance(crane, Crawler | FloatingCrane):
-            parts["the boom"] = crane.boom.mass, crane.rated_capacity
-        for part, (mass, rated) in parts.items():
+            parts["the boom"] = ("boom",), crane.boom.mass, crane.rated_capacity
+        for part, (path, mass, rated) in parts.items():
             if rated is not None and mass < _LIGHTEST_PART * rated:
                 carries = f"weighs {mass:,.6g} kg, and the rated capacity is {format_quantity(rated, 't', 1)}"
-                yield f"{part} of {name} {carries}; a unit has slipped, kg for t"
+                sentence = f"{part} of {name} {carries}; a unit has slipped, kg for t"
+                yield Doubt(("cranes", name, *path), sentence)
 
 
-def _soft_girders(scenario: Scenario) -> Iterator[str]:
+def _soft_girders(scenario: Scenario) -> Iterator[Doubt]:
     for name, crane in (scenario.cranes or {}).items():
         if not isinstance(crane, Goliath) or crane.girder.vertical_stiffness is None:
             continue
@@ -183,14 +190,17 @@ def _soft_girders(scenario: Scenario) -> Iterator[str]:
             sag = crane.rated_capacity * scenario.simulation.gravity / crane.girder.vertical_stiffness
             if sag > _SOFTEST * crane.span:
                 bends = f"would bend by {format_quantity(sag, 'm', 2)} under the rated capacity"
-                yield f"the girder of {name} {bends}; a unit of its stiffness has slipped, kN/m for MN/m"
+                slipped = "a unit of its stiffness has slipped, kN/m for MN/m"
+                path = ("cranes", name, "girder", "vertical_stiffness")
+                yield Doubt(path, f"the girder of {name} {bends}; {slipped}")
 
 
-def _thin_booms(scenario: Scenario) -> Iterator[str]:
+def _thin_booms(scenario: Scenario) -> Iterator[Doubt]:
     for name, crane in (scenario.cranes or {}).items():
         if not isinstance(crane, Crawler | FloatingCrane) or crane.boom.inertia is None:
             continue
         radius = math.sqrt(crane.boom.inertia / crane.boom.mass)
         if not _RADII[0] < radius / crane.boom.length < _RADII[1]:
             figures = f"has a radius of gyration of {radius:.3g} m and a length of {crane.boom.length:g} m"
-            yield f"the boom of {name} {figures}; a unit of its inertia or mass has slipped"
+            sentence = f"the boom of {name} {figures}; a unit of its inertia or mass has slipped"
+            yield Doubt(("cranes", name, "boom"), sentence)

@@ -6,26 +6,28 @@ from collections.abc import Iterator
 
 from gantline.assembly.plain import bodies_in_hook, ropes_ending_at, ropes_over
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.errors import Doubt
 from gantline.scenario.hooks import full_name
 from gantline.scenario.steps import HookStep
 
 __all__ = ["doubtful_empty"]
 
 
-def doubtful_empty(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
-    """A sentence for each equalizer without a sling, and each hook that a step moves with nothing in it."""
+def doubtful_empty(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
+    """Each equalizer without a sling, and each hook that a step moves with nothing in it."""
     if not rigging.slings:
         return
     held = {sling.equalizer for sling in rigging.slings.values()}
     for name, equalizer in rigging.equalizers.items():
         sheaves = [f"{name}.{place + 1}" for place in range(len(equalizer.moving_sheaves.along))]
         if name not in held and not any(_bears_mechanics(scenario, body) for body in (name, *sheaves)):
-            yield f"no sling hangs from equalizer {name}"
+            yield Doubt(("equalizers", name), f"no sling hangs from equalizer {name}")
     bearing = {sling.hook for sling in rigging.slings.values()}
     bearing |= {equalizer.hook for equalizer in rigging.equalizers.values()}
-    for hook, (step, moves) in _moved_first(scenario).items():
+    for hook, (place, moves) in _moved_first(scenario).items():
         if hook not in bearing and not _bears_mechanics(scenario, hook):
-            yield f"nothing hangs in hook {hook}, which step '{step}' {moves}"
+            sentence = f"nothing hangs in hook {hook}, which step '{scenario.plan[place].step}' {moves}"
+            yield Doubt(("plan", place), sentence)
 
 
 def _bears_mechanics(scenario: Scenario, body: str) -> bool:
@@ -34,14 +36,14 @@ def _bears_mechanics(scenario: Scenario, body: str) -> bool:
     return any(find(scenario, body) for find in of_mechanics)
 
 
-def _moved_first(scenario: Scenario) -> dict[str, tuple[str, str]]:
-    """The first step that moves each hook, and the word for what it does."""
-    found: dict[str, tuple[str, str]] = {}
-    for step in scenario.plan:
+def _moved_first(scenario: Scenario) -> dict[str, tuple[int, str]]:
+    """The first step that moves each hook, by its place, and the word for what it does."""
+    found: dict[str, tuple[int, str]] = {}
+    for place, step in enumerate(scenario.plan):
         if not isinstance(step, HookStep):
             continue
         for text in step.moved:
             hook = full_name(text, scenario.hooks)
             if hook is not None:
-                found.setdefault(hook, (step.step, f"{step.verb}s"))
+                found.setdefault(hook, (place, f"{step.verb}s"))
     return found

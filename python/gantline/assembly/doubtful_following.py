@@ -18,6 +18,7 @@ from gantline.assembly.followed_ways import STEEPEST, Along, Luffing, Slewing, f
 from gantline.assembly.spatial import Array
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.base import Element
+from gantline.scenario.errors import Doubt
 from gantline.scenario.hooks import full_name
 from gantline.scenario.kept_plumb import hooks_beside, slings_under
 from gantline.scenario.movers import Mover, mover
@@ -31,8 +32,8 @@ __all__ = ["doubtful_following"]
 _MOST_ASKEW = math.radians(30.0)
 
 
-def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
-    """A sentence for each step that would have to follow faster than it may, from which angle on, or askew.
+def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
+    """Each step that would have to follow faster than it may, from which angle on, or askew.
 
     Of loads whose hooks have taken up their slings evenly as the lift begins, and as far as the plan says to
     which height, or to which tilt, a step hoists.
@@ -72,14 +73,18 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
             way = way_of(scenario, one, towards, (float(np.linalg.norm(line)), float(line[2])))
             if _others_beside(scenario, stage, step):
                 continue
-            yield from _askew(step, one, way, towards, line)
+            path = ("plan", scenario.plan.index(step))
+            yield from (Doubt(path, said) for said in _askew(step, one, way, towards, line))
             speed = _mean(speeds, others) - _mean(speeds, own)
             if isinstance(way, Luffing | Slewing) and (speed < 0.0 or _is_elsewhere(scenario, step)):
                 continue  # equations of both are for an end that stays low, and from where they start
             lifted = _lifted(scenario, heights, others) - _lifted(scenario, heights, own)
             steepest = _steepest(line, turned, after, lifted, way)
-            yield from _out_of_reach(step, one, way, steepest)
-            yield from _too_slow(step, abs(speed), steepest, way)
+            sentences = (
+                *_out_of_reach(step, one, way, steepest),
+                *_too_slow(step, abs(speed), steepest, way),
+            )
+            yield from (Doubt(path, said) for said in sentences)
         turned, before = after, on
 
 

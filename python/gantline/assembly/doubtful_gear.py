@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterator
 
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.errors import Doubt
+from gantline.scenario.findings import Path
 from gantline.scenario.steps import LowerStep
 from gantline.units import format_by_size
 
@@ -35,12 +37,14 @@ _OFF, _OFF_SHARE = 1.0, 0.25
 _ROUGHEST = 2.0
 
 
-def doubtful_gear(scenario: Scenario, rigging: Rigging) -> list[str]:
-    """A sentence for each thing that cannot well be meant of ropes, shackles, frames and friction."""
+def doubtful_gear(scenario: Scenario, rigging: Rigging) -> list[Doubt]:
+    """Each thing that cannot well be meant of ropes, shackles, frames and friction."""
     gear = [*_ropes(scenario), *_soft_slings(scenario), *_shackles(scenario)]
     spreaders = (scenario.spreaders or {}).items()
     light = [
-        said for name, one in spreaders for said in _light(f"spreader {name}", one.mass, one.rated_capacity)
+        doubt
+        for name, one in spreaders
+        for doubt in _light(("spreaders", name), f"spreader {name}", one.mass, one.rated_capacity)
     ]
     return [
         *gear,
@@ -52,16 +56,20 @@ def doubtful_gear(scenario: Scenario, rigging: Rigging) -> list[str]:
     ]
 
 
-def _ropes(scenario: Scenario) -> Iterator[str]:
+def _ropes(scenario: Scenario) -> Iterator[Doubt]:
     for name, rope in (scenario.ropes or {}).items():
         if rope.damping_time > _LONGEST_DAMPING:
             pulls = "it pulls up to that long before it is taut, and hides how the lift rings"
-            yield f"rope {name} has a damping time of {rope.damping_time:g} s: {pulls}; {_STEEL_DAMPING}"
+            sentence = f"rope {name} has a damping time of {rope.damping_time:g} s: {pulls}; {_STEEL_DAMPING}"
+            yield Doubt(("ropes", name), sentence)
         stiffness, force = rope.stiffness, rope.breaking_force
         solid = _STEEL_MODULUS * math.pi / 4 * (rope.diameter or math.inf) ** 2
         if stiffness is not None and stiffness > solid:
             bar = f"a bar of solid steel of {_short(1e3 * (rope.diameter or 0.0))} mm has {_force(solid)}"
-            yield f"rope {name} has an EA of {_force(stiffness)}, and {bar}; one of both has a wrong unit"
+            sentence = (
+                f"rope {name} has an EA of {_force(stiffness)}, and {bar}; one of both has a wrong unit"
+            )
+            yield Doubt(("ropes", name), sentence)
             continue
         if stiffness is None or force is None:
             continue
@@ -69,10 +77,11 @@ def _ropes(scenario: Scenario) -> Iterator[str]:
         if not _LEAST_STRETCH <= stretch <= _MOST_STRETCH:
             figures = f"breaks at {_force(force)} and has an EA of {_force(stiffness)}"
             at = f"it would break at {_short(100.0 * stretch)} % of stretch"
-            yield f"rope {name} {figures}: {at}; about 1.5 % is usual for steel; one of both has a wrong unit"
+            usual = "about 1.5 % is usual for steel; one of both has a wrong unit"
+            yield Doubt(("ropes", name), f"rope {name} {figures}: {at}; {usual}")
 
 
-def _soft_slings(scenario: Scenario) -> Iterator[str]:
+def _soft_slings(scenario: Scenario) -> Iterator[Doubt]:
     """Of slings that would stretch by much of their length under their part of the load."""
     slings, load = scenario.slings or {}, scenario.load
     if load is None or not slings:
@@ -83,65 +92,77 @@ def _soft_slings(scenario: Scenario) -> Iterator[str]:
     for name, rope in (scenario.ropes or {}).items():
         stretch = 0.0 if rope.stiffness is None else part / rope.stiffness
         if name in used and stretch > _MOST_OF_LENGTH:
-            yield (
+            yield Doubt(
+                ("ropes", name),
                 f"rope {name} has an EA of {_force(rope.stiffness or 0.0)}: its slings would stretch by "
-                f"{_short(100.0 * stretch)} % under their part of the load; a unit has slipped, kN for MN"
+                f"{_short(100.0 * stretch)} % under their part of the load; a unit has slipped, kN for MN",
             )
 
 
-def _shackles(scenario: Scenario) -> Iterator[str]:
+def _shackles(scenario: Scenario) -> Iterator[Doubt]:
     for name, shackle in (scenario.shackles or {}).items():
         limit, force = shackle.working_load_limit, shackle.minimum_breaking_force
         if force is not None:
             strength = force / (limit * scenario.simulation.gravity)
             if strength > _MOST_STRENGTH:
                 figures = f"breaks at {_force(force)}, {_short(strength)} times its limit of {_mass(limit)}"
-                yield f"shackle {name} {figures}; 4 to 6 times is usual, and one of both has a wrong unit"
+                usual = "4 to 6 times is usual, and one of both has a wrong unit"
+                yield Doubt(("shackles", name), f"shackle {name} {figures}; {usual}")
         if shackle.mass > _HEAVIEST * limit:
             figures = f"weighs {_mass(shackle.mass)} and may carry {_mass(limit)}"
-            yield f"shackle {name} {figures}; some thousandths are usual, and one of both has a wrong unit"
+            usual = "some thousandths are usual, and one of both has a wrong unit"
+            yield Doubt(("shackles", name), f"shackle {name} {figures}; {usual}")
 
 
-def _frames(rigging: Rigging) -> Iterator[str]:
+def _frames(rigging: Rigging) -> Iterator[Doubt]:
     for name, equalizer in rigging.equalizers.items():
         frame, rated = equalizer.frame, equalizer.rated_capacity
-        yield from _light(f"the frame of {name}", frame.mass, rated)
+        path = ("equalizers", name)
+        yield from _light(path, f"the frame of {name}", frame.mass, rated)
         if frame.inertia_about_vertical is None:
             continue
         radius = math.sqrt(frame.inertia_about_vertical / frame.mass)
         if not _RADII[0] < radius / frame.length < _RADII[1]:
             figures = f"has a radius of gyration of {_short(radius)} m and a length of {frame.length:g} m"
-            yield f"the frame of {name} {figures}; a unit of its inertia or mass has slipped"
+            yield Doubt(path, f"the frame of {name} {figures}; a unit of its inertia or mass has slipped")
 
 
-def _light(what: str, mass: float, rated: float | None) -> Iterator[str]:
+def _light(path: Path, what: str, mass: float, rated: float | None) -> Iterator[Doubt]:
     if rated is not None and mass < _LIGHTEST * rated:
-        yield f"{what} weighs {_mass(mass)} and may carry {_mass(rated)}; a unit has slipped, kg for t"
+        sentence = f"{what} weighs {_mass(mass)} and may carry {_mass(rated)}; a unit has slipped, kg for t"
+        yield Doubt(path, sentence)
 
 
-def _off_spreaders(scenario: Scenario) -> Iterator[str]:
-    """A sentence for each spreader with lugs so far off its box that this seems to lie otherwise."""
+def _off_spreaders(scenario: Scenario) -> Iterator[Doubt]:
+    """Each spreader with lugs so far off its box that this seems to lie otherwise."""
     for name, spreader in (scenario.spreaders or {}).items():
         off = {lug: spreader.off(one.at) for lug, one in spreader.lugs.items()}
         most = min(_OFF, _OFF_SHARE * max(spreader.size))
         far = [lug for lug, distance in off.items() if distance > most]
         if far:
             lie = f"of spreader {name} lie up to {_short(max(off.values()))} m outside of its box"
-            yield f"lugs {', '.join(far)} {lie}; both are counted from its middle, length x and breadth y"
+            sentence = (
+                f"lugs {', '.join(far)} {lie}; both are counted from its middle, length x and breadth y"
+            )
+            yield Doubt(("spreaders", name, "lugs", far[0]), sentence)
 
 
-def _rough(scenario: Scenario) -> Iterator[str]:
+def _rough(scenario: Scenario) -> Iterator[Doubt]:
     ground = scenario.ground
-    places = {"the ground": None if ground is None else ground.friction}
-    places |= {f"supports {name}": group.friction for name, group in (scenario.supports or {}).items()}
-    for place, friction in places.items():
+    places: dict[Path, tuple[str, float | None]] = {
+        ("ground",): ("the ground", None if ground is None else ground.friction)
+    }
+    for name, group in (scenario.supports or {}).items():
+        places["supports", name] = f"supports {name}", group.friction
+    for path, (place, friction) in places.items():
         if friction is not None and friction > _ROUGHEST:
             usual = f"0.1 to 1 is usual; '{friction:g} %' is {friction / 100.0:g}"
-            yield f"the coefficient of friction of {place} is {friction:g}; {usual}"
+            sentence = f"the coefficient of friction of {place} is {friction:g}; {usual}"
+            yield Doubt((*path, "friction"), sentence)
 
 
-def _smooth(scenario: Scenario) -> Iterator[str]:
-    """A sentence for each group of supports that a load comes down on, if nothing says their friction."""
+def _smooth(scenario: Scenario) -> Iterator[Doubt]:
+    """Each group of supports that a load comes down on, if nothing says their friction."""
     load = scenario.load
     if load is None or not any(isinstance(step, LowerStep) for step in scenario.plan):
         return
@@ -149,7 +170,8 @@ def _smooth(scenario: Scenario) -> Iterator[str]:
         own = (*(group.each or {}).values(), *(group.places or {}).values())
         if name != load.stands_on and all(one.friction is None for one in (group, *own)):
             slides = "a load that is set down there slides on as on ice"
-            yield f"nothing says the friction of supports {name}: {slides}; 0.1 to 1 is usual"
+            sentence = f"nothing says the friction of supports {name}: {slides}; 0.1 to 1 is usual"
+            yield Doubt(("supports", name), sentence)
 
 
 def _force(force: float) -> str:

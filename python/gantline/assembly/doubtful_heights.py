@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gantline.scenario import Scenario
+from gantline.scenario.errors import Doubt
 from gantline.scenario.movers import boom_angles_at_end, mover
 from gantline.scenario.steps import HookStep
 from gantline.units import format_quantity
@@ -12,9 +13,10 @@ from gantline.units import format_quantity
 __all__ = ["doubtful_heights"]
 
 
-def doubtful_heights(scenario: Scenario) -> Iterator[str]:
-    """A sentence for each step that ends at a height which counts from a boom head that may be elsewhere."""
-    for step, angles in zip(scenario.plan, boom_angles_at_end(scenario), strict=True):
+def doubtful_heights(scenario: Scenario) -> Iterator[Doubt]:
+    """Each step that ends at a height which counts from a boom head that may be elsewhere."""
+    known = zip(scenario.plan, boom_angles_at_end(scenario), strict=True)
+    for place, (step, angles) in enumerate(known):
         if not isinstance(step, HookStep) or step.to is None:
             continue
         for text in step.moved:
@@ -27,4 +29,5 @@ def doubtful_heights(scenario: Scenario) -> Iterator[str]:
                 at = format_quantity(angle, "deg", 1)
                 took = f"takes {one.name} to {height} as if {one.head.boom} stood at {at}"
                 luffed = "it has luffed until something held, and its head is higher or lower by that"
-                yield f"step '{step.step}' {took}; {luffed}: 'by' or 'until' says what is meant"
+                sentence = f"step '{step.step}' {took}; {luffed}: 'by' or 'until' says what is meant"
+                yield Doubt(("plan", place, "to"), sentence)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gantline.scenario import Scenario
+from gantline.scenario.errors import Doubt
 from gantline.scenario.movers import Mover, mover
 from gantline.scenario.steps import MovingStep
 
@@ -15,20 +16,24 @@ __all__ = ["doubtful_stops"]
 _SOFT = ("trolley", "crane", "boom", "upper")
 
 
-def doubtful_stops(scenario: Scenario) -> Iterator[str]:
-    """A sentence for all trolleys, cranes and booms that an emergency stop stops as any step does."""
-    soft: dict[str, None] = {}
-    for step in scenario.plan:
+def doubtful_stops(scenario: Scenario) -> Iterator[Doubt]:
+    """All trolleys, cranes and booms that an emergency stop stops as any step does."""
+    soft: dict[str, int] = {}
+    for place, step in enumerate(scenario.plan):
         if not isinstance(step, MovingStep):
             continue
         if scenario.emergency_stop is None and step.emergency_stop_at is None:
             continue
         moved = (mover(scenario, step.kind, text) for text in step.moved)
-        soft |= {one.name: None for one in moved if one is not None and _is_soft(one)}
+        for one in moved:
+            if one is not None and _is_soft(one):
+                soft.setdefault(one.name, place)
     if soft:
-        yield (
+        stops = scenario.emergency_stop is not None
+        yield Doubt(
+            ("emergency_stop",) if stops else ("plan", min(soft.values()), "emergency_stop_at"),
             f"the emergency stop of {', '.join(soft)} is as soft as any stop, with the usual acceleration: "
-            "brakes that are thrown in stop harder; 'emergency_acceleration' says how hard"
+            "brakes that are thrown in stop harder; 'emergency_acceleration' says how hard",
         )
 
 

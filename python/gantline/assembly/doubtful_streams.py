@@ -9,6 +9,7 @@ import numpy as np
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Parts
 from gantline.scenario import Scenario
+from gantline.scenario.errors import Doubt
 from gantline.scenario.load import Load
 from gantline.scenario.stream import Stream, StreamArea
 from gantline.scenario.tanks import bodies_afloat
@@ -26,8 +27,8 @@ _OFF, _LARGEST = 1.0, 2.0
 _AXES = ("x", "y", "z")
 
 
-def doubtful_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> list[str]:
-    """A sentence for each thing that cannot well be meant of wind and current.
+def doubtful_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> list[Doubt]:
+    """Each thing that cannot well be meant of wind and current.
 
     Args:
         parts: The system, with its bodies at the start.
@@ -35,7 +36,7 @@ def doubtful_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None
         lifted: Its load; None if it has none.
     """
     streams = {"wind": scenario.wind, "current": scenario.current}
-    doubts = []
+    doubts = list[Doubt]()
     for kind, stream in streams.items():
         if isinstance(stream, Stream) and stream.speed > 0.0:
             doubts += [*_fast(kind, stream), *_passing(parts, scenario, kind, stream)]
@@ -44,13 +45,14 @@ def doubtful_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None
     return doubts
 
 
-def _fast(kind: str, stream: Stream) -> Iterator[str]:
+def _fast(kind: str, stream: Stream) -> Iterator[Doubt]:
     if stream.speed > _FASTEST[kind]:
         speed, most = (format_quantity(one, "m/s", 1) for one in (stream.speed, _FASTEST[kind]))
-        yield f"the {kind} of {speed} is faster than {most}; a unit has slipped, m/s for km/h"
+        sentence = f"the {kind} of {speed} is faster than {most}; a unit has slipped, m/s for km/h"
+        yield Doubt((kind,), sentence)
 
 
-def _passing(parts: Parts, scenario: Scenario, kind: str, stream: Stream) -> Iterator[str]:
+def _passing(parts: Parts, scenario: Scenario, kind: str, stream: Stream) -> Iterator[Doubt]:
     """Of bodies all of whose areas lie along the stream at the start: it passes them and pushes nothing."""
     bodies: dict[str, Mapping[str, StreamArea] | None] = {
         name: getattr(body, f"{kind}_areas") for name, body in bodies_afloat(scenario).items()
@@ -66,10 +68,11 @@ def _passing(parts: Parts, scenario: Scenario, kind: str, stream: Stream) -> Ite
         if max(met) < _ALONG:
             direction = format_quantity(stream.direction, "deg", 0)
             what = f"the {kind} towards {direction} pushes {name} nowhere at the start"
-            yield f"{what}: all of its '{kind}_areas' lie along it; see 'direction' and 'along'"
+            sentence = f"{what}: all of its '{kind}_areas' lie along it; see 'direction' and 'along'"
+            yield Doubt((kind,), sentence)
 
 
-def _off_the_load(load: Load, lifted: LiftedLoad) -> Iterator[str]:
+def _off_the_load(load: Load, lifted: LiftedLoad) -> Iterator[Doubt]:
     """Of areas that the load's box has no room for, or that push where the load is not."""
     corners = lifted.corners + lifted.centre
     low, high = corners.min(axis=0), corners.max(axis=0)
@@ -77,10 +80,12 @@ def _off_the_load(load: Load, lifted: LiftedLoad) -> Iterator[str]:
         for name, area in (areas or {}).items():
             off = float(np.max(np.maximum(low - area.at, np.array(area.at) - high)))
             if off > _OFF:
-                yield f"the {kind} area {name} of {load.name} pushes {off:.3g} m outside the load's box"
+                sentence = f"the {kind} area {name} of {load.name} pushes {off:.3g} m outside the load's box"
+                yield Doubt(("load", f"{kind}_areas", name), sentence)
         for axis, along in enumerate(_AXES):
             whole = sum(area.area for area in (areas or {}).values() if area.along == along)
             side = float(np.prod(np.delete(high - low, axis)))
             if whole > _LARGEST * side:
                 shown = f"{whole:.4g} m^2 of {kind} areas along {along}"
-                yield f"{load.name} has {shown}, and its box {side:.4g} m^2; a number has slipped"
+                sentence = f"{load.name} has {shown}, and its box {side:.4g} m^2; a number has slipped"
+                yield Doubt(("load", f"{kind}_areas"), sentence)

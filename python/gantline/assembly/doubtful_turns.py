@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from gantline.scenario import Scenario
-from gantline.scenario.errors import PathPart, join_path
+from gantline.scenario.errors import Doubt, PathPart
 from gantline.scenario.tree import ListNode, MapNode, Node
 from gantline.units import UnitError, quantity
 
@@ -16,8 +16,8 @@ __all__ = ["doubtful_turns"]
 _HEADINGS = ("heading", "direction")
 
 
-def doubtful_turns(scenario: Scenario) -> Iterator[str]:
-    """A sentence for each heading of more than a turn that is written in radians."""
+def doubtful_turns(scenario: Scenario) -> Iterator[Doubt]:
+    """Each heading of more than a turn that is written in radians."""
     for path, text in _headings(scenario.tree, ()):
         number, _, unit = text.strip().rpartition("rad")
         try:
@@ -26,7 +26,8 @@ def doubtful_turns(scenario: Scenario) -> Iterator[str]:
             continue
         if number and angle > math.tau:
             meant = f"{number.strip()} deg"
-            yield f"{join_path(path)} is {text.strip()}, {angle / math.tau:.3g} turns; '{meant}' may be meant"
+            turns = f"{text.strip()} are {angle / math.tau:.3g} turns"
+            yield Doubt(path, f"{turns}; '{meant}' may be meant")
 
 
 def _headings(node: Node, path: tuple[PathPart, ...]) -> Iterator[tuple[tuple[PathPart, ...], str]]:

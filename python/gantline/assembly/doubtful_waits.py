@@ -8,6 +8,7 @@ from gantline.assembly.parts import Parts
 from gantline.assembly.reeving import falls_on_upper_sheaves, reeved_hooks
 from gantline.scenario import Scenario
 from gantline.scenario.condition import Weighing
+from gantline.scenario.errors import Doubt
 from gantline.scenario.hooks import full_name
 from gantline.scenario.steps import MovingStep
 from gantline.units import format_quantity
@@ -15,8 +16,8 @@ from gantline.units import format_quantity
 __all__ = ["doubtful_waits"]
 
 
-def doubtful_waits(parts: Parts, scenario: Scenario) -> Iterator[str]:
-    """A sentence for each step whose hoist load cannot be reached by weight alone.
+def doubtful_waits(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
+    """Each step whose hoist load cannot be reached by weight alone.
 
     Nothing is said where something else may pull: bodies and ropes of `mechanics`, waves.
 
@@ -27,7 +28,7 @@ def doubtful_waits(parts: Parts, scenario: Scenario) -> Iterator[str]:
     if scenario.mechanics is not None or scenario.waves:
         return
     gravity = scenario.simulation.gravity
-    for step in scenario.plan:
+    for place, step in enumerate(scenario.plan):
         reached = step.until.hoist_load if step.until is not None else None
         if reached is None:
             continue
@@ -39,11 +40,12 @@ def doubtful_waits(parts: Parts, scenario: Scenario) -> Iterator[str]:
         if reached.above is not None and reached.above.newtons(gravity) > most * gravity:
             waits = f"waits for a hoist load above {_shown(reached.above)} at {reached.hook}"
             weighs = f"all that can hang there weighs {_shown(_like(reached.above, most, gravity))}"
-            yield f"step '{step.step}' {waits}; {weighs} with hook block and falls, and {goes_on}"
+            sentence = f"step '{step.step}' {waits}; {weighs} with hook block and falls, and {goes_on}"
+            yield Doubt(("plan", place, "until"), sentence)
         if reached.below is not None and reached.below.newtons(gravity) < empty * gravity:
             waits = f"waits for a hoist load below {_shown(reached.below)} at {reached.hook}"
             weighs = f"hook block and falls alone weigh {_shown(_like(reached.below, empty, gravity))}"
-            yield f"step '{step.step}' {waits}; {weighs}, and {goes_on}"
+            yield Doubt(("plan", place, "until"), f"step '{step.step}' {waits}; {weighs}, and {goes_on}")
 
 
 def _hangable(parts: Parts, scenario: Scenario, hook: str) -> float:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from gantline.assembly.checked import rating_charts, ratings
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.errors import Doubt
 from gantline.units import format_by_size
 
 __all__ = ["doubtful_weight"]
@@ -16,8 +17,8 @@ __all__ = ["doubtful_weight"]
 _SLIPPED = 2.0
 
 
-def doubtful_weight(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
-    """A sentence if the load by itself is more than the hooks that its slings lead to may carry together.
+def doubtful_weight(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
+    """Whether the load by itself is more than the hooks that its slings lead to may carry together.
 
     None where a hook is not rated, or where `mechanics` may bear a part that nothing says.
     """
@@ -30,7 +31,8 @@ def doubtful_weight(scenario: Scenario, rigging: Rigging) -> Iterator[str]:
         weighs = f"the load weighs {format_by_size(mass, 'mass', 4)}"
         slipped = "; a unit or digit has slipped" if mass > _SLIPPED * carried else ""
         rated = format_by_size(carried, "mass", 4)
-        yield f"{weighs}, and what its slings hang from may carry {rated} in all{slipped}"
+        sentence = f"{weighs}, and what its slings hang from may carry {rated} in all{slipped}"
+        yield Doubt(("load", "weight"), sentence)
 
 
 def _carried_by(scenario: Scenario, hooks: set[str]) -> float:

@@ -111,7 +111,8 @@ def add_load(parts: Parts, scenario: Scenario, load: Load, rigging: Rigging, lif
     free = [name for name in load.lugs if name not in used]
     if used and free:
         more = f" and {len(free) - _MOST_NAMED} more" if len(free) > _MOST_NAMED else ""
-        parts.warnings.append(f"no sling leads to lug {', '.join(free[:_MOST_NAMED])}{more}")
+        sentence = f"no sling leads to lug {', '.join(free[:_MOST_NAMED])}{more}"
+        parts.doubt(("load", "lugs", free[0]), sentence)
     ground = scenario.ground
     if ground is None or dock_of(scenario) is not None:
         return  # around a dock the ground is a body like others

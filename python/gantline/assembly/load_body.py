@@ -20,6 +20,7 @@ from gantline.cad.simplify import contact_hull
 from gantline.scenario import Scenario
 from gantline.scenario.check_load import Extent, attached, check_attached, check_centre, check_underside
 from gantline.scenario.check_supports import check_places
+from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
 from gantline.units import format_by_size
@@ -32,6 +33,8 @@ _MOST_TRIANGLES = 4000
 _HULL_ERROR = 1e-3
 #: Masses that differ by less than this share, and centres by less than this share of the size, agree.
 _MASSES_AGREE, _CENTRES_AGREE = 0.02, 0.002
+#: Where the lift file names the CAD file.
+_CAD = ("load", "shape", "cad")
 #: Lugs nearer to each other than this are one [m].
 _ONE_PLACE = 1e-3
 #: Density of air [kg/m^3]: what weighs less than the air in its box has been given a unit too small.
@@ -57,7 +60,7 @@ class LoadBody:
         box: least and largest x, y, z (2, 3) [m].
         mesh: light triangles to draw it; None for a box.
         hull: corners of a convex body to touch it with (n, 3) [m]; of a box its own.
-        warnings: where lift file and CAD do not agree, and doubts on weight and lugs, a sentence each.
+        doubts: where lift file and CAD do not agree, and what cannot well be meant of weight and lugs.
     """
 
     mass: float
@@ -66,7 +69,7 @@ class LoadBody:
     box: Array
     mesh: TriangleMesh | None
     hull: Array
-    warnings: tuple[str, ...] = ()
+    doubts: tuple[Doubt, ...] = ()
 
 
 def load_body(scenario: Scenario, load: Load) -> LoadBody:
@@ -92,7 +95,7 @@ def _of_box(scenario: Scenario, load: Load) -> LoadBody:
     return LoadBody(mass, centre, inertia, box, None, _corners(box), doubts)
 
 
-def _doubts(scenario: Scenario, load: Load, box: Array) -> list[str]:
+def _doubts(scenario: Scenario, load: Load, box: Array) -> list[Doubt]:
     """What cannot well be meant of weight and lugs in a box."""
     return [
         *_of_no_matter(load, box),
@@ -107,20 +110,20 @@ def _weight(mass: float) -> str:
     return format_by_size(mass, "mass", 4)
 
 
-def _of_no_matter(load: Load, box: Array) -> list[str]:
+def _of_no_matter(load: Load, box: Array) -> list[Doubt]:
     """Of a weight that nothing has that is as large as the load's box."""
     volume, weight = float(np.prod(box[1] - box[0])), load.weight.calculated
     air, steel = _AIR * volume, STEEL * volume
     if weight < air:
         said = f"the load weighs {_weight(weight)}, less than the air in its box, {_weight(air)}"
-        return [f"{said}; a unit has slipped, kg for t or mm for m"]
+        return [Doubt(("load", "weight"), f"{said}; a unit has slipped, kg for t or mm for m")]
     if weight > steel:
         said = f"the load weighs {_weight(weight)}, more than its box full of steel, {_weight(steel)}"
-        return [f"{said}; a unit has slipped, t for kg or mm for m"]
+        return [Doubt(("load", "weight"), f"{said}; a unit has slipped, t for kg or mm for m")]
     return []
 
 
-def _centre_at_the_underside(load: Load, box: Array) -> list[str]:
+def _centre_at_the_underside(load: Load, box: Array) -> list[Doubt]:
     """Of a centre of gravity so low that a load would have to have all of its weight in its underside."""
     if load.centre_of_gravity.at == "from_cad":
         return []
@@ -129,10 +132,11 @@ def _centre_at_the_underside(load: Load, box: Array) -> list[str]:
         return []
     in_mm = float(f"{1e3 * above:.3g}")
     said = f"the centre of gravity is {in_mm:,g} mm above the underside of a load {height:.4g} m high"
-    return [f"{said}; a height has slipped, which makes the load hang more stably than it will"]
+    sentence = f"{said}; a height has slipped, which makes the load hang more stably than it will"
+    return [Doubt(("load", "centre_of_gravity", "at"), sentence)]
 
 
-def _inertia_of_another(load: Load, box: Array) -> list[str]:
+def _inertia_of_another(load: Load, box: Array) -> list[Doubt]:
     """Of stated inertias that nothing of this weight in this box has, or nothing that fills some of it."""
     if not isinstance(load.inertia, LoadInertia) or load.centre_of_gravity.at == "from_cad":
         return []
@@ -148,19 +152,23 @@ def _inertia_of_another(load: Load, box: Array) -> list[str]:
     if not found:
         return []
     said = "the inertia and the weight of the load make radii of gyration that its box does not allow"
-    return [f"{said}: {', '.join(found)}; a unit has slipped, or the weight"]
+    sentence = f"{said}: {', '.join(found)}; a unit has slipped, or the weight"
+    return [Doubt(("load", "inertia"), sentence)]
 
 
-def _lugs_at_one_place(load: Load) -> list[str]:
+def _lugs_at_one_place(load: Load) -> list[Doubt]:
     pairs = combinations(load.lugs.items(), 2)
     same = [
         (one, other) for (one, a), (other, b) in pairs if np.allclose(a.at, b.at, rtol=0, atol=_ONE_PLACE)
     ]
     without = "one lug would bear the slings of both"
-    return [f"lugs {one} and {other} are at one place; {without}" for one, other in same]
+    return [
+        Doubt(("load", "lugs", other), f"lugs {one} and {other} are at one place; {without}")
+        for one, other in same
+    ]
 
 
-def _far_off(scenario: Scenario, load: Load, box: Array) -> list[str]:
+def _far_off(scenario: Scenario, load: Load, box: Array) -> list[Doubt]:
     """What lies so far off the load's box that nothing seems to hold it there; farther still is refused."""
     apart = [(one, one.off(_extent(box))) for one in attached(scenario, load)]
     words = {
@@ -169,7 +177,7 @@ def _far_off(scenario: Scenario, load: Load, box: Array) -> list[str]:
         "tag line": "the end of tag line {} on the load lies",
     }
     return [
-        f"{words[one.kind].format(one.name)} {off:.3g} m outside the load's box"
+        Doubt(one.path, f"{words[one.kind].format(one.name)} {off:.3g} m outside the load's box")
         for one, off in apart
         if off > _OFF
     ]
@@ -199,26 +207,26 @@ def _from_cad(scenario: Scenario, load: Load) -> LoadBody:
         model, light, hull = _read(path, stamp(path), given)
         own, box = model.properties, model.box
     except CadError as problem:
-        raise scenario.error(("load", "shape", "cad"), str(problem).replace(str(path), shape.cad)) from None
+        raise scenario.error(_CAD, str(problem).replace(str(path), shape.cad)) from None
     shift = np.zeros(3)
     if not load.is_at_origin:
         shift = -np.array([*box.mean(axis=0)[:2], box[0, 2]])
     box = box + shift
-    whole, warnings = _weighed(load, own.moved(np.eye(3), shift))
-    warnings += _of_the_file(model, shape.cad)
+    whole, doubts = _weighed(load, own.moved(np.eye(3), shift))
+    doubts += _of_the_file(model, shape.cad)
     centre, mass = whole.centre, load.weight.simulated
     stated = load.centre_of_gravity.at
     if stated != "from_cad":
         centre = np.array(stated)
-        warnings += _apart(centre, whole.centre, box)
-    warnings += _doubts(scenario, load, box)
+        doubts += _apart(centre, whole.centre, box)
+    doubts += _doubts(scenario, load, box)
     _check(scenario, load, box, centre)
     if isinstance(load.inertia, LoadInertia):
         inertia = stated_inertia(load.inertia)
     else:
         inertia = whole.scaled_to(mass).inertia
     drawn = light.moved(np.eye(3), shift)
-    return LoadBody(mass, centre, inertia, box, drawn, hull + shift, tuple(warnings))
+    return LoadBody(mass, centre, inertia, box, drawn, hull + shift, tuple(doubts))
 
 
 @lru_cache(maxsize=4)
@@ -232,31 +240,32 @@ def _read(path: Path, _stamp: tuple[int, int], given: Assumptions) -> tuple[CadM
     return model, read_light_mesh(path, given, most=_MOST_TRIANGLES), hull.vertices
 
 
-def _of_the_file(model: CadModel, name: str) -> list[str]:
+def _of_the_file(model: CadModel, name: str) -> list[Doubt]:
     """What is doubtful about a CAD file and its parts; of very many doubts the first."""
     found = [*doubts_of_the_whole(model), *doubts_of_parts(model)]
     doubts = [f"the CAD file of the load: {doubt}" for doubt in found]
     more = len(doubts) - _MOST_DOUBTS
     if more > 1:
         doubts[_MOST_DOUBTS:] = [f"the CAD file of the load: {more} more doubts; 'gantline cad {name}' tells"]
-    return doubts
+    return [Doubt(_CAD, doubt) for doubt in doubts]
 
 
-def _weighed(load: Load, own: MassProperties) -> tuple[MassProperties, list[str]]:
+def _weighed(load: Load, own: MassProperties) -> tuple[MassProperties, list[Doubt]]:
     """Structure scaled to what the outfitting leaves of the weight, joined with the outfitting."""
     outfitting = [MassProperties.of_point(piece.mass, piece.at) for piece in load.outfitting]
     steel = load.weight.calculated - sum(piece.mass for piece in outfitting)
-    warnings = []
+    doubts = list[Doubt]()
     if abs(own.mass - steel) > _MASSES_AGREE * steel:
         without = " less outfitting" if outfitting else ""
-        warnings.append(
+        sentence = (
             f"the CAD file of the load weighs {_weight(own.mass)}, its calculated weight{without} is "
             f"{_weight(steel)} ({100 * (own.mass / steel - 1):+.1f} %): masses are scaled to the weight"
         )
-    return MassProperties.combined([own.scaled_to(steel), *outfitting]), warnings
+        doubts.append(Doubt(("load", "weight"), sentence))
+    return MassProperties.combined([own.scaled_to(steel), *outfitting]), doubts
 
 
-def _apart(stated: Array, found: Array, box: Array) -> list[str]:
+def _apart(stated: Array, found: Array, box: Array) -> list[Doubt]:
     distance = float(np.linalg.norm(stated - found))
     if distance <= _CENTRES_AGREE * float(np.linalg.norm(box[1] - box[0])):
         return []
@@ -264,7 +273,8 @@ def _apart(stated: Array, found: Array, box: Array) -> list[str]:
     places = [np.round(place, 3) + 0.0 for place in (stated, found)]
     here, there = (f"({x:g}, {y:g}, {z:g}) m" for x, y, z in places)
     sentence = f"the centre of gravity of the load is stated at {here}; CAD and outfitting give {there}"
-    return [f"{sentence}, {distance:.3g} m away: the stated one is simulated"]
+    sentence = f"{sentence}, {distance:.3g} m away: the stated one is simulated"
+    return [Doubt(("load", "centre_of_gravity", "at"), sentence)]
 
 
 def _check(scenario: Scenario, load: Load, box: Array, centre: Array) -> None:

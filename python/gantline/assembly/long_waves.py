@@ -26,6 +26,7 @@ from gantline.hydro import Hydrostatics
 from gantline.hydro.database import HydrodynamicDatabase
 from gantline.hydro.waves import wave_number
 from gantline.scenario import Scenario
+from gantline.scenario.errors import Doubt
 
 __all__ = ["add_doubts_of_hulls"]
 
@@ -60,7 +61,7 @@ def add_doubts_of_hulls(parts: Parts, scenario: Scenario) -> None:
             )
             path = (*afloat_path(scenario, name), key)
             found = from_database(scenario, path, (given.database, given.body), doubts)
-            parts.warnings += [f"{key} of {name}: {doubt}" for doubt in found if doubt not in told]
+            parts.doubts += [Doubt(path, f"{key} of {name}: {doubt}") for doubt in found if doubt not in told]
             told.update(found)
 
 

@@ -10,6 +10,7 @@ from gantline.assembly.parts import Json, Parts, end, material
 from gantline.assembly.route import taut_length
 from gantline.assembly.underground import under_bottom, under_ground
 from gantline.scenario import Scenario
+from gantline.scenario.errors import Doubt
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.hooks import full_name
 from gantline.scenario.mooring import Fender, MooringLine, fender_contact, line_rope, line_weight
@@ -51,7 +52,7 @@ def add_moorings(parts: Parts, scenario: Scenario) -> None:
             motor = {} if line.winch.capacity is None else {"capacity": line.winch.capacity}
             parts.add_flow(winch_flow(name), _INERTIA, drive=winch_drive(name), **motor)
         kind = kinds[line.rope]
-        parts.warnings += _doubtful(scenario, name, line, kind)
+        parts.doubts += _doubtful(scenario, name, line, kind)
         _check_length(parts, scenario, name, line, kind, parting[line_rope(name)])
         if line.type == "spring":
             _add_spring(parts, scenario, name, line, kind)
@@ -63,19 +64,21 @@ def add_moorings(parts: Parts, scenario: Scenario) -> None:
         parts.contacts.append(_fender(name, fender))
 
 
-def _doubtful(scenario: Scenario, name: str, line: MooringLine, kind: RopeMaterial) -> list[str]:
+def _doubtful(scenario: Scenario, name: str, line: MooringLine, kind: RopeMaterial) -> list[Doubt]:
     """What cannot well be meant of where a line is made fast, and of what it weighs under water."""
-    doubts = []
+    doubts, path = list[Doubt](), ("mooring_lines", name)
     below = under_ground(scenario, line.to) or under_bottom(scenario, line.to)
     if below is not None:
-        doubts.append(f"mooring line {name} is made fast {below}: 'to' is a place in the world")
+        sentence = f"mooring line {name} is made fast {below}: 'to' is a place in the world"
+        doubts.append(Doubt((*path, "to"), sentence))
     if line.type == "catenary" and line.is_under_water and kind.diameter:
         density = kind.mass_per_length / (math.pi / 4 * kind.diameter**2)
         if density < _STEEL_ROPE:
             thick = format_quantity(kind.diameter, "mm", 0)
             shown = f"{kind.mass_per_length:.3g} kg/m of {thick}"
             weighs = f"mooring line {name} weighs under water what is left of as much steel"
-            doubts.append(f"{weighs}; {shown} are no steel, and weigh less there, if they do not float")
+            sentence = f"{weighs}; {shown} are no steel, and weigh less there, if they do not float"
+            doubts.append(Doubt((*path, "rope"), sentence))
     return doubts
 
 
@@ -83,14 +86,14 @@ def warn_of_hauled(parts: Parts, scenario: Scenario, rope: str, length: float) -
     """Warn of a step by which more of a line shall be hauled in than there is.
 
     Args:
-        parts: The system, which has the warning.
+        parts: The system, which has the doubt.
         scenario: The lift.
         rope: Name of the line among the ropes.
         length: Its length before [m].
     """
     winches = movers(scenario, "line")
     left = length
-    for step in scenario.plan:
+    for place, step in enumerate(scenario.plan):
         moved = [full_name(text, winches) for text in step.moved] if isinstance(step, LineStep) else []
         if not isinstance(step, LineStep) or not any(rope in (name, line_rope(name or "")) for name in moved):
             continue
@@ -99,7 +102,7 @@ def warn_of_hauled(parts: Parts, scenario: Scenario, rope: str, length: float) -
         left += step.sign * step.by
         if left <= 0.0:
             hauled = f"by step '{step.step}' {-left:.4g} m more are hauled in than there is of {rope}"
-            parts.warnings.append(f"{hauled}, which is {length:.4g} m long at the start")
+            parts.doubt(("plan", place, "by"), f"{hauled}, which is {length:.4g} m long at the start")
             return
 
 

@@ -20,6 +20,7 @@ from gantline.assembly.spatial import (
     unit,
 )
 from gantline.scenario.drum import RopeOnDrum
+from gantline.scenario.errors import Doubt, PathPart
 
 __all__ = ["ORIGIN", "Parts", "drum_layers", "end", "half_turn", "material", "sheave"]
 
@@ -55,7 +56,7 @@ class Parts:
         drives: drives by name.
         plan: steps in order.
         emergency_stop: what stops all drives of the plan, and when.
-        warnings: what is doubtful about files of hulls and water, a sentence each.
+        doubts: what the lift file may have and cannot well mean, in order.
     """
 
     bodies: dict[str, Json] = field(default_factory=dict)
@@ -79,7 +80,11 @@ class Parts:
     drives: dict[str, Json] = field(default_factory=dict)
     plan: list[Json] = field(default_factory=list)
     emergency_stop: Json | None = None
-    warnings: list[str] = field(default_factory=list)
+    doubts: list[Doubt] = field(default_factory=list)
+
+    def doubt(self, path: tuple[PathPart, ...], sentence: str) -> None:
+        """Note what cannot well be meant at a path of the lift file."""
+        self.doubts.append(Doubt(path, sentence))
 
     def add_body(
         self,

@@ -10,6 +10,7 @@ from gantline.assembly.parts import Json, Parts
 from gantline.hydro.database import HydrodynamicDatabase
 from gantline.hydro.memory import Memory, fit_memory
 from gantline.scenario import Scenario
+from gantline.scenario.errors import Doubt
 from gantline.scenario.water import Afloat, Water
 
 __all__ = ["add_radiation", "memory_of", "memory_terms"]
@@ -62,7 +63,8 @@ def add_radiation(parts: Parts, scenario: Scenario, name: str, body: Afloat) -> 
     if memory is None:
         return
     assert body.radiation is not None
-    parts.warnings += [f"radiation of {name}: {doubt}" for doubt in memory.doubts]
+    path = (*afloat_path(scenario, name), "radiation")
+    parts.doubts += [Doubt(path, f"radiation of {name}: {doubt}") for doubt in memory.doubts]
     place = {"body": name, "at": list(body.radiation.at)}
     added = {"type": "added_mass", "name": f"{name}.added_mass", **place}
     parts.forces.append({**added, "matrix": memory.infinite_added_mass.tolist()})

@@ -87,9 +87,10 @@ def warn_of_off(parts: Parts, scenario: Scenario, slings: Sequence[str]) -> None
     one = len(slings) == 1
     said = f"sling {slings[0]} is" if one else f"slings {', '.join(slings)} are"
     put = f"put{'s' if len(steps) == 1 else ''} {'it' if one else 'them'} on"
-    parts.warnings.append(
+    parts.doubt(
+        ("slings", slings[0]),
         f"{said} off until {' and '.join(steps)} {put}; the load stands on nothing at the start, and "
-        f"{'it' if one else 'they'} would be taut there: a sling that is on from the start needs no 'attach'"
+        f"{'it' if one else 'they'} would be taut there: a sling that is on from the start needs no 'attach'",
     )
 
 
@@ -100,15 +101,17 @@ def warn_of_cuts(parts: Parts, scenario: Scenario) -> None:
         time = parting.cut_at
         if time is None:
             continue
-        for step, begin in zip(scenario.plan, begins, strict=True):
+        for place, (step, begin) in enumerate(zip(scenario.plan, begins, strict=True)):
             if rope in step.cut:
-                parts.warnings.append(
-                    f"{rope} has 'cut_at: {time:g} s', and step '{step.step}' cuts it: the earlier counts"
+                has = f"{rope} has 'cut_at: {time:g} s'"
+                parts.doubt(
+                    ("plan", place, "cut"), f"{has}, and step '{step.step}' cuts it: the earlier counts"
                 )
             if rope in step.attach and begin >= time:
                 stays = "it stays cut, and is not put on"
-                parts.warnings.append(
-                    f"{rope} has 'cut_at: {time:g} s', before step '{step.step}' puts it on: {stays}"
+                has = f"{rope} has 'cut_at: {time:g} s'"
+                parts.doubt(
+                    ("plan", place, "attach"), f"{has}, before step '{step.step}' puts it on: {stays}"
                 )
 
 

@@ -14,6 +14,7 @@ from gantline.assembly.parts import Json, Parts
 from gantline.scenario import Scenario
 from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.crawler import Crawler
+from gantline.scenario.errors import Doubt
 from gantline.scenario.stream import AIR, StreamArea, Wind
 from gantline.scenario.tanks import bodies_afloat
 from gantline.scenario.water import Water
@@ -51,30 +52,32 @@ def add_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> 
         load, origin = scenario.load, lifted.centre
         parts.forces += _pushed(load.name, "wind", load.wind_areas, origin, air)
         parts.forces += _pushed(load.name, "current", load.current_areas, origin, water)
-    parts.warnings += _idle(parts, scenario) + _strong(scenario)
-    parts.warnings += doubtful_streams(parts, scenario, lifted)
+    parts.doubts += _idle(parts, scenario) + _strong(scenario)
+    parts.doubts += doubtful_streams(parts, scenario, lifted)
 
 
-def _idle(parts: Parts, scenario: Scenario) -> list[str]:
-    """Sentences on wind and current of the lift file that change nothing in it."""
-    wind, found = scenario.wind, []
+def _idle(parts: Parts, scenario: Scenario) -> list[Doubt]:
+    """Wind and current of the lift file that change nothing in it."""
+    wind, found = scenario.wind, list[Doubt]()
     has_limit = any(getattr(crane, "wind_limit", None) for crane in (scenario.cranes or {}).values())
     speeds = {"current": 0.0 if scenario.current is None else scenario.current.speed}
     if isinstance(wind, Wind):
         speeds["wind"] = wind.speed
     elif isinstance(wind, float) and wind > 0.0 and not has_limit:
-        found.append(
+        sentence = (
             f"{_shown('wind', wind)} pushes nothing, being a speed without a direction, and no crane has a "
             "'wind_limit' that it is held against"
         )
+        found.append(Doubt(("wind",), sentence))
     for kind, speed in speeds.items():
         if speed > 0.0 and not any(f".{kind}_areas." in str(force["name"]) for force in parts.forces):
-            found.append(f"{_shown(kind, speed)} pushes nothing: no body has '{kind}_areas'")
+            sentence = f"{_shown(kind, speed)} pushes nothing: no body has '{kind}_areas'"
+            found.append(Doubt((kind,), sentence))
     return found
 
 
-def _strong(scenario: Scenario) -> list[str]:
-    """A sentence on wind in which cranes with booms do not lift, of which nothing else is held against it."""
+def _strong(scenario: Scenario) -> list[Doubt]:
+    """Wind in which cranes with booms do not lift, of which nothing else is held against it."""
     cranes = (scenario.cranes or {}).items()
     booms = [name for name, crane in cranes if isinstance(crane, Crawler | FloatingCrane)]
     speed = wind_of_limit(scenario) or 0.0
@@ -84,7 +87,7 @@ def _strong(scenario: Scenario) -> list[str]:
         f"{format_quantity(_LIFTS_UP_TO, 'm/s', 0)} is usual where their makers say nothing else (ISO 4302)"
     )
     pushed = f"does not push the booms of {', '.join(booms)} here, as it would"
-    return [f"{_shown('wind', speed)} {pushed}; to lift in up to {usual}"]
+    return [Doubt(("wind",), f"{_shown('wind', speed)} {pushed}; to lift in up to {usual}")]
 
 
 def _shown(kind: str, speed: float) -> str:

@@ -12,6 +12,7 @@ from gantline.assembly.parts import Json, Parts, end, material
 from gantline.assembly.route import MOST_STRAIN, taut_length, too_far
 from gantline.assembly.underground import under_ground
 from gantline.scenario import Scenario
+from gantline.scenario.errors import Doubt
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.parting import partings
 from gantline.scenario.tag_line import TUGGER_MASS, TUGGER_SPEED, TagLine, tag_rope, tag_tugger
@@ -43,7 +44,7 @@ def add_tag_lines(parts: Parts, scenario: Scenario, lifted: LiftedLoad) -> None:
         holder = None if line.held_by == "world" else line.held_by
         places = parts.place(scenario.load.name, at), parts.place(holder, line.to)
         chord = float(np.linalg.norm(places[0] - places[1]))
-        parts.warnings += [*_doubtful(name, line, chord), *_under_ground(scenario, name, line, places[1][2])]
+        parts.doubts += [*_doubtful(name, line, chord), *_under_ground(scenario, name, line, places[1][2])]
         length = _length(scenario, name, line, chord, kind.stiffness)
         drum = None
         if line.pull is not None or line.winch is not None:
@@ -64,24 +65,28 @@ def _check_pull(scenario: Scenario, name: str, line: TagLine, kind: RopeMaterial
         raise scenario.error(("tag_lines", name, key), f"{sentence}; pull less")
 
 
-def _doubtful(name: str, line: TagLine, chord: float) -> Iterator[str]:
+def _doubtful(name: str, line: TagLine, chord: float) -> Iterator[Doubt]:
     """What cannot well be meant of a line whose ends are `chord` [m] apart at the start."""
     if chord > _LONGEST:
-        yield f"tag line {name} is {chord:,.0f} m long at the start; a unit has slipped, m for mm"
+        sentence = f"tag line {name} is {chord:,.0f} m long at the start; a unit has slipped, m for mm"
+        yield Doubt(("tag_lines", name), sentence)
     if line.speed is not None and line.speed > _FASTEST:
         speed = format_quantity(line.speed, "m/s", 0)
-        yield f"tag line {name} is hauled in at up to {speed}; a unit has slipped, m/s for m/min"
+        sentence = f"tag line {name} is hauled in at up to {speed}; a unit has slipped, m/s for m/min"
+        yield Doubt(("tag_lines", name, "speed"), sentence)
     if line.rotating_mass is not None and line.rotating_mass > _HEAVIEST:
         mass = format_by_size(line.rotating_mass, "mass")
-        yield f"what moves with tag line {name} weighs {mass}; a unit has slipped, t for kg"
+        sentence = f"what moves with tag line {name} weighs {mass}; a unit has slipped, t for kg"
+        yield Doubt(("tag_lines", name, "rotating_mass"), sentence)
 
 
-def _under_ground(scenario: Scenario, name: str, line: TagLine, height: float) -> list[str]:
+def _under_ground(scenario: Scenario, name: str, line: TagLine, height: float) -> list[Doubt]:
     """What is said of a line that is held in the yard at this height [m], under what one stands on there."""
     if line.held_by not in (None, "world"):
         return []
     found = under_ground(scenario, (line.to[0], line.to[1], height))
-    return [f"tag line {name} is held {found}: 'to' is a place in the world"] if found else []
+    sentence = f"tag line {name} is held {found}: 'to' is a place in the world"
+    return [Doubt(("tag_lines", name, "to"), sentence)] if found else []
 
 
 def _length(scenario: Scenario, name: str, line: TagLine, chord: float, stiffness: float) -> float:

@@ -16,6 +16,7 @@ from gantline.hydro import Attitude, Hull, Hydrostatics, hydrostatics
 from gantline.hydro.waves import wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.check_vessels import check_inside
+from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Findings
 from gantline.scenario.vessel import CAPSIZED_BEYOND, DECK_EDGE, Vessel
 from gantline.scenario.water import Water
@@ -123,15 +124,15 @@ def watch_vessels(parts: Parts, scenario: Scenario) -> None:
     level = (scenario.water or Water()).level
     for name in scenario.vessels or {}:
         points = _marks(scenario, name)
-        parts.warnings += _sunk(scenario, name)
+        parts.doubts += _sunk(scenario, name)
         marks = [{"name": f"{name}.{mark}", "points": places} for mark, places in points.items()]
         bottom = bottom_edge(vessel_hull(scenario, name, (scenario.vessels or {})[name]))
         watched = {"name": name, "body": name, "level": level, "capsized_beyond": CAPSIZED_BEYOND}
         parts.vessels.append({**watched, "bottom": bottom, "marks": marks})
 
 
-def _sunk(scenario: Scenario, name: str) -> list[str]:
-    """A sentence where much of what looks up is under water at the draft of the lift file."""
+def _sunk(scenario: Scenario, name: str) -> list[Doubt]:
+    """Where much of what looks up is under water at the draft of the lift file."""
     vessel = (scenario.vessels or {})[name]
     share = sunk_share(vessel_hull(scenario, name, vessel), vessel.draft)
     if share <= _SUNK_SILENTLY:
@@ -139,7 +140,8 @@ def _sunk(scenario: Scenario, name: str) -> list[str]:
     sunk = (
         f"{100.0 * share:.0f} % of what looks up on the hull of {name} is under water at {vessel.draft:g} m"
     )
-    return [f"{sunk} of draft: pontoons, if that is right; the deck's edge is that of the rest"]
+    sentence = f"{sunk} of draft: pontoons, if that is right; the deck's edge is that of the rest"
+    return [Doubt(("vessels", name, "draft"), sentence)]
 
 
 def vessel_rig(scenario: Scenario, parts: Parts) -> list[Json]:

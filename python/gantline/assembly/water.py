@@ -10,6 +10,7 @@ from gantline.assembly.radiation import add_radiation
 from gantline.assembly.spatial import Array, inertia_list, inertia_matrix
 from gantline.assembly.water_matrix import water_matrix
 from gantline.scenario import Scenario
+from gantline.scenario.errors import Doubt
 from gantline.scenario.tanks import bodies_afloat, pumped_tanks
 from gantline.scenario.water import Afloat, BallastTank, OfWater, Water
 
@@ -48,7 +49,8 @@ def _around(parts: Parts, scenario: Scenario, name: str, body: Afloat, water: Wa
     hull = hull_mesh(scenario, name, body)
     if hull is not None:
         surface = {"density": water.density, "level": water.level}
-        parts.warnings += hull.doubts
+        path = (*afloat_path(scenario, name), "hull")
+        parts.doubts += [Doubt(path, doubt) for doubt in hull.doubts]
         named = {"type": "buoyancy", "name": hull_name(name), "body": name}
         parts.forces.append({**named, **hull.document, **surface})
     add_radiation(parts, scenario, name, body)
@@ -56,8 +58,9 @@ def _around(parts: Parts, scenario: Scenario, name: str, body: Afloat, water: Wa
         given: OfWater | None = getattr(body, key)
         if given is None:
             continue
-        matrix, doubts = water_matrix(scenario, (*afloat_path(scenario, name), key), given, water.density)
-        parts.warnings += [f"{key} of {name}: {doubt}" for doubt in doubts]
+        path = (*afloat_path(scenario, name), key)
+        matrix, doubts = water_matrix(scenario, path, given, water.density)
+        parts.doubts += [Doubt(path, f"{key} of {name}: {doubt}") for doubt in doubts]
         force = {"name": f"{name}.{key}", "body": name, "at": list(given.at)}
         if key == "added_mass":
             parts.forces.append({"type": "added_mass", **force, "matrix": matrix})

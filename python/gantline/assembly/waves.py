@@ -14,7 +14,7 @@ from gantline.assembly.vessels import vessel_hull
 from gantline.hydro.database import AXES, DatabaseError, ForcesAround, HydrodynamicDatabase
 from gantline.hydro.waves import Components, regular, sea, wave_number
 from gantline.scenario import Scenario
-from gantline.scenario.errors import PathPart
+from gantline.scenario.errors import Doubt, PathPart
 from gantline.scenario.vessel import Vessel
 from gantline.scenario.water import Water
 from gantline.scenario.waves import WaveTrain
@@ -59,9 +59,11 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     parts.sea = {"components": listed, "rise_time": rise_time}
     moved = {name: vessel for name, vessel in (scenario.vessels or {}).items() if vessel.wave_forces}
     for name, vessel in moved.items():
-        parts.forces.append(_force(parts, scenario, name, vessel, trains))
-        parts.warnings += _other_period(scenario, name, vessel)
-    parts.warnings += _idle(scenario, moved) + _steep(scenario)
+        force = _force(parts, scenario, name, vessel, trains)
+        parts.forces.append(force)
+        parts.doubts += _other_period(scenario, name, vessel)
+        parts.doubts += _drifting(scenario, name, vessel, drifts=bool(force["drifts"]))
+    parts.doubts += _idle(scenario, moved) + _steep(scenario)
 
 
 def _train(scenario: Scenario, name: str, given: WaveTrain) -> Train:
@@ -97,14 +99,14 @@ def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: 
     for train_name, train in trains.items():
         waves = train.waves
         per_metre, around, drift, doubts = _of_database(scenario, path, vessel, waves, box)
-        parts.warnings += [f"wave forces of {name}: {doubt}" for doubt in doubts]
+        parts.doubts += [Doubt(path, f"wave forces of {name}: {doubt}") for doubt in doubts]
         unknown = _unknown(waves, per_metre)
         if unknown > _SILENT:
             shown = f"{100 * unknown:.2g} % of the energy of {train_name}"
             sentence = f"{shown} is in waves shorter than any there"
             if unknown > _MOST_UNKNOWN:
                 raise scenario.error((*path, "database"), f"{given.database}: {sentence}")
-            parts.warnings.append(f"wave forces of {name}: {sentence}; they do nothing")
+            parts.doubt(path, f"wave forces of {name}: {sentence}; they do nothing")
         found.append((around, drift))
     forces = np.concatenate([around.cubics for around, _ in found])
     drifts = [drift.cubics.real for _, drift in found if drift is not None]
@@ -215,49 +217,72 @@ def _unknown(train: Components, forces: Complex) -> float:
     return float(energy[~forces.any(axis=1)].sum() / energy.sum())
 
 
-def _other_period(scenario: Scenario, name: str, vessel: Vessel) -> list[str]:
-    """Sentences on water that is taken at a period which the waves have not, or not at all."""
+def _other_period(scenario: Scenario, name: str, vessel: Vessel) -> list[Doubt]:
+    """Water that is taken at a period which the waves have not, or not at all."""
     if vessel.radiation is not None:
         return []
-    found = []
+    found = list[Doubt]()
     periods = [train.main_period for train in (scenario.waves or {}).values()]
     for key in ("added_mass", "water_damping"):
         given = getattr(vessel, key)
         if given is None:
-            found.append(f"{name} has 'wave_forces' and no '{key}': its motions in waves are not its own")
+            sentence = f"{name} has 'wave_forces' and no '{key}': its motions in waves are not its own"
+            found.append(Doubt(("vessels", name), sentence))
         read = getattr(given, "period", None)
         if read == "infinite_frequency":
-            found.append(f"{key} of {name} is that of infinite frequency; the waves are slower")
+            sentence = f"{key} of {name} is that of infinite frequency; the waves are slower"
+            found.append(Doubt(("vessels", name, key), sentence))
         if not isinstance(read, float):
             continue
         if all(abs(read / period - 1.0) > _OTHER_PERIOD for period in periods):
             shown = ", ".join(f"{period:g} s" for period in periods)
             sentence = f"{key} of {name} is that of motions of {read:g} s; the waves have {shown}"
-            found.append(f"{sentence}; 'radiation' takes all periods")
+            found.append(Doubt(("vessels", name, key), f"{sentence}; 'radiation' takes all periods"))
     return found
 
 
-def _idle(scenario: Scenario, moved: dict[str, Vessel]) -> list[str]:
+def _drifting(scenario: Scenario, name: str, vessel: Vessel, *, drifts: bool) -> list[Doubt]:
+    """A vessel that drift forces take away, or moorings whose pull is without them and nobody says so."""
+    given = vessel.wave_forces
+    assert given is not None
+    path = ("vessels", name, "wave_forces")
+    is_moored = any(line.vessel == name for line in (scenario.mooring_lines or {}).values())
+    if drifts and not is_moored:
+        sentence = (
+            f"no mooring line holds {name} against the drift forces of its waves, which take it along ever "
+            "faster; 'drift: false' leaves them out"
+        )
+        return [Doubt(path, sentence)]
+    if is_moored and given.drift is None and not drifts:
+        sentence = (
+            f"{given.database} has no drift forces: the pull of the mooring lines of {name} is without them, "
+            "and so is where it lies; 'drift: false' says that this is known"
+        )
+        return [Doubt(path, sentence)]
+    return []
+
+
+def _idle(scenario: Scenario, moved: dict[str, Vessel]) -> list[Doubt]:
     names = ", ".join(scenario.waves or {})
     vessels = scenario.vessels or {}
     if not vessels:
-        return [f"the waves {names} do nothing: there are no vessels"]
+        return [Doubt(("waves",), f"the waves {names} do nothing: there are no vessels")]
     still = [name for name in vessels if name not in moved]
-    return (
-        [f"the waves {names} pass under {', '.join(still)} without a trace: no 'wave_forces'"]
-        if still
-        else []
-    )
+    if not still:
+        return []
+    sentence = f"the waves {names} pass under {', '.join(still)} without a trace: no 'wave_forces'"
+    return [Doubt(("vessels", still[0]), sentence)]
 
 
-def _steep(scenario: Scenario) -> list[str]:
-    found = []
+def _steep(scenario: Scenario) -> list[Doubt]:
+    found = list[Doubt]()
     for name, train in (scenario.waves or {}).items():
         length = scenario.simulation.gravity * train.main_period**2 / (2 * math.pi)
         steepest = float(np.interp(train.main_period, *_STEEPEST))
         if train.significant_height is not None and train.significant_height > steepest * length:
-            found.append(
+            sentence = (
                 f"{name} is steeper than seas are: {train.significant_height:g} m at a peak of "
                 f"{train.main_period:g} s, more than 1/{1 / steepest:.3g} of its length (DNV-RP-C205, 3.5.4)"
             )
+            found.append(Doubt(("waves", name, "significant_height"), sentence))
     return found

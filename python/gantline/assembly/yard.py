@@ -109,9 +109,10 @@ def add_equalizers(parts: Parts, rigging: Rigging, pins: Mapping[str, bool]) -> 
         for place, along in enumerate(sheaves.along, start=1):
             name = f"{equalizer.name}.{place}"
             if place not in held and name not in pins and not equalizer.travel.stops:
-                parts.warnings.append(
+                parts.doubt(
+                    ("equalizers", equalizer.name),
                     f"no sling hangs from moving sheave {name}: without 'stops: true' in 'travel' the rope "
-                    "hauls it up to the fixed sheaves"
+                    "hauls it up to the fixed sheaves",
                 )
             parts.add_body(
                 name,
@@ -291,17 +292,19 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         deepest = max(below, key=lambda name: below[name])
         more = f" and {len(below) - 1} more" if len(below) > 1 else ""
         way = _way(scenario.load.name, rigging.slings[deepest])
-        parts.warnings.append(
+        parts.doubt(
+            ("slings", deepest),
             f"sling {deepest}{more} cannot lift where this begins: {way} it goes {below[deepest]:.3g} m up; "
-            "the height of a hook is that of its bearing"
+            "the height of a hook is that of its bearing",
         )
     if loose:
         loosest = max(loose, key=lambda name: loose[name][0])
         more = f" and {len(loose) - 1} more" if len(loose) > 1 else ""
         length, distance = loose[loosest]
         way = f"{_way(scenario.load.name, rigging.slings[loosest])} it is {distance:.4g} m at the start"
-        parts.warnings.append(
-            f"sling {loosest}{more} is {length:g} m long, and {way}; check the number and its unit"
+        parts.doubt(
+            ("slings", loosest, "length"),
+            f"sling {loosest}{more} is {length:g} m long, and {way}; check the number and its unit",
         )
 
 

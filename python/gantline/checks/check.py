@@ -76,6 +76,7 @@ class Check:
         time: When it governs [s]; None where the value belongs to no one time.
         step: Step of the plan whose end was checked; empty for the whole lift.
         remark: Why there is no verdict, or what else to know.
+        cautions: What of the remark is to be known of the measure, within its limit too.
         is_vain: Whether the lift file sets the limit, and the lift has nothing that it is about.
         is_beside: Whether all its values are of ropes by which nothing hangs: mooring and tag lines.
     """
@@ -96,6 +97,7 @@ class Check:
     remark: str = ""
     is_vain: bool = False
     is_beside: bool = False
+    cautions: Sequence[str] = ()
 
     def shown(self, number: float | None) -> str:
         """A value or limit of this check as people read it; empty for None."""

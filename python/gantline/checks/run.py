@@ -80,7 +80,10 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         for key in limits
         if key not in LIMITS
     ]
-    steps = [check for step in rig.plan for check in _check_step(recording, step, ending)]
+    steps: list[Check] = []
+    for step in rig.plan:
+        for check in _check_step(recording, step, ending):
+            steps.append(_cautioned(check, whole + steps))
     every = whole + unknown + steps + [_parted(one) for one in partings(recording) if one.kind not in PLANNED]
     every += taken_off(recording) + fell_behind(recording) + ran_out(recording) + idle(recording)
     every += turns_left(recording) + on_their_tip(recording)
@@ -138,7 +141,7 @@ class _Outcome:
     between: float | None
     refused: tuple[Refused, ...]
     missing: str
-    cautions: str
+    cautions: tuple[str, ...]
 
 
 def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome:
@@ -153,7 +156,7 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
         between=pick((one.between for one in values if one.between is not None), default=None),
         refused=tuple(one for one in findings if isinstance(one, Refused)),
         missing=_reasons(one for one in findings if isinstance(one, Missing)),
-        cautions="; ".join(dict.fromkeys(one.text for one in findings if isinstance(one, Caution))),
+        cautions=tuple(dict.fromkeys(one.text for one in findings if isinstance(one, Caution))),
     )
 
 
@@ -208,6 +211,7 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     check = replace(check, limit=limit, source=_with_factors(recording, source, factors))
     if found.refused:
         return _refused(check, found.refused)
+    check = replace(check, cautions=found.cautions)
     if found.worst is None:
         is_asked = given is not None and key not in rig.assumed_limits
         missing = found.missing or _never_clear(recording, measure)
@@ -218,9 +222,9 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         check = _without_value(recording, check, missing, _NOTHING, is_asked=is_asked)
         if not found.cautions:
             return check
-        return replace(check, verdict=Verdict.WARNING, remark=_joined([check.remark, found.cautions]))
+        return replace(check, verdict=Verdict.WARNING, remark=_joined([check.remark, *found.cautions]))
     check = replace(_with_value(check, found.worst), is_beside=found.of <= set(rig.outer_ropes))
-    remarks = [f"not checked, {found.missing}" if found.missing else "", found.cautions]
+    remarks = [f"not checked, {found.missing}" if found.missing else "", *found.cautions]
     if given is None and (limit is None or _verdict(measure, found.worst.value, limit) is Verdict.OK):
         alarmed = _alarmed(recording, measure, check, found.values)
         if alarmed is not None:
@@ -229,7 +233,7 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         return None
     if limit is None:
         verdict = Verdict.WARNING if found.cautions else Verdict.NOT_CHECKED
-        return replace(check, verdict=verdict, remark=_joined([found.missing, found.cautions]))
+        return replace(check, verdict=verdict, remark=_joined([found.missing, *found.cautions]))
     verdict = _verdict(measure, found.worst.value, limit)
     if verdict is Verdict.OK:
         remarks = [_beyond_all(check, measure), _between_samples(check, measure, found.between), *remarks]
@@ -365,13 +369,24 @@ def _check_requirement(
         return _refused(check, found.refused)
     if found.worst is None:
         missing = found.missing or "nothing to check at the end of this step"
+        check = replace(check, cautions=found.cautions)
         return _without_value(recording, check, missing, missing, is_asked=True)
-    check = _with_value(check, found.worst)
+    check = replace(_with_value(check, found.worst), cautions=found.cautions)
     verdict = _verdict(sided, found.worst.value, limit)
     if found.missing:
         verdict = Verdict.WARNING if verdict is Verdict.OK else verdict
         check = replace(check, remark=f"not checked, {found.missing}")
     return replace(check, verdict=verdict)
+
+
+def _cautioned(check: Check, told: Sequence[Check]) -> Check:
+    """The check of a requirement, with a warning of those cautions that none of the same measure has told."""
+    said = {caution for one in told if one.name == check.name for caution in one.cautions}
+    cautions = tuple(one for one in check.cautions if one not in said)
+    if not cautions:
+        return replace(check, cautions=())
+    verdict = Verdict.WARNING if check.verdict is Verdict.OK else check.verdict
+    return replace(check, verdict=verdict, remark=_joined([check.remark, *cautions]), cautions=cautions)
 
 
 def _parted(parting: Parting) -> Check:

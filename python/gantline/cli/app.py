@@ -19,7 +19,7 @@ from gantline.cli.doctor import doctor
 from gantline.cli.examples import examples_of
 from gantline.cli.export import export
 from gantline.cli.hydro import hydro
-from gantline.cli.new import new
+from gantline.cli.new import NamesLifts, new
 from gantline.cli.report import report
 from gantline.cli.run import run
 from gantline.cli.schema import schema
@@ -74,7 +74,8 @@ _VERBS = (
     (doctor, "Say what is installed."),
 )
 for verb, line in _VERBS:
-    app.command(short_help=line, epilog=examples_of(verb.__name__))(verb)
+    kind = NamesLifts if verb is new else None
+    app.command(cls=kind, short_help=line, epilog=examples_of(verb.__name__))(verb)
 app.add_typer(cad_app, name="cad", short_help="Weigh and draw CAD files.")
 
 

@@ -13,6 +13,9 @@ from gantline.cli.messages import COULD_NOT_GO_ON, DONE, scenario_errors, stop, 
 from gantline.cli.progress import telling
 from gantline.replacing import replace_text
 
+#: Options whose names are not those of the arguments of `solve_ballast`.
+_OPTIONS = {"time": "--at-time"}
+
 
 def ballast(
     lift: Lift,
@@ -65,6 +68,7 @@ def ballast(
         from gantline.scenario import load_scenario
         from gantline.statics import NoEquilibriumError
         from gantline.study import CannotBeError, solve_ballast
+        from gantline.study.ballast_question import QuestionError
 
         scenario = load_scenario(lift)
         try:
@@ -82,8 +86,10 @@ def ballast(
                 )
         except (NoEquilibriumError, CannotBeError) as problem:
             stop(str(problem), COULD_NOT_GO_ON)
+        except QuestionError as problem:
+            stop(f"{_OPTIONS.get(problem.argument, f'--{problem.argument}')}: {problem}")
         except ValueError as problem:
-            stop(str(problem))
+            stop(f"{scenario.source}: {problem}")
     if as_json:
         typer.echo(json.dumps(answer.to_json(), indent=2, allow_nan=False))
     else:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from gantline.cli.lift import folder_option, output_folder, quantity_of
+from gantline.cli.lift import folder_option, output_folder, quantity_of, unit_of
 from gantline.cli.messages import stop
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ def _assumptions(unit: str | None, density: str, thickness: str | None, up: str 
         stop(f"--up: '{up}' is neither y nor z")
     size = quantity_of("--thickness", thickness, "length")
     mass = quantity_of("--density", density, "density")
-    return Assumptions(unit, mass, size, "y" if up == "y" else "z" if up == "z" else None)
+    return Assumptions(unit_of(unit), mass, size, "y" if up == "y" else "z" if up == "z" else None)
 
 
 def _drawn(model: CadModel, folder: Path) -> Path:

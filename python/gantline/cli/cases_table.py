@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Callable, Container, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 
 from gantline.checks import governing
 from gantline.cli.table import ABSENT, show, table, tables
@@ -43,9 +43,14 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
         by_case = {name: result.of(name) for name in result.names}
         groups = [(_name(name, str(len(states)) if len(states) > 1 else ""), states)
                   for name, states in by_case.items()]  # fmt: skip
+
+    def in_cases(places: Sequence[int]) -> str:
+        return _in_cases(result.states, places)
+
     why = [
         *([f"  {WORST_OF_LOSSES}"] if result.has_losses and not variants else []),
-        *notes(result.states, lambda found: _in_cases(result.states, found), width),
+        *notes(result.states, in_cases, width),
+        *_lines(_cautions(result.states), result.states, in_cases, width),
     ]
     parts = [
         [f"{result.title}, at rest"],
@@ -145,10 +150,32 @@ def notes(states: Sequence[State], where: Callable[[Sequence[int]], str], width:
             reasons.setdefault(f"nothing is cut: {vain}", []).append(place)
         if state.changes_nothing and not state.in_vain:
             reasons.setdefault("nothing changes: forces, tilts and checks are as given", []).append(place)
+    yield from _lines(reasons, states, where, width)
+
+
+def _lines(
+    reasons: Mapping[str, Sequence[int]],
+    states: Sequence[State],
+    where: Callable[[Sequence[int]], str],
+    width: int,
+) -> Iterator[str]:
+    """Each reason with the states that it is true of."""
     for reason, found in reasons.items():
         every = len(found) == len(states) and len(states) > 1
         line = f"{reason}: {'everywhere' if every else where(found)}"
         yield from textwrap.wrap(line, max(width, 60), initial_indent="  ", subsequent_indent="    ")
+
+
+def _cautions(states: Sequence[State]) -> dict[str, list[int]]:
+    """What else is to be known of checks, each caution once with the checks that have it, by state."""
+    found: dict[str, tuple[list[str], list[int]]] = {}
+    for place, state in enumerate(states):
+        for check in state.checks:
+            for caution in check.cautions:
+                names, places = found.setdefault(caution, ([], []))
+                names += [check.name] if check.name not in names else []
+                places += [place] if place not in places else []
+    return {f"{', '.join(names)}: {caution}": places for caution, (names, places) in found.items()}
 
 
 def _in_cases(states: Sequence[State], found: Sequence[int]) -> str:

@@ -126,8 +126,8 @@ def _look_over(simulation: Simulation) -> None:
     centre = _centre_from_cad(simulation)
     lines = [*heading(rig), *weights(rig), *centre, *ropes, *_rope_weights(rig), *later, *_sheaves(rig)]
     typer.echo("\n".join(lines))
-    for warning in simulation.assembly.warnings:
-        warn(warning)
+    for doubt in simulation.assembly.doubts:
+        warn(doubt.of(simulation.scenario.source))
     _warn_of_time(simulation)
     nodes = sum(rope.nodes for rope in rig.ropes)
     drums = sum(not drum.flow for drum in rig.drums)
@@ -151,7 +151,9 @@ def _warn_of_time(simulation: Simulation) -> None:
     late = [step.step for step, end in zip(plan, ends, strict=True) if end > simulation.duration]
     if late:
         least = f"the plan takes {max(ends):.0f} s at least; {simulation.duration:g} s are simulated"
-        warn(f"{least}, and end before '{late[0]}' does: make 'duration' longer")
+        sentence = f"{least}, and end before '{late[0]}' does: make 'duration' longer"
+        scenario = simulation.scenario
+        warn(scenario.problem(("duration",), sentence).of(scenario.source))
 
 
 def _centre_from_cad(simulation: Simulation) -> list[str]:

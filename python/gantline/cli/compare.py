@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,6 +11,7 @@ import typer
 
 from gantline.cli.lift import (
     Setting,
+    TypedSetting,
     folder_option,
     lifts_that_begin,
     name_of,
@@ -124,9 +125,9 @@ def compare(
     _end(sides)
 
 
-def _settings(option: str, changes: _Changes) -> dict[str, tuple[str, Setting]]:
-    """Settings as written after an option: each as text and as value, SI."""
-    settings: dict[str, tuple[str, Setting]] = {}
+def _settings(option: str, changes: _Changes) -> dict[str, TypedSetting]:
+    """Settings as written after an option."""
+    settings: dict[str, TypedSetting] = {}
     for change in changes or ():
         key, equals, text = (word.strip() for word in change.partition("="))
         key = key.replace("-", "_")
@@ -137,7 +138,8 @@ def _settings(option: str, changes: _Changes) -> dict[str, tuple[str, Setting]]:
             stop(f"{option}: there is no setting '{key}'; there are {', '.join(_SETTINGS)}{elsewhere}")
         if key in settings:
             stop(f"{option}: {key} is given twice")
-        settings[key] = text, _value(f"{option} {key}", text, _SETTINGS[key])
+        named = f"{option} {key}"
+        settings[key] = TypedSetting(named, text, _value(named, text, _SETTINGS[key]))
     return settings
 
 
@@ -154,16 +156,17 @@ def _value(option: str, text: str, kind: str) -> Setting:
 def _side(
     letter: str,
     lift: Path,
-    both: dict[str, tuple[str, Setting]],
-    own: dict[str, tuple[str, Setting]],
+    both: dict[str, TypedSetting],
+    own: dict[str, TypedSetting],
 ) -> _Side:
     """A lift made ready to run, or a recording read; what is wrong with either ends the program."""
-    shown = ", ".join(f"{key}={text}" for key, (text, _) in own.items())
+    shown = ", ".join(f"{key}={setting.text}" for key, setting in own.items())
     side = _Side(letter, f"{lift}, {shown}" if shown else str(lift))
     file = recording_file(lift)
     if file is None:
-        overrides = {key: value for key, (_, value) in (both | own).items()}
-        side.simulation = prepare(lift, overrides, f"{letter}: ")
+        # Of a setting of both the option does not say which of them it does not fit.
+        of_both = {key: replace(one, option=f"{letter}: {one.option}") for key, one in both.items()}
+        side.simulation = prepare(lift, of_both | own)
         return side
     if both or own:
         stop(f"{letter}: {file} is a recording; the settings of a run that is over cannot be changed")

@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 
 from gantline.cli.table import ABSENT, show, table
+from gantline.results.alike import without_rounding
+from gantline.results.common_time import Deviation
 from gantline.results.comparison import (
     Comparison,
     Difference,
@@ -21,6 +23,7 @@ from gantline.results.stability import Stability
 from gantline.units import quantity
 
 _Row = tuple[str, ...]
+_Writer = Callable[[float, str], str]
 
 #: Metrics of the table: name, what it is called, unit, decimals. Each says of which kind of thing it is; of
 #: several the largest is shown, of `final_load_transferred` the smallest.
@@ -43,6 +46,8 @@ _HEADLINES = (
     ("peak_load_yaw", "yaw of a load", "deg", 2),
     ("peak_load_drift_when_clear", "drift of a load when clear", "m", 3),
 )
+#: The bound of `gantline.results.alike`, in words.
+_ROUNDING = "Differences of no more than 1e-9 of a value, 1 mN of kN, 1 nm, 1 ns or 1 nrad are rounding"
 #: Columns of text of a verdict.
 _WIDTH = 100
 _COUNTS = (("steps", "steps"), ("rejected", "attempts rejected"))
@@ -158,7 +163,63 @@ def _simulated(sides: Iterable[Stability]) -> Iterator[float | None]:
 
 def _row(title: str, value: Difference, unit: str, write: Callable[[float], str]) -> _Row:
     a, b = (ABSENT if one is None else write(one) for one in (value.a, value.b))
+    if _is_rounding(value, unit):
+        return title, a, b, _signed(0.0, unit), _signed(0.0, "%")
     return title, a, b, _signed(value.absolute, unit), _signed(value.relative, "%")
+
+
+def _is_rounding(value: Difference, unit: str) -> bool:
+    """Whether two values that are not the same differ by rounding alone."""
+    if value.a is None or value.b is None or not value.absolute:
+        return False
+    return without_rounding(value.absolute, max(abs(value.a), abs(value.b)), unit) == 0.0
+
+
+def _deviation(deviation: Deviation | None, scale: float, unit: str, write: _Writer) -> _Row:
+    """What is written of a deviation: its mean square, its largest value and when that is.
+
+    Args:
+        deviation: Over the common times, or None.
+        scale: The largest value that it is one of [SI].
+        unit: Unit of the table.
+        write: How the largest value is written.
+    """
+    if deviation is None:
+        return ABSENT, ABSENT, ABSENT
+    if without_rounding(deviation.largest, scale, unit) == 0.0:
+        return _plain(0.0, unit), write(0.0, unit), ABSENT
+    return _plain(deviation.rms, unit), write(deviation.largest, unit), show(deviation.time, "s", 2)
+
+
+def _has_rounding(comparison: Comparison) -> bool:
+    """Whether anything of the table is 0 that differs by rounding."""
+    metrics = (
+        _is_rounding(comparison.metrics[name], unit)
+        for name, _, unit, _ in _HEADLINES
+        if name in comparison.metrics
+    )
+    peaks = ((one.deviation, _largest(one)) for one in (*comparison.ropes, *comparison.hooks))
+    forces = ((one, largest, _unit_of(largest)) for one, largest in peaks)
+    motions = ((of, 0.0, unit) for one in _shown_motions(comparison) for of, unit in _parts(one))
+    deviations = (
+        one is not None and one.largest != 0.0 and without_rounding(one.largest, scale, unit) == 0.0
+        for one, scale, unit in (*forces, *motions)
+    )
+    return any(metrics) or any(deviations)
+
+
+def _largest(force: ForceComparison) -> float:
+    return max(abs(force.peak_a.value), abs(force.peak_b.value))
+
+
+def _unit_of(largest: float) -> str:
+    """In which a force is written [N]."""
+    return "kN" if largest >= 1e3 else "N"
+
+
+def _parts(motion: MotionComparison) -> Sequence[tuple[Deviation | None, str]]:
+    """How a body is apart, and how it is turned, with the units in which the table has that."""
+    return (motion.position, "mm"), (motion.attitude, "deg")
 
 
 def _signed(value: float | None, unit: str) -> str:
@@ -188,9 +249,9 @@ _DIMENSION = {
 def _forces(title: str, forces: Sequence[ForceComparison]) -> list[str]:
     rows = []
     for force in forces:
-        largest = max(force.peak_a.value, force.peak_b.value)
-        unit, digits = ("kN", 1) if largest >= 1e3 else ("N", 3)
-        deviation = force.deviation
+        largest = _largest(force)
+        unit = _unit_of(largest)
+        digits = 1 if unit == "kN" else 3
         rows.append(
             (
                 _both(force.name, force.name_b),
@@ -198,9 +259,7 @@ def _forces(title: str, forces: Sequence[ForceComparison]) -> list[str]:
                 show(force.peak_a.time, "s", 2),
                 show(force.peak_b.value, unit, digits),
                 show(force.peak_b.time, "s", 2),
-                _plain(deviation.rms if deviation else None, unit),
-                _signed(deviation.largest if deviation else None, unit),
-                show(deviation.time if deviation else None, "s", 2),
+                *_deviation(force.deviation, largest, unit, _signed),
             )
         )
     head = (title, "peak of A", "at", "peak of B", "at", "B - A: rms", "largest", "at")
@@ -208,28 +267,24 @@ def _forces(title: str, forces: Sequence[ForceComparison]) -> list[str]:
 
 
 def _motion(comparison: Comparison) -> list[str]:
-    motions = comparison.loads or [one for one in comparison.bodies if _moves(one)]
     rows = []
-    for one in motions:
-        position, attitude = one.position, one.attitude
-        rows.append(
-            (
-                _both(one.name, one.name_b),
-                _plain(position.rms if position else None, "mm"),
-                _plain(position.largest if position else None, "mm"),
-                show(position.time if position else None, "s", 2),
-                _plain(attitude.rms if attitude else None, "deg"),
-                _plain(attitude.largest if attitude else None, "deg"),
-                show(attitude.time if attitude else None, "s", 2),
-            )
-        )
+    for one in _shown_motions(comparison):
+        cells = (cell for of, unit in _parts(one) for cell in _deviation(of, 0.0, unit, _plain))
+        rows.append((_both(one.name, one.name_b), *cells))
     title = "Motion of the load" if comparison.loads else "Motion"
     head = (title, "apart: rms", "largest", "at", "turned: rms", "largest", "at")
     return table(head, rows, "lrrrrrr") if rows else []
 
 
+def _shown_motions(comparison: Comparison) -> Sequence[MotionComparison]:
+    """Those of the loads; of a lift without any those of all bodies that are apart."""
+    return comparison.loads or [one for one in comparison.bodies if _moves(one)]
+
+
 def _moves(motion: MotionComparison) -> bool:
-    return any(one is not None and one.largest > 0.0 for one in (motion.position, motion.attitude))
+    return any(
+        one is not None and without_rounding(one.largest, 0.0, unit) > 0.0 for one, unit in _parts(motion)
+    )
 
 
 def _plain(value: float | None, unit: str) -> str:
@@ -263,4 +318,6 @@ def _stability(comparison: Comparison) -> list[str]:
     ):
         times = comparison.common.times
         lines.append(f"Compared over time from {times[0]:g} s to {times[-1]:g} s, which both have.")
+    if _has_rounding(comparison):
+        lines.append(f"{_ROUNDING}: 0 above.")
     return ["Stability", *(f"  {line}" for line in lines)]

@@ -87,14 +87,19 @@ def _write(
         replace_bytes(output, export.gltf_binary(recording))
     elif kind == ".rrd":
         export.write_rerun(recording, output)
-    elif kind == ".csv":
-        export.write_csv(recording, output, variables)
-    elif kind == ".parquet":
-        export.write_parquet(recording, output, variables)
+    elif kind in _TABLES:
+        write = export.write_csv if kind == ".csv" else export.write_parquet
+        try:
+            write(recording, output, variables)
+        except export.VariableError as problem:
+            stop(f"--variable: {problem}")
     elif kind in _STILLS:
-        from gantline.export.video import write_still
+        from gantline.export.video import MomentError, write_still
 
-        write_still(recording, output, moment)
+        try:
+            write_still(recording, output, moment)
+        except MomentError as problem:
+            stop(f"--time: {problem}")
     else:
         from gantline.export.video import write_video
 

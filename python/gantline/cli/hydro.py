@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from gantline.cli.lift import quantity_of, refuse_to_replace
+from gantline.cli.lift import quantity_of, refuse_to_replace, unit_of
 from gantline.cli.messages import DONE, stop, warn, writing
 from gantline.replacing import replaced
 
@@ -127,7 +127,7 @@ def hydro(
     from gantline.hydro import Attitude, HullError, hydrostatics, read_hull
 
     try:
-        found = read_hull(hull, unit, up=_AXES.get(up or ""), half=half)
+        found = read_hull(hull, unit_of(unit), up=_AXES.get(up or ""), half=half)
     except HullError as problem:
         stop(str(problem))
     low, high = found.box

@@ -6,12 +6,13 @@ import glob
 import os
 import tempfile
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, overload
 
 import typer
 
-from gantline.cli.messages import BAD_INPUT, scenario_errors, stop, warn, writing
+from gantline.cli.messages import scenario_errors, stop, warn, writing
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 #: Name of the recording in a folder that `gantline run` wrote.
 RECORDING = "recording.nc"
 
-Setting = str | float | bool | None
+Setting = str | float | bool
 
 
 def lifts_that_begin(incomplete: str) -> list[str]:
@@ -80,6 +81,15 @@ def quantity_of(option: str, text: str | None, dimension: str) -> float | None:
         stop(f"{option}: {problem}")
 
 
+def unit_of(text: str | None) -> str | None:
+    """A unit of length as it stands behind `--unit`; None if the option was not given."""
+    from gantline.units import DIMENSIONS
+
+    if text is not None and text not in DIMENSIONS["length"]:
+        stop(f"--unit: '{text}' is no unit of length; there are {', '.join(DIMENSIONS['length'])}")
+    return text
+
+
 def moment_of(time: str | None) -> float | None:
     """Time of the plan that was asked for [s]; None for the end of the lift."""
     moment = quantity_of("--time", time, "time")
@@ -94,22 +104,36 @@ def refuse_beyond(scenario: Scenario, moment: float | None) -> None:
         stop(f"--time: {moment:g} s is after the end of the lift at {scenario.duration:g} s")
 
 
-def prepare(lift: Path, overrides: Mapping[str, Setting], side: str = "") -> Simulation:
-    """A lift that is ready to run; what is wrong with it ends the program.
+@dataclass(frozen=True)
+class TypedSetting:
+    """A setting in place of that of a lift file.
+
+    Attributes:
+        option: How it was named: `--step`, `--b step`.
+        text: What was typed.
+        value: The same, SI.
+    """
+
+    option: str
+    text: str
+    value: Setting
+
+
+def prepare(lift: Path, settings: Mapping[str, TypedSetting]) -> Simulation:
+    """A lift that is ready to run; what is wrong with it, or with a setting as typed, ends the program.
 
     Args:
         lift: Lift file, folder, or name of a lift that comes with gantline.
-        overrides: Settings in place of those of the lift file, SI.
-        side: What messages about settings begin with, where there are several lifts.
+        settings: In place of those of the lift file, by their names.
     """
     with scenario_errors():
         from gantline.overrides import SettingError
         from gantline.simulation import Simulation
 
         try:
-            return Simulation(lift, **overrides)
+            return Simulation(lift, **{name: one.value for name, one in settings.items()})
         except SettingError as problem:
-            stop(f"{side}{problem}", BAD_INPUT)
+            stop(problem.as_typed({name: (one.option, one.text) for name, one in settings.items()}))
 
 
 def recording_file(lift: Path) -> Path | None:

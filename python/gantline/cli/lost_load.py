@@ -79,12 +79,27 @@ def _as_lines(question: Statics, found: LostLoad) -> list[str]:
         f"'{found.load}' lost at {found.rest.time:g} s; at rest without it: {state}",
     ]
     lines += ["", *vessels(found.rest.recording), "", *righting(found.heights)]
+    if found.under_with_load:
+        lines += ["", *(line for vessel in found.under_with_load for line in _under(found, vessel))]
     if not found.swings:
         stands = f": '{found.load}' stands then; --time says when in the plan it is lost"
         return [*lines, "", f"It turns no vessel{stands if found.stands else ''}", ""]
     lines += ["", *table(_SWING, [_swing(one) for one in found.swings], "llrrrrr")]
     lines += ["", *table(_WORK, [_work(one) for one in found.swings], "lrrrrr")]
     return [*lines, *(note for one in found.swings for note in _notes(one)), ""]
+
+
+def _under(found: LostLoad, vessel: str) -> list[str]:
+    """What of a vessel is under water before the load is lost."""
+    from gantline.checks.measure import named
+
+    openings = found.flooded.get(vessel, [])
+    if openings:
+        comes = "water comes in, which arms and areas do not know of"
+        return [
+            f"  WARNING: {vessel} has {named(openings)} under water already with '{found.load}' on: {comes}"
+        ]
+    return [f"  {vessel} has the edge of its deck under water already with '{found.load}' on"]
 
 
 def _swing(one: Swing) -> tuple[str, ...]:

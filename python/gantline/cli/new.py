@@ -4,12 +4,33 @@ from __future__ import annotations
 
 import shlex
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperCommand
 
 from gantline.cli.messages import stop, writing
 from gantline.replacing import replace_bytes
+
+
+class NamesLifts(TyperCommand):
+    """A verb whose help names the lifts that come with gantline, which are looked up when it is asked for."""
+
+    # typer has a copy of click inside, so context and formatter have no public names.
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        """The lifts, then the examples."""
+        from gantline.scenario.shipped import shipped
+
+        with formatter.section("Lifts that come with gantline"):
+            formatter.write_text(", ".join(shipped()))
+        super().format_epilog(ctx, formatter)
+
+
+def _lifts_that_begin(incomplete: str) -> list[str]:
+    """What a shell offers behind `--from`."""
+    from gantline.scenario.shipped import shipped
+
+    return [name for name in shipped() if name.startswith(incomplete)]
 
 
 def new(
@@ -19,7 +40,10 @@ def new(
     source: Annotated[
         str | None,
         typer.Option(
-            "--from", metavar="NAME", help="Start from a lift that comes with gantline: equalizer, ..."
+            "--from",
+            metavar="NAME",
+            help="Start from a lift that comes with gantline; their names stand below.",
+            autocompletion=_lifts_that_begin,
         ),
     ] = None,
 ) -> None:

@@ -11,7 +11,7 @@ import typer
 
 from gantline.cli.lift import (
     Lift,
-    Setting,
+    TypedSetting,
     folder_option,
     name_of,
     output_folder,
@@ -83,14 +83,17 @@ def run(
     Ctrl-C stops the lift, saves what there is and ends with code 130.
     """
     clock = _Clock()
-    overrides: dict[str, Setting] = {
-        "integrator": integrator,
-        "step": quantity_of("--step", step, "time"),
-        "tension_tolerance": quantity_of("--tension-tolerance", tension_tolerance, "force"),
-        "sample_interval": quantity_of("--sample-interval", sample_interval, "time"),
-        "duration": quantity_of("--duration", duration, "time"),
+    settings = {} if integrator is None else {"integrator": _typed("--integrator", integrator)}
+    quantities = {
+        "step": (step, "time"),
+        "tension_tolerance": (tension_tolerance, "force"),
+        "sample_interval": (sample_interval, "time"),
+        "duration": (duration, "time"),
     }
-    simulation = prepare(lift, overrides)
+    for name, (text, dimension) in quantities.items():
+        if text is not None:
+            settings[name] = _typed(f"--{name.replace('_', '-')}", text, dimension)
+    simulation = prepare(lift, settings)
     if profile:
         simulation.measure()
     folder = output_folder(output if output is not None else Path("results") / name_of(lift))
@@ -136,6 +139,11 @@ class _Clock:
         now = time.perf_counter()
         self.laps.append((stage, now - self._last))
         self._last = now
+
+
+def _typed(option: str, text: str, dimension: str | None = None) -> TypedSetting:
+    """What stands behind an option: a quantity, or a word."""
+    return TypedSetting(option, text, text if dimension is None else quantity_of(option, text, dimension))
 
 
 def _simulate(simulation: Simulation, folder: Path, view: LiveView | None) -> Recording:

@@ -13,7 +13,7 @@ import typer
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, NO_VERDICT, scenario_errors, stop
 
 if TYPE_CHECKING:
-    from gantline.study.sweep import SweepPoint
+    from gantline.study.sweep import SweepError, SweepPoint
 
 _WRITTEN = "a sweep is written like 'cranes.hook.at.z=36 m..37 m/5', five values from 36 m to 37 m"
 _MOST = 1000
@@ -40,6 +40,7 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
         from gantline.scenario import load_scenario
         from gantline.scenario.tree_path import PathError
         from gantline.study import run_sweep
+        from gantline.study.sweep import SweepError
         from gantline.units import UnitError
 
         scenario = load_scenario(lift)
@@ -48,6 +49,8 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
             points = list(run_sweep(scenario, path, first, last, count, time))
         except (PathError, UnitError) as problem:
             stop(f"--sweep: {problem}")
+        except SweepError as problem:
+            stop(_wrong_value(path, problem))
     if as_json:
         found = [{"value": point.value, **point.state.to_json()} for point in points]
         document = {"path": path, "left_out": scenario.left_out_at_rest, "points": found}
@@ -60,6 +63,16 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
     if not all(state.is_sound for state in states):
         raise typer.Exit(CHECK_FAILED)
     raise typer.Exit(NO_VERDICT if nothing_hangs(states) else DONE)
+
+
+def _wrong_value(path: str, problem: SweepError) -> str:
+    """What a value makes wrong, a line each; the lift file has no line that says it."""
+    from gantline.scenario.errors import Problem, ScenarioError
+
+    elsewhere = (
+        Problem(None, "" if one.path == path else one.path, one.sentence) for one in problem.problems
+    )
+    return str(ScenarioError(f"--sweep: {path}={problem.value}", list(elsewhere)))
 
 
 def _read(text: str) -> tuple[str, str, str, int]:

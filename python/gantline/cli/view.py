@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import threading
 import webbrowser
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -26,27 +26,23 @@ def view(
     Equilibrium and cases of the same lift beside it are shown and watched too. The page is served to this
     machine alone, at an address that nobody can guess.
     """
-    from gantline.report import render_report
-    from gantline.results import open_recording
-    from gantline.results.saved import FILES_BESIDE, read_beside
     from gantline.viewer import BundleMissing
     from gantline.viewer.server import PageServer
 
     file = asked_for(recording)
-    beside = [file.parent / name for name in FILES_BESIDE]
-
-    def page() -> str:
-        recording = open_recording(file)
-        return render_report(recording, beside=read_beside(file.parent, recording), reload_from="version")
-
+    page = _Page(file)
     try:
-        page()
-    except (BundleMissing, FileNotFoundError, ValueError) as problem:
-        stop(f"{file}: {problem}" if str(file) not in str(problem) else str(problem))
-    try:
-        server = PageServer(page, lambda: _state(file, beside), port)
+        server = PageServer(page.text, page.state, port)
     except OSError as problem:
-        stop(f"port {port}: cannot be used ({(problem.strerror or str(problem)).lower()})")
+        stop(f"--port: {port} cannot be used ({(problem.strerror or str(problem)).lower()})")
+    if file.is_file():
+        size = f"{file.stat().st_size / 1e6:.3g} MB"
+        typer.echo(f"making the page of {file} ({size}); it will be at {server.address}", err=True)
+    try:
+        page.text()
+    except (BundleMissing, FileNotFoundError, ValueError) as problem:
+        server.server_close()
+        stop(f"{file}: {problem}" if str(file) not in str(problem) else str(problem))
     typer.echo(f"{server.address}\nCtrl-C ends it.")
     if browser:
         webbrowser.open(server.address)
@@ -58,10 +54,49 @@ def view(
         server.server_close()
 
 
-def _state(recording: Path, beside: Sequence[Path]) -> str:
-    """Changes whenever one of the files is written anew; 'gone' while there is no recording to show."""
-    own = _state_of(recording)
-    return own if own == _GONE else " ".join([own, *map(_state_of, beside)])
+class _Page:
+    """The report of a recording, made anew only when what it shows has changed: that takes seconds.
+
+    Args:
+        file: The recording.
+    """
+
+    def __init__(self, file: Path) -> None:
+        from gantline.results.saved import FILES_BESIDE
+
+        self._file = file
+        self._beside = [file.parent / name for name in FILES_BESIDE]
+        self._made_of = ""
+        self._text = ""
+        # Pages ask each in a thread of its own; the second one waits for what is made for the first.
+        self._making = threading.Lock()
+
+    def state(self) -> str:
+        """Changes whenever one of the files is written anew; 'gone' while there is no recording to show."""
+        own = _state_of(self._file)
+        return own if own == _GONE else " ".join([own, *map(_state_of, self._beside)])
+
+    def text(self) -> str:
+        """The report as HTML.
+
+        Raises:
+            BundleMissing: If the player is not built.
+            FileNotFoundError: If there is no recording.
+            ValueError: If it is none.
+        """
+        from gantline.report import render_report
+        from gantline.results import open_recording
+        from gantline.results.saved import read_beside
+
+        with self._making:
+            # Of before it is read: what is written meanwhile is another state.
+            state = self.state()
+            if state != self._made_of or state == _GONE:
+                recording = open_recording(self._file)
+                beside = read_beside(self._file.parent, recording)
+                self._text = render_report(recording, beside=beside, reload_from="version")
+                self._made_of = state
+            return self._text
 
 
 def _state_of(file: Path) -> str:

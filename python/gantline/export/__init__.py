@@ -2,6 +2,14 @@
 
 from gantline.export.gltf import gltf_binary
 from gantline.export.rerun_file import RerunMissing, write_rerun
-from gantline.export.tables import TableError, write_csv, write_parquet
+from gantline.export.tables import TableError, VariableError, write_csv, write_parquet
 
-__all__ = ["RerunMissing", "TableError", "gltf_binary", "write_csv", "write_parquet", "write_rerun"]
+__all__ = [
+    "RerunMissing",
+    "TableError",
+    "VariableError",
+    "gltf_binary",
+    "write_csv",
+    "write_parquet",
+    "write_rerun",
+]

@@ -17,6 +17,10 @@ class TableError(ValueError):
     """A table that cannot be made; the message is a plain sentence."""
 
 
+class VariableError(TableError):
+    """A variable that is asked for is not there, or not over time."""
+
+
 def columns(recording: Recording, variables: Sequence[str] = ()) -> Iterator[tuple[str, FloatArray]]:
     """Columns of a table: `time [s]`, then `rope_tension.sling.S1 [N]` and so on, SI units.
 
@@ -25,14 +29,14 @@ def columns(recording: Recording, variables: Sequence[str] = ()) -> Iterator[tup
         variables: Which; all over time, but for `rope_point`, where none is named.
 
     Raises:
-        TableError: If a variable is not there, or not over time.
+        VariableError: If a variable is not there, or not over time.
     """
     over_time = [
         name for name, one in recording.variables.items() if one.dims[:1] == ("time",) and name != "time"
     ]
     for name in variables:
         if name not in over_time:
-            raise TableError(
+            raise VariableError(
                 f"no variable '{name}' over time in this recording; it has {', '.join(over_time)}"
             )
     yield "time [s]", recording.time

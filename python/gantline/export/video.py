@@ -27,6 +27,10 @@ class VideoError(ValueError):
     """A film that cannot be made; the message is a plain sentence."""
 
 
+class MomentError(ValueError):
+    """A moment that is asked for is not within the recording."""
+
+
 def write_still(recording: Recording, path: Path, time: float | None = None) -> None:
     """Write a picture of one moment as PNG.
 
@@ -36,13 +40,14 @@ def write_still(recording: Recording, path: Path, time: float | None = None) -> 
         time: The moment [s], the nearest sample counts; None for the end.
 
     Raises:
-        ValueError: If there is nothing to draw, or the moment is not within the recording.
+        MomentError: If the moment is not within the recording.
+        ValueError: If there is nothing to draw.
         OSError: If it cannot be written there.
     """
     film = Film(recording)
     times = recording.time
     if time is not None and not times[0] <= time <= times[-1]:
-        raise ValueError(
+        raise MomentError(
             f"{time:g} s is not within the recording, which goes from {times[0]:g} s to {times[-1]:g} s"
         )
     sample = len(times) - 1 if time is None else int(np.argmin(np.abs(times - time)))

@@ -245,6 +245,8 @@ def _release(subject: Subject) -> list[tuple[str, str]]:
 
 
 def _comes_back(lost: SavedLostLoad) -> str:
+    if lost.flooded:
+        return f"UNDER WATER ALREADY WITH IT: {', '.join(lost.flooded)}"
     if not lost.swings:
         return "no vessel turns" if lost.is_sound else "no vessel is stable without it"
     return "comes back" if lost.is_sound else "DOES NOT COME BACK"

@@ -54,7 +54,7 @@ class FirstPage(Section):
         return {
             "rig": subject.rig,
             "is_lift": subject.is_lift,
-            "cranes": ", ".join(dict.fromkeys(hook.crane or hook.name for hook in subject.rig.hooks)),
+            "cranes": list(dict.fromkeys(hook.crane or hook.name for hook in subject.rig.hooks)),
             "version": str(subject.recording.attributes.get("gantline_version", "")),
             "fingerprint": fingerprint(subject),
             "verdict": _verdict(subject),

@@ -21,7 +21,20 @@ def differs(one: float, other: float, unit: str) -> bool:
     """Whether two values, SI, of a quantity that people read in a unit differ by more than rounding."""
     if math.isinf(one) or math.isinf(other):
         return one != other
-    return abs(one - other) > max(ROUNDING * abs(other), nothing(unit))
+    return without_rounding(one - other, other, unit) != 0.0
+
+
+def without_rounding(difference: float, scale: float, unit: str) -> float:
+    """A difference, SI, of a quantity that people read in a unit; 0 where it is no more than rounding.
+
+    Args:
+        difference: Of two values, or what is left of many such.
+        scale: The larger of these.
+        unit: Unit in which people read them.
+    """
+    if math.isinf(difference) or math.isinf(scale):
+        return difference
+    return 0.0 if abs(difference) <= max(ROUNDING * abs(scale), nothing(unit)) else difference
 
 
 def nothing(unit: str) -> float:

@@ -176,10 +176,11 @@ class SavedLostLoad:
 
     Attributes:
         scenario_sha256: Of the lift file's text.
-        is_sound: Whether all vessels come back, and rest without the load.
+        is_sound: Whether all vessels are dry with the load, come back, and rest without it.
         load: Its name.
         time: When it is lost [s].
         swings: Of the vessels that turn.
+        flooded: Openings under water already with the load on, of all vessels.
     """
 
     scenario_sha256: str
@@ -187,6 +188,7 @@ class SavedLostLoad:
     load: str
     time: float
     swings: Sequence[SavedSwing]
+    flooded: Sequence[str] = ()
 
     @classmethod
     def from_json(cls, document: Any) -> SavedLostLoad:
@@ -202,6 +204,8 @@ class SavedLostLoad:
             _text(whole, "load"),
             _number(whole, "time"),
             [_swing(_object(one)) for one in _list(whole, "swings")],
+            # Files from before there was the word say nothing of it.
+            [str(one) for one in _list(whole, "flooded")] if "flooded" in whole else [],
         )
 
 

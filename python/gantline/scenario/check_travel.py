@@ -15,12 +15,13 @@ from gantline.scenario.hooks import trolley_name
 from gantline.scenario.movers import Mover, boom_angles_at_end, mover
 from gantline.scenario.steps import HookStep, Kind, MovingStep
 
-__all__ = ["check_travel", "said"]
+__all__ = ["Bounds", "bounds_after", "check_travel", "said"]
 
 #: Rounding of positions that steps add up [m].
 _ROUNDING = 1e-9
 
-_Bounds = tuple[float, float]
+#: Between which positions something is, as `to` counts it [m, rad].
+Bounds = tuple[float, float]
 
 #: Units of messages: of positions, speeds and accelerations.
 _METRES = {"position": ("m", 1.0), "speed": ("m/min", 60.0), "acceleration": ("m/s^2", 1.0)}
@@ -39,7 +40,7 @@ def said(kind: Kind, value: float, of: str) -> str:
 
 def check_travel(findings: Findings) -> None:
     """Note steps that leave the range of a trolley, crane or boom, or hoist a hook too high."""
-    where: dict[str, _Bounds] = {}
+    where: dict[str, Bounds] = {}
     plan = findings.scenario.plan
     for place, (step, angles) in enumerate(zip(plan, boom_angles_at_end(findings.scenario), strict=True)):
         if not isinstance(step, MovingStep):
@@ -52,7 +53,7 @@ def check_travel(findings: Findings) -> None:
             angle, is_known = (0.0, True) if one.head is None else angles[one.head.boom]
             head_up = 0.0 if one.head is None else one.head.rise(angle)
             before = where.get(one.name, (one.start, one.start))
-            where[one.name] = after = _after(step, before, head_up)
+            where[one.name] = after = bounds_after(step, before, head_up)
             key = (
                 "to" if getattr(step, "to", None) is not None else "by" if step.by is not None else step.verb
             )
@@ -66,11 +67,18 @@ def check_travel(findings: Findings) -> None:
             _check_distances(findings, ("plan", place), where)
 
 
-def _raised(bounds: _Bounds, by: float) -> _Bounds:
+def _raised(bounds: Bounds, by: float) -> Bounds:
     return bounds[0] + by, bounds[1] + by
 
 
-def _after(step: MovingStep, before: _Bounds, head_up: float) -> _Bounds:
+def bounds_after(step: MovingStep, before: Bounds, head_up: float = 0.0) -> Bounds:
+    """Where a step leaves what it moves.
+
+    Args:
+        step: The step.
+        before: Where that was before.
+        head_up: How far the boom head that it hangs from has gone up [m].
+    """
     to = getattr(step, "to", None)
     if to is not None:
         return to - head_up, to - head_up
@@ -82,7 +90,7 @@ def _after(step: MovingStep, before: _Bounds, head_up: float) -> _Bounds:
     return (before[0], math.inf) if step.sign > 0 else (-math.inf, before[1])
 
 
-def _check_direction(findings: Findings, path: Path, step: HookStep, before: _Bounds) -> None:
+def _check_direction(findings: Findings, path: Path, step: HookStep, before: Bounds) -> None:
     if step.to is None:
         return
     if step.sign > 0 and step.to < before[0] - _ROUNDING:
@@ -93,7 +101,7 @@ def _check_direction(findings: Findings, path: Path, step: HookStep, before: _Bo
         findings.add(path, f"{sentence} to {step.to:g} m; a 'hoist' step is right here")
 
 
-def _check_range(findings: Findings, path: Path, one: Mover, after: _Bounds) -> None:
+def _check_range(findings: Findings, path: Path, one: Mover, after: Bounds) -> None:
     if one.range is None:
         return
     low, high = one.range
@@ -111,7 +119,7 @@ def _check_range(findings: Findings, path: Path, one: Mover, after: _Bounds) -> 
     findings.add(path, f"'{one.name}' would come to {there}; {right}")
 
 
-def _check_distances(findings: Findings, path: Path, where: dict[str, _Bounds]) -> None:
+def _check_distances(findings: Findings, path: Path, where: dict[str, Bounds]) -> None:
     """Hooks of different trolleys keep their distance where the trolleys come to rest."""
     for name, crane in (findings.scenario.cranes or {}).items():
         if not isinstance(crane, Goliath) or crane.hook_distance is None:

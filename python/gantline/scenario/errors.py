@@ -5,10 +5,11 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 __all__ = [
     "MOST_SHOWN",
+    "Doubt",
     "Problem",
     "ScenarioError",
     "StartError",
@@ -36,6 +37,18 @@ class Problem:
     path: str
     sentence: str
 
+    def of(self, source: str) -> str:
+        """The problem as one line of a message, behind the name of its file."""
+        place = source if self.line is None else f"{source}:{self.line}"
+        return f"{place}: {self.path}: {self.sentence}" if self.path else f"{place}: {self.sentence}"
+
+
+class Doubt(NamedTuple):
+    """What a lift file may have and cannot well mean: its path, where one is to blame, and a sentence."""
+
+    path: tuple[PathPart, ...]
+    sentence: str
+
 
 class ScenarioError(ValueError):
     """A lift file cannot be used; ``str()`` is the whole message, one problem per line.
@@ -57,11 +70,7 @@ class ScenarioError(ValueError):
         return type(self), (self.source, self.problems)
 
     def _message(self) -> str:
-        lines = []
-        for problem in self.problems[:MOST_SHOWN]:
-            place = self.source if problem.line is None else f"{self.source}:{problem.line}"
-            path = f"{problem.path}: " if problem.path else ""
-            lines.append(f"{place}: {path}{problem.sentence}")
+        lines = [problem.of(self.source) for problem in self.problems[:MOST_SHOWN]]
         if len(self.problems) > MOST_SHOWN:
             lines.append(f"{self.source}: and {len(self.problems) - MOST_SHOWN} more")
         return "\n".join(lines)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
@@ -155,6 +155,7 @@ class Mode:
             (body, 6), in the order of `bodies`, of the shape with xᵀ M x = 1 [1/√kg].
         motion: What moves, in words.
         bodies: Their names.
+        flows: Velocity of rope over each sheave, or off each drum, that turns by itself, by its name [1/√kg].
     """
 
     number: int
@@ -163,6 +164,7 @@ class Mode:
     body_motion: Floats
     motion: str
     bodies: tuple[str, ...] = ()
+    flows: Mapping[str, float] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         if self.period is not None:

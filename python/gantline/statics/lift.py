@@ -31,7 +31,7 @@ from gantline.statics.answers import (
     likely,
 )
 from gantline.statics.linear import LinearModel, linear_model
-from gantline.statics.motion import in_words
+from gantline.statics.motion import drums_of, in_words
 from gantline.statics.pieces import Pieces
 from gantline.statics.streaming import leading_away, leads_straight, motions, streams
 from gantline.version import version
@@ -318,17 +318,22 @@ class Statics:
         found = self._core.modes(count, whole)
         ratios = found["damping_ratio"]
         names, turned = self._core.names()["body"], self._core.columns()["body_orientation"][-1]
-        return [
-            Mode(
+        drums = drums_of(self.assembly.document)
+
+        def mode(number: int, square: float) -> Mode:
+            flows = {name: float(found["shape"][number][dof]) for name, dof in found["flows"]}
+            motion = found["body_motion"][number]
+            return Mode(
                 number=number,
-                square=float(square),
+                square=square,
                 damping_ratio=None if math.isnan(ratios[number]) else float(ratios[number]),
-                body_motion=found["body_motion"][number],
+                body_motion=motion,
                 bodies=tuple(names),
-                motion=in_words(found["body_motion"][number], names, self._bodies, turned),
+                motion=in_words(motion, names, self._bodies, turned, flows, drums),
+                flows=flows,
             )
-            for number, square in enumerate(found["square"])
-        ]
+
+        return [mode(number, float(square)) for number, square in enumerate(found["square"])]
 
     @_one_at_a_time
     def linear_model(self, frequency: float | None = None) -> LinearModel:
@@ -356,7 +361,7 @@ class Statics:
 
         Args:
             mode: Of the modes found last.
-            amplitude: Largest displacement of any body [m] or turn [rad].
+            amplitude: Largest displacement of any body, or of rope over a sheave or drum [m], or turn [rad].
             frames: Samples, from 1 on.
 
         Raises:
@@ -367,7 +372,7 @@ class Statics:
         if not (math.isfinite(amplitude) and frames >= 1):
             raise ValueError(f"no motion of {frames} frames with the amplitude {amplitude:g} can be shown")
         moved = mode.body_motion.reshape(-1, 2, 3)
-        largest = float(np.linalg.norm(moved, axis=2).max())
+        largest = max([float(np.linalg.norm(moved, axis=2).max()), *map(abs, mode.flows.values())])
         self._core.swing(mode.number, amplitude / largest if largest > 0.0 else 0.0, frames)
         return self._recording(f"mode {mode.number + 1}: {mode.motion}")
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -20,19 +20,30 @@ _SHOWS = 0.3
 _ALONG = 0.98
 
 
-def in_words(motion: Floats, names: Sequence[str], bodies: Mapping[str, Body], turned: Floats) -> str:
-    """What moves: the bodies with the most kinetic energy.
+def in_words(
+    motion: Floats,
+    names: Sequence[str],
+    bodies: Mapping[str, Body],
+    turned: Floats,
+    flows: Mapping[str, float] | None = None,
+    drums: Collection[str] = (),
+) -> str:
+    """What moves: the bodies, drums and sheaves with the most kinetic energy.
 
     Args:
         motion: Velocity of each body's centre of gravity and its angular velocity, world axes, (body, 6).
         names: Of the bodies.
-        bodies: What the document says of them.
-        turned: Their attitudes, unit quaternions, (body, 4).
+        bodies: What the document says of them, and of flows.
+        turned: Attitudes of the bodies, unit quaternions, (body, 4).
+        flows: Velocity of rope over each sheave or off each drum by its name.
+        drums: Which of these are drums.
     """
+    flows = flows or {}
     energies = np.array(
         [_energies(bodies[name], *one) for name, *one in zip(names, motion, turned, strict=True)]
-    )
-    total = energies.sum(axis=1)
+    ).reshape(-1, 2)
+    of_flows = [0.5 * float(bodies[name]["joint"]["inertia"]) * speed**2 for name, speed in flows.items()]
+    total = np.array([*energies.sum(axis=1), *of_flows])
     if total.sum() <= 0.0:
         return "rope runs over sheaves"
     share = total / total.sum()
@@ -40,7 +51,19 @@ def in_words(motion: Floats, names: Sequence[str], bodies: Mapping[str, Body], t
     share = np.round(share / ROUNDING) * ROUNDING
     order = np.argsort(-share, kind="stable")
     named = [index for index in order if share[index] >= _TAKES_PART][:2] or order[:1]
-    return ", ".join(_moves(names[index], motion[index], energies[index]) for index in named)
+    runs = [f"drum {name} turns" if name in drums else f"sheave {name} turns" for name in flows]
+    return ", ".join(
+        _moves(names[index], motion[index], energies[index])
+        if index < len(names)
+        else runs[index - len(names)]
+        for index in named
+    )
+
+
+def drums_of(document: Mapping[str, Any]) -> set[str]:
+    """Names of the flows by which drums pay rope out; others are rope over sheaves."""
+    guides = (guide for rope in document.get("ropes", ()) for guide in rope["route"])
+    return {guide["drum"]["flow"] for guide in guides if guide.get("drum")}
 
 
 def _energies(body: Body, motion: Floats, quaternion: Floats) -> tuple[float, float]:

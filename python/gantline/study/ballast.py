@@ -25,7 +25,13 @@ from gantline.scenario.variants import with_values, without_cases
 from gantline.scenario.water import BallastTank
 from gantline.statics import Equilibrium, NoEquilibriumError
 from gantline.study.afloat import Afloat, VesselAttitude
-from gantline.study.ballast_question import moment_of, refuse_draft, tanks_that_may_change, vessel_of
+from gantline.study.ballast_question import (
+    QuestionError,
+    moment_of,
+    refuse_draft,
+    tanks_that_may_change,
+    vessel_of,
+)
 from gantline.study.newton import CannotBeError
 from gantline.units import format_quantity, si_text
 
@@ -163,12 +169,16 @@ def solve_ballast(
         CannotBeError: If it cannot be had, or the vessel would not be stable so, with the reason.
         NoEquilibriumError: If the lift as it is given has no equilibrium.
         ScenarioError: If the lift file is not right.
-        ValueError: If a vessel, a step or a tank is asked for that there is not, an angle is none, or a draft
-            is not that of a vessel whose deck is dry.
+        QuestionError: If a vessel, a step or a tank is asked for that there is not, an angle is none, or a
+            draft is not that of a vessel whose deck is dry; a ValueError that says which argument that is.
+        ValueError: If no vessel of the lift has tanks.
     """
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
-    if max(abs(heel), abs(trim)) >= math.pi / 4:
-        raise ValueError("heel and trim are less than 45 deg")
+    for argument, angle in (("heel", heel), ("trim", trim)):
+        if abs(angle) >= math.pi / 4:
+            raise QuestionError(
+                argument, f"{math.degrees(angle):g} deg is too steep; less than 45 deg is right"
+            )
     name = vessel_of(scenario, vessel)
     chosen = tanks_that_may_change(scenario, name, tanks)
     if draft is not None:

@@ -1,11 +1,12 @@
 """What is asked for where contents of tanks are: the vessel, its tanks, the moment, a draft that can be.
 
-What cannot be is a `ValueError` with a sentence.
+What cannot be is a `QuestionError` with a sentence, that says which of the arguments it is about.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from gantline.assembly.hulls import hull_mesh
 from gantline.scenario import Scenario
@@ -14,24 +15,41 @@ from gantline.scenario.hooks import full_name
 from gantline.scenario.tanks import bodies_afloat
 from gantline.study.moment import end_of_step
 
-__all__ = ["moment_of", "refuse_draft", "tanks_that_may_change", "vessel_of"]
+__all__ = ["QuestionError", "moment_of", "refuse_draft", "tanks_that_may_change", "vessel_of"]
+
+
+class QuestionError(ValueError):
+    """What is asked for cannot be; the message is a plain sentence.
+
+    Attributes:
+        argument: Of `solve_ballast`, that has to be another.
+    """
+
+    def __init__(self, argument: str, sentence: str) -> None:
+        super().__init__(sentence)
+        self.argument = argument
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle: an error of a process that works for another one arrives there whole."""
+        return type(self), (self.argument, str(self))
 
 
 def vessel_of(scenario: Scenario, name: str | None) -> str:
     """The vessel of a name; without one that which alone has tanks.
 
     Raises:
-        ValueError: If there is no such vessel with tanks, or not one alone; the message says which there are.
+        QuestionError: If there is no such vessel with tanks, or not one alone; it says which there are.
+        ValueError: If no vessel has tanks.
     """
     fitting = [one for one, body in bodies_afloat(scenario).items() if body.floats_freely and body.tanks]
     if name is not None:
         if name not in fitting:
-            raise ValueError(f"'{name}' is not a vessel with tanks; {nearest(name, fitting)}")
+            raise QuestionError("vessel", f"'{name}' is not a vessel with tanks; {nearest(name, fitting)}")
         return name
     if not fitting:
         raise ValueError("no vessel with tanks floats in this lift; give one 'tanks'")
     if len(fitting) > 1:
-        raise ValueError(f"{', '.join(fitting)} have tanks; say which of them is meant")
+        raise QuestionError("vessel", f"{', '.join(fitting)} have tanks; say which of them is meant")
     return fitting[0]
 
 
@@ -39,7 +57,7 @@ def tanks_that_may_change(scenario: Scenario, vessel: str, tanks: Sequence[str] 
     """Names of the tanks that may change, as the vessel has them.
 
     Raises:
-        ValueError: If one of them is no tank of the vessel, or none is left.
+        QuestionError: If one of them is no tank of the vessel, or none is left.
     """
     own = bodies_afloat(scenario)[vessel].tanks or {}
     if tanks is None:
@@ -49,10 +67,10 @@ def tanks_that_may_change(scenario: Scenario, vessel: str, tanks: Sequence[str] 
     for text in tanks:
         full = full_name(text, known)
         if full is None:
-            raise ValueError(f"'{text}' is not a tank of {vessel}; {nearest(text, own)}")
+            raise QuestionError("tanks", f"'{text}' is not a tank of {vessel}; {nearest(text, own)}")
         found.append(known[full])
     if not found:
-        raise ValueError("no tank may change; name one at least")
+        raise QuestionError("tanks", "no tank may change; name one at least")
     return list(dict.fromkeys(found))
 
 
@@ -60,33 +78,35 @@ def refuse_draft(scenario: Scenario, vessel: str, draft: float) -> None:
     """Refuse a draft [m] with which the keel would be out of the water, or the deck under it.
 
     Raises:
-        ValueError: If it is one.
+        QuestionError: If it is one.
     """
     hull = hull_mesh(scenario, vessel, bodies_afloat(scenario)[vessel])
     assert hull is not None  # it floats
     keel, deck = hull.box[:, 2]
     if not keel < draft < deck:
         sentence = f"a draft of {draft:g} m is not between the keel of {vessel} at {keel:g} m and its deck"
-        raise ValueError(f"{sentence} at {deck:g} m; it floats with its deck dry")
+        raise QuestionError("draft", f"{sentence} at {deck:g} m; it floats with its deck dry")
 
 
 def moment_of(scenario: Scenario, time: float | None, step: str | None) -> float:
     """The moment that is meant [s]: a time, the end of a step, or the end of the lift.
 
     Raises:
-        ValueError: If that is not in the lift, or both are given.
+        QuestionError: If that is not in the lift, or both are given.
     """
     if step is None:
         moment = scenario.duration if time is None else time
         if not 0.0 <= moment <= scenario.duration:
-            raise ValueError(f"{moment:g} s is not in the lift, which lasts {scenario.duration:g} s")
+            raise QuestionError(
+                "time", f"{moment:g} s is not in the lift, which lasts {scenario.duration:g} s"
+            )
         return moment
     if time is not None:
-        raise ValueError("a time and a step are given; one of them says when")
+        raise QuestionError("step", "a time and a step are given; one of them says when")
     steps = [one.step for one in scenario.plan]
     if step not in steps:
-        raise ValueError(f"'{step}' is not a step of the plan; {nearest(step, steps)}")
+        raise QuestionError("step", f"'{step}' is not a step of the plan; {nearest(step, steps)}")
     end = end_of_step(scenario, step)
     if end is None:
-        raise ValueError(f"'{step}' does not begin within the {scenario.duration:g} s of the lift")
+        raise QuestionError("step", f"'{step}' does not begin within the {scenario.duration:g} s of the lift")
     return end

@@ -51,6 +51,8 @@ _FARTHEST = math.radians(50.0)
 _STEP = math.radians(0.5)
 #: Share of a load that hangs at least where something may part that it hangs by [1].
 _HANGS_FROM = 0.05
+#: Share of its weight with which a load rests on something, and not by rounding [1].
+_TOUCHES = 1e-6
 #: Roots of angles are found to this [rad].
 _ANGLE = 1e-10
 
@@ -121,6 +123,8 @@ class LostLoad:
         heights: Metacentric heights of the vessels there.
         swings: Of the vessels that it moves.
         stands: Whether less than 5 % of it hung, so that nothing it hung by could part.
+        under_with_load: What of each vessel is under water with the load still on, deck edge or openings, by
+            the vessel's name; of those that have any.
     """
 
     load: str
@@ -128,11 +132,22 @@ class LostLoad:
     heights: Mapping[str, MetacentricHeights]
     swings: Sequence[Swing]
     stands: bool
+    under_with_load: Mapping[str, Sequence[str]] = field(default_factory=dict)
+
+    @property
+    def flooded(self) -> dict[str, list[str]]:
+        """Openings that water comes in by before the load is lost, by vessel; arms do not know of it."""
+        openings = {
+            vessel: [mark for mark in marks if mark != DECK_EDGE]
+            for vessel, marks in self.under_with_load.items()
+        }
+        return {vessel: marks for vessel, marks in openings.items() if marks}
 
     @property
     def is_sound(self) -> bool:
-        """Whether all vessels come back, and rest without the load."""
-        return self.rest.is_stable and all(swing.is_held for swing in self.swings)
+        """Whether all vessels are dry with the load, come back, and rest without it."""
+        comes_back = all(swing.is_held for swing in self.swings)
+        return self.rest.is_stable and comes_back and not self.flooded
 
     def to_json(self) -> dict[str, Any]:
         """All of it as a JSON object, SI units, with the lift file that it belongs to."""
@@ -141,6 +156,8 @@ class LostLoad:
             "scenario_sha256": digest_of(str(self.rest.recording.attributes["scenario"])),
             "sound": self.is_sound,
             "stands": self.stands,
+            "under_with_load": {vessel: list(marks) for vessel, marks in self.under_with_load.items()},
+            "flooded": [f"{vessel}.{mark}" for vessel, marks in self.flooded.items() for mark in marks],
             **self.rest.to_json(),
             "metacentric_heights": {
                 name: [height.transverse, height.longitudinal] for name, height in self.heights.items()
@@ -172,23 +189,55 @@ def lose_load(question: Statics, rest: Equilibrium, load: str) -> LostLoad:
 
     Raises:
         NoEquilibriumError: If there is none without it.
-        ValueError: If there is no such load, or no vessel.
+        ValueError: If there is no such load, or no vessel, or the load rests on one, which does not lose it.
     """
     vessels = rest.recording.rig.vessels
     if not vessels:
         ashore = "a run shows what a crane on land does, with 'cut_at' on the slings of its load"
         raise ValueError(f"no vessel of this lift floats; {ashore}")
     hung = float(rest.recording.column("load_transferred", load)[-1]) if _is_told(rest, load) else 1.0
+    _refuse_aboard(question, rest, load)
     without = question.lose(load)
     heights = metacentric_heights(question, without)
-    swings = []
+    swings, under = [], dict[str, list[str]]()
     for vessel in vessels:
-        turn, _ = _lie(rest.recording, vessel)
+        turn, lie = _lie(rest.recording, vessel)
+        wet = [mark for mark, points in vessel.marks.items() if _lowest(lie.up, lie.height, points) < 0.0]
+        under |= {vessel.name: wet} if wet else {}
         swing = _swing(
             hull_of(question, vessel.name), vessel, turn[2], without.recording, heights[vessel.name]
         )
         swings += [swing] if swing is not None else []
-    return LostLoad(load, without, heights, swings, stands=hung < _HANGS_FROM)
+    return LostLoad(load, without, heights, swings, stands=hung < _HANGS_FROM, under_with_load=under)
+
+
+def _refuse_aboard(question: Statics, rest: Equilibrium, load: str) -> None:
+    """Raise where a load rests on a vessel: what lets it go leaves it there, and nothing is without it."""
+    rig = rest.recording.rig
+    parents = {body["name"]: body["parent"] for body in question.assembly.document["bodies"]}
+    afloat = {vessel.body: vessel.name for vessel in rig.vessels}
+    lost = next((one for one in rig.loads if one.name == load), None)
+    if lost is None:
+        return
+    borne = dict[str, float]()
+    for contact in lost.contacts:
+        body = lost.meets.get(contact)
+        while body is not None and body not in afloat:
+            body = parents.get(body)
+        if body is not None:
+            force = float(rest.recording.column("contact_force", contact)[-1])
+            borne[afloat[body]] = borne.get(afloat[body], 0.0) + force
+    for vessel, force in borne.items():
+        if force > _TOUCHES * lost.weight:
+            bears = f"at {rest.time:g} s {vessel} bears {100.0 * force / lost.weight:.3g} % of '{load}'"
+            stays = "which stays aboard where its slings let it go"
+            right = f"--time says when it hangs clear of {vessel}, and a run with 'cut_at' on its slings"
+            raise ValueError(f"{bears}, {stays}; {right} shows where it comes down")
+
+
+def _lowest(up: Floats, height: Floats | float, points: Sequence[Sequence[float]] | Floats) -> float:
+    """Height over the water of the lowest of some points of a vessel [m]."""
+    return float((np.asarray(points) @ up).min() + height)
 
 
 def _is_told(rest: Equilibrium, load: str) -> bool:
@@ -278,7 +327,7 @@ class _Curve:
 
     def height_of(self, mark: str, there: Heeled) -> float:
         """Of the lowest point of a mark over the water [m]."""
-        return float((self.marks[mark] @ there.normal).min()) + there.height
+        return _lowest(there.normal, there.height, self.marks[mark])
 
     def looks(self, rest: float) -> list[Heeled]:
         """From the angle of rest [rad] away from the load, to where it is righted no more."""

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from gantline.scenario import Scenario, StartError, load_scenario
+from gantline.scenario import Scenario, ScenarioError, StartError, load_scenario
+from gantline.scenario.errors import Problem
 from gantline.scenario.tree import TextNode
 from gantline.scenario.tree_path import PathError, node_at
 from gantline.scenario.variants import with_value
@@ -16,7 +18,23 @@ from gantline.statics import Statics
 from gantline.study.state import State, settled, unstartable
 from gantline.units import common_dimension, is_quantity, quantity, si_text
 
-__all__ = ["SweepPoint", "run_sweep"]
+__all__ = ["SweepError", "SweepPoint", "run_sweep"]
+
+
+class SweepError(ScenarioError):
+    """A value of a sweep cannot be in the lift file; the message is that of the file with the value.
+
+    Attributes:
+        value: The value, as a lift file would have it.
+    """
+
+    def __init__(self, source: str, problems: Sequence[Problem], value: str) -> None:
+        super().__init__(source, problems)
+        self.value = value
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle: an error of a process that works for another one arrives there whole."""
+        return type(self), (self.source, self.problems, self.value)
 
 
 @dataclass(frozen=True)
@@ -54,7 +72,8 @@ def run_sweep(
         ValueError: If there are to be none.
         PathError: If the path leads nowhere or to no quantity.
         UnitError: If the values are no quantities of one dimension.
-        ScenarioError: If a value cannot be there.
+        ScenarioError: If the lift file is not right.
+        SweepError: If a value cannot be there; a ScenarioError too.
     """
     if count < 1:
         raise ValueError(f"count: {count} values are none")
@@ -66,10 +85,12 @@ def run_sweep(
     first, last = str(first), str(last)  # a number is answered as text without a unit is
     dimension = common_dimension(*like, first, last)
     for value in np.linspace(quantity(first, dimension), quantity(last, dimension), count):
-        changed = with_value(scenario, path, si_text(float(value), dimension))
+        text = si_text(float(value), dimension)
         state = State("", path, "none", 0.0)
         try:
-            found = settled(Statics(changed), time, state)
+            found = settled(Statics(with_value(scenario, path, text)), time, state)
         except StartError as error:
             found = unstartable(state, scenario.duration if time is None else time, error)
+        except ScenarioError as error:
+            raise SweepError(error.source, error.problems, text) from None
         yield SweepPoint(float(value), dimension, found)

@@ -13,6 +13,7 @@ use crate::force::added_mass::AddedMass;
 use crate::force::buoyancy::Buoyancy;
 use crate::force::damping::Damping;
 use crate::force::drag::Drag;
+use crate::force::level_mass::LevelMass;
 use crate::force::mooring::Mooring;
 use crate::force::slow::Slow;
 use crate::force::square::Square;
@@ -52,28 +53,33 @@ pub(super) fn build_forces(
             _ => {}
         }
     }
-    let waves = forces.iter().filter_map(|force| match force {
-        AnyForce::Wave(wave) => Some((wave.body, wave.slow.clone())),
-        _ => None,
-    });
-    for (body, slow) in waves.collect::<Vec<_>>() {
-        follow_waves(&mut forces, body, &slow);
+    let waves: Vec<(usize, Slow)> = forces
+        .iter()
+        .filter_map(|force| match force {
+            AnyForce::Wave(wave) => Some((wave.body, wave.slow.clone())),
+            _ => None,
+        })
+        .collect();
+    for force in &mut forces {
+        // Of several wave forces on a body the first: its heading is that of all.
+        if let Some((_, slow)) = waves.iter().find(|(body, _)| *body == force.body()) {
+            follow_waves(force, slow);
+        }
     }
     Ok(forces)
 }
 
 /// What water does to the motions of a body that waves push acts along the axes of their forces.
-fn follow_waves(forces: &mut [AnyForce], body: usize, slow: &Slow) {
-    for force in forces.iter_mut().filter(|force| force.body() == body) {
-        match force {
-            AnyForce::Memory(memory) => memory.slow = Some(slow.clone()),
-            AnyForce::Drag(drag) => {
-                if let Some(damping) = Damping::of(drag, slow) {
-                    *force = AnyForce::Damping(damping);
-                }
+fn follow_waves(force: &mut AnyForce, slow: &Slow) {
+    match force {
+        AnyForce::Memory(memory) => memory.slow = Some(slow.clone()),
+        AnyForce::AddedMass(added) => *force = AnyForce::LevelMass(LevelMass::of(added, slow)),
+        AnyForce::Drag(drag) => {
+            if let Some(damping) = Damping::of(drag, slow) {
+                *force = AnyForce::Damping(damping);
             }
-            _ => {}
         }
+        _ => {}
     }
 }
 

@@ -26,7 +26,7 @@ pub(super) fn first_state(
     let mut state = without_forces(spec, system, (q, v), (seats, spots));
     let mut frame = Frame::new(system);
     frame.update(system, &state);
-    force::rest(&system.tree, &frame.kinematics, state.time, &mut state.past);
+    force::begin(&system.tree, &frame.kinematics, (&state.v, state.time), &mut state.past);
     // Contacts start with their anchors below them: without deflection.
     for (row, law) in system.rows.laws.iter().enumerate() {
         if matches!(law, Law::Friction { .. }) {

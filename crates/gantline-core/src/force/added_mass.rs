@@ -15,7 +15,7 @@ use glam::{DMat3, DVec3};
 use super::square::{Square, skew};
 use super::{At, Force, Tangent};
 use crate::tree::bias::Wrench;
-use crate::tree::kinematics::Twist;
+use crate::tree::kinematics::{Kinematics, Twist};
 use crate::tree::pose::Pose;
 
 /// Added mass of a body.
@@ -42,6 +42,11 @@ struct Moving {
 }
 
 impl AddedMass {
+    /// Inertia about the origin of the body at `pose`.
+    pub fn inertia_at(&self, pose: &Pose) -> Square {
+        self.matrix.turned(&pose.rotation).about(pose.rotation * self.at)
+    }
+
     fn moving(&self, at: &At) -> Moving {
         let matrix = self.matrix.turned(&at.pose.rotation);
         let arm = at.pose.rotation * self.at;
@@ -99,7 +104,7 @@ impl Force for AddedMass {
         Tangent { velocity: velocity.negated(), acceleration, ..Tangent::NONE }
     }
 
-    fn inertia(&self, pose: &Pose, _q: &[f64]) -> Option<Square> {
-        Some(self.matrix.turned(&pose.rotation).about(pose.rotation * self.at))
+    fn inertia(&self, kinematics: &Kinematics) -> Option<Square> {
+        Some(self.inertia_at(&kinematics.pose[self.body]))
     }
 }

@@ -20,8 +20,8 @@ pub struct Axes {
 impl Axes {
     /// Those of a body at `pose`, P being `at` [m] in its frame; level ones where it heads slowly somewhere.
     pub fn new(pose: &Pose, at: DVec3, slowly: Option<Slowly>) -> Self {
-        let turn = slowly.map_or(pose.rotation, |slowly| DMat3::from_rotation_z(slowly.heading));
-        Self { turn, arm: pose.rotation * at, turning: slowly.map(|slowly| slowly.turning) }
+        let turn = slowly.map_or(pose.rotation, |slowly| DMat3::from_rotation_z(slowly.heading[0]));
+        Self { turn, arm: pose.rotation * at, turning: slowly.map(|slowly| slowly.heading[1]) }
     }
 
     /// Velocity of P and angular velocity, along the axes.

@@ -28,7 +28,7 @@ pub struct Damping {
     /// B about P.
     matrix: Square,
     /// What its axes turn with.
-    slow: Slow,
+    pub slow: Slow,
 }
 
 /// What it does at a place.
@@ -56,7 +56,7 @@ impl Damping {
     }
 
     fn push(&self, at: &At) -> Push {
-        let axes = Axes::new(at.pose, self.at, Some(self.slow.at(at.past, at.time)));
+        let axes = Axes::new(at.pose, self.at, self.slow.at(at.past, at.time));
         let motion = Twist { linear: at.twist.at(axes.arm), ..at.twist };
         let matrix = self.matrix.turned(&axes.turn).negated();
         let wrench = matrix.times(&motion);
@@ -80,16 +80,20 @@ impl Force for Damping {
 
     fn tangent(&self, at: &At) -> Tangent {
         let Push { axes, motion, matrix, wrench } = self.push(at);
+        let velocity = matrix.about(axes.arm);
+        if axes.turning.is_none() {
+            return Tangent { velocity, ..Tangent::NONE };
+        }
         // It does not turn along, and the motion of the body does.
         let (linear, angular) = (-skew(motion.linear), -skew(motion.angular));
         let force = matrix.linear * linear + matrix.cross * angular;
         let moment = matrix.back * linear + matrix.angular * angular + skew(axes.arm) * force;
         let mut place = Tangent::of_what_stays(wrench.force, wrench.moment, axes.arm).place;
         place.add(1.0, &Square { cross: force, angular: moment, ..Square::ZERO });
-        Tangent { place, velocity: matrix.about(axes.arm), ..Tangent::NONE }
+        Tangent { place, velocity, ..Tangent::NONE }
     }
 
-    fn drift(&self, at: &At) -> Option<Wrench> {
+    fn over_time(&self, at: &At) -> Option<Wrench> {
         let Push { axes, motion, matrix, wrench } = self.push(at);
         let spin = DVec3::Z * axes.turning?;
         let (linear, angular) = (spin.cross(motion.linear), spin.cross(motion.angular));

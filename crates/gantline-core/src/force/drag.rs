@@ -116,7 +116,7 @@ impl Force for Drag {
         Tangent { place, velocity, ..Tangent::NONE }
     }
 
-    fn drift(&self, at: &At) -> Option<Wrench> {
+    fn over_time(&self, at: &At) -> Option<Wrench> {
         let (along, gust) = self.gust(at)?;
         Some(self.slope(at).times(&Twist { linear: along * -gust.rate, angular: DVec3::ZERO }))
     }

@@ -79,7 +79,7 @@ impl Memory {
     }
 
     fn axes(&self, pose: &Pose, past: &[f64], time: f64) -> Axes {
-        Axes::new(pose, self.at, self.slow.as_ref().map(|slow| slow.at(past, time)))
+        Axes::new(pose, self.at, self.slow.as_ref().and_then(|slow| slow.at(past, time)))
     }
 
     /// ν of the motion of the body.
@@ -88,7 +88,7 @@ impl Memory {
     }
 
     /// ∂ν/∂t, as far as the axes turn by themselves: −ψ̇ e_z × ν.
-    pub fn drift_of_motion(&self, at: &At) -> [f64; 6] {
+    pub fn motion_over_time(&self, at: &At) -> [f64; 6] {
         let axes = self.axes(at.pose, at.past, at.time);
         let (turning, [x, y, _, p, q, _]) = (axes.turning.unwrap_or(0.0), axes.motion(&at.twist));
         [turning * y, -turning * x, 0.0, turning * q, -turning * p, 0.0]
@@ -141,10 +141,11 @@ impl Memory {
         }
     }
 
-    /// Re Σ R z at P, for the states of all forces.
+    /// Re Σ R z at P, for the states of all forces; nothing where nothing has moved yet.
     fn held(&self, past: &[f64]) -> Wrench {
         let mut sum = Wrench::default();
-        for (term, z) in self.terms.iter().zip(past[self.states()].chunks_exact(WIDTH)) {
+        let states = past.get(self.states()).unwrap_or_default();
+        for (term, z) in self.terms.iter().zip(states.chunks_exact(WIDTH)) {
             let twist = |z: &[f64]| Twist {
                 linear: DVec3::from_slice(&z[..3]),
                 angular: DVec3::from_slice(&z[3..6]),
@@ -227,7 +228,7 @@ impl Force for Memory {
         Tangent::of_what_stays(force, moment, axes.arm)
     }
 
-    fn drift(&self, at: &At) -> Option<Wrench> {
+    fn over_time(&self, at: &At) -> Option<Wrench> {
         let (Wrench { force, moment }, axes) = self.pushing(at);
         let spin = DVec3::Z * axes.turning?;
         Some(Wrench { force: spin.cross(force), moment: spin.cross(moment) }.about(axes.arm))

@@ -13,6 +13,7 @@ pub mod axes;
 pub mod buoyancy;
 pub mod damping;
 pub mod drag;
+pub mod level_mass;
 pub mod memory;
 pub mod mooring;
 pub mod slow;
@@ -24,13 +25,14 @@ pub mod wave;
 use glam::DVec3;
 
 use crate::tree::Tree;
-use crate::tree::bias::Wrench;
+use crate::tree::bias::{NewtonEuler, Wrench};
 use crate::tree::kinematics::{Kinematics, Twist};
 use crate::tree::pose::Pose;
 use added_mass::AddedMass;
 use buoyancy::Buoyancy;
 use damping::Damping;
 use drag::Drag;
+use level_mass::LevelMass;
 use memory::{Memory, memories};
 use mooring::Mooring;
 use square::{Square, skew};
@@ -118,7 +120,7 @@ pub trait Force {
     }
 
     /// Derivative of the wrench over time alone; none where it does not know time.
-    fn drift(&self, _at: &At) -> Option<Wrench> {
+    fn over_time(&self, _at: &At) -> Option<Wrench> {
         None
     }
 
@@ -148,8 +150,8 @@ pub trait Force {
         None
     }
 
-    /// Inertia that moves along with the body, about its origin, at the configuration `q`.
-    fn inertia(&self, _pose: &Pose, _q: &[f64]) -> Option<Square> {
+    /// Inertia that moves along with the body, about its origin, where `kinematics` is.
+    fn inertia(&self, _kinematics: &Kinematics) -> Option<Square> {
         None
     }
 }
@@ -161,6 +163,8 @@ pub enum AnyForce {
     Buoyancy(Box<Buoyancy>),
     /// Water that is accelerated along.
     AddedMass(AddedMass),
+    /// The same of a body that waves push.
+    LevelMass(LevelMass),
     /// Resistance of water or air.
     Drag(Drag),
     /// The same of water by a matrix, of a body that waves push.
@@ -182,6 +186,7 @@ impl std::ops::Deref for AnyForce {
         match self {
             Self::Buoyancy(buoyancy) => &**buoyancy,
             Self::AddedMass(added) => added,
+            Self::LevelMass(added) => added,
             Self::Drag(drag) => drag,
             Self::Damping(damping) => damping,
             Self::Memory(memory) => memory,
@@ -235,11 +240,13 @@ pub fn states(tree: &Tree) -> usize {
     memory::states(tree) + slow
 }
 
-/// Forgets all motion: sets `past` to that of bodies that have always been where `kinematics` is.
-pub fn rest(tree: &Tree, kinematics: &Kinematics, time: f64, past: &mut [f64]) {
+/// Forgets all that was: sets `past` to that of bodies that have always moved as they do with the velocity coordinates `v`
+/// where `kinematics` is, in water that knows nothing of it yet.
+pub fn begin(tree: &Tree, kinematics: &Kinematics, (v, time): (&[f64], f64), past: &mut [f64]) {
     past.fill(0.0);
     for wave in waves(tree) {
-        wave.slow.start(&kinematics.pose[wave.body], time, past);
+        let twist = twist_of(tree, kinematics, wave.body, v);
+        wave.slow.start((&kinematics.pose[wave.body], &twist), time, past);
     }
 }
 
@@ -273,6 +280,12 @@ pub fn stream_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
     drags(tree).map(|drag| drag.work(&under(tree, kinematics, drag.body, v))).sum()
 }
 
+/// The same of added mass along axes that turn by themselves, see [`level_mass`].
+pub fn turning_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
+    let levels = tree.forces.iter().filter(|force| matches!(force, AnyForce::LevelMass(_)));
+    levels.map(|level| level.work(&under(tree, kinematics, level.body(), v))).sum()
+}
+
 /// The same of waves.
 pub fn wave_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
     waves(tree).map(|wave| wave.work(&under(tree, kinematics, wave.body, v))).sum()
@@ -298,12 +311,12 @@ pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f6
 }
 
 /// Sets `out` to the derivative over time alone of what the motion needs along every degree of freedom: the opposite of
-/// how the push of waves and gusts changes.
-pub fn drift(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f64]) {
+/// how the push of waves and gusts changes, in the motion of the last update of `dynamics`.
+pub fn over_time(tree: &Tree, kinematics: &Kinematics, dynamics: &NewtonEuler, out: &mut [f64]) {
     out.fill(0.0);
     for force in &tree.forces {
         let body = force.body();
-        if let Some(wrench) = force.drift(&under(tree, kinematics, body, v)) {
+        if let Some(wrench) = force.over_time(&dynamics.at(tree, kinematics, body)) {
             take(tree, kinematics, body, wrench, out);
         }
     }

@@ -29,6 +29,8 @@ use crate::tree::pose::Pose;
 const WIDTH: usize = 1 + 3 * EACH;
 const EACH: usize = 2 + STAGES;
 const STAGES: usize = 5;
+/// A place and its rates: as many as leave the last two stages behind another one.
+const RATES: usize = STAGES - 1;
 /// Degree of the polynomial in time as which y goes on within a part, and the length of a part in 1/ω: wrong by 0.25⁷/7! in
 /// it, 1e-8, and its rate by 0.25⁶/6!, 3e-7; by less in a shorter one.
 const DEGREE: usize = 6;
@@ -45,17 +47,13 @@ pub struct Slow {
     pub first: usize,
 }
 
-/// Slow place and heading.
+/// Slow place and heading, each with its first, second and third rate.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Slowly {
     /// World x and y [m].
-    pub place: DVec2,
-    /// Its rate [m/s].
-    pub velocity: DVec2,
+    pub place: [DVec2; RATES],
     /// From world x towards y [rad].
-    pub heading: f64,
-    /// Its rate [rad/s].
-    pub turning: f64,
+    pub heading: [f64; RATES],
 }
 
 impl Slow {
@@ -64,13 +62,15 @@ impl Slow {
         self.first..self.first + WIDTH
     }
 
-    /// Starts where the body is at `time` [s], at rest.
-    pub fn start(&self, pose: &Pose, time: f64, past: &mut [f64]) {
+    /// Starts where the body is at `time` [s], as if it had always moved as it does: yⱼ = u − j u̇/ω.
+    pub fn start(&self, (pose, twist): (&Pose, &Twist), time: f64, past: &mut [f64]) {
         let past = &mut past[self.states()];
         past[0] = time;
-        for (state, [now, _]) in past[1..].chunks_exact_mut(EACH).zip(self.seen(pose, &Twist::default())) {
-            state.fill(now);
-            state[1] = 0.0;
+        for (state, [now, rate]) in past[1..].chunks_exact_mut(EACH).zip(self.seen(pose, twist)) {
+            (state[0], state[1]) = (now, rate);
+            for (stage, y) in state[2..].iter_mut().enumerate() {
+                *y = now - (stage + 1) as f64 * rate / self.cut_off;
+            }
         }
     }
 
@@ -95,18 +95,24 @@ impl Slow {
         }
     }
 
-    /// Slow place and heading at `time` [s], in the step that the state is the start of.
-    pub fn at(&self, past: &[f64], time: f64) -> Slowly {
-        let past = &past[self.states()];
-        let mut found = [[0.0; 2]; 3];
+    /// Slow place and heading at `time` [s], in the step that the state is the start of; none where nothing has moved yet and
+    /// nothing is remembered, as in statics.
+    pub fn at(&self, past: &[f64], time: f64) -> Option<Slowly> {
+        let past = past.get(self.states())?;
+        let mut found = [[0.0; RATES]; 3];
         for (state, found) in past[1..].chunks_exact(EACH).zip(&mut found) {
             let mut y: [f64; STAGES] = std::array::from_fn(|k| state[2 + k]);
             self.go_on([state[0], state[1], 0.0, 0.0], time - past[0], &mut y);
-            let [_, _, y3, y4, y5] = y;
-            *found = [5.0 * y4 - 4.0 * y5, self.cut_off * (5.0 * (y3 - y4) - 4.0 * (y4 - y5))];
+            for rate in found {
+                *rate = 5.0 * y[STAGES - 2] - 4.0 * y[STAGES - 1];
+                // Each takes one stage away: of rates of the first stages nothing is asked.
+                for k in (1..STAGES).rev() {
+                    y[k] = self.cut_off * (y[k - 1] - y[k]);
+                }
+            }
         }
-        let [x, y, [heading, turning]] = found;
-        Slowly { place: DVec2::new(x[0], y[0]), velocity: DVec2::new(x[1], y[1]), heading, turning }
+        let [x, y, heading] = found;
+        Some(Slowly { place: std::array::from_fn(|k| DVec2::new(x[k], y[k])), heading })
     }
 
     /// y after `length` [s] of u = Σ cₖ tᵏ.

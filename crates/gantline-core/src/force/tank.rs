@@ -39,7 +39,7 @@ use super::square::{Square, skew};
 use super::{At, Feeding, Force, Tangent};
 use crate::hull::{Hull, Immersion, Plane};
 use crate::tree::bias::Wrench;
-use crate::tree::kinematics::Twist;
+use crate::tree::kinematics::{Kinematics, Twist};
 use crate::tree::pose::Pose;
 
 /// Volume that the level may be wrong by, relative to the tank.
@@ -249,8 +249,9 @@ impl Force for Tank {
         -force.dot(at.twist.linear) - moment.dot(at.twist.angular)
     }
 
-    fn inertia(&self, pose: &Pose, q: &[f64]) -> Option<Square> {
-        self.pumped.and_then(|_| self.carried(self.content(q)).inertia(pose, q))
+    fn inertia(&self, kinematics: &Kinematics) -> Option<Square> {
+        let carried = || self.carried(self.content(&kinematics.q));
+        self.pumped.map(|_| carried().inertia_at(&kinematics.pose[self.body]))
     }
 
     fn flow(&self) -> Option<usize> {

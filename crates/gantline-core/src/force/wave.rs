@@ -85,9 +85,13 @@ impl WaveForce {
         Between { place: after - 1, share: slope * (wanted - start), slope }
     }
 
-    /// F at P and its derivative over time.
+    /// F at P and its derivative over time; none before anything has moved.
     fn at_point(&self, past: &[f64], time: f64) -> [Wrench; 2] {
-        let Slowly { place, velocity, heading, turning } = self.slow.at(past, time);
+        let Some(Slowly { place: [place, velocity, ..], heading: [heading, turning, ..] }) =
+            self.slow.at(past, time)
+        else {
+            return [Wrench::default(); 2];
+        };
         let (mut first, mut slow) = (Rated::<6>::default(), Drifting::default());
         let mut found: Option<(f64, Between)> = None;
         let count = self.directions.len();
@@ -201,7 +205,7 @@ impl Force for WaveForce {
         Tangent::of_what_stays(force, moment, at.pose.rotation * self.at)
     }
 
-    fn drift(&self, at: &At) -> Option<Wrench> {
+    fn over_time(&self, at: &At) -> Option<Wrench> {
         Some(self.about_origin(at, self.at_point(at.past, at.time)[1]))
     }
 

@@ -260,6 +260,13 @@ impl StaticLift {
         self.statics.search.matrix.layout.free.iter().filter_map(name).collect()
     }
 
+    /// Ropes that run over sheaves and off drums that no drive moves: their names, and their degrees of freedom.
+    pub fn flows(&self) -> impl Iterator<Item = (&str, usize)> {
+        let free = &self.statics.search.matrix.layout.free;
+        let flows = self.system.tree.bodies.iter().filter(|body| !body.joint.moves_body());
+        flows.map(|body| (body.name.as_str(), body.first_velocity)).filter(|(_, dof)| free.contains(dof))
+    }
+
     /// What is asked of a rope or body by a kind, such as `length` or `centre_x`, and its name.
     ///
     /// # Errors

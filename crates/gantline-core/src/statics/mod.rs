@@ -334,7 +334,7 @@ impl Statics {
             self.search.evaluate(system, state, &self.bearings);
         }
         let frame = &self.search.here.frame;
-        force::rest(&system.tree, &frame.kinematics, state.time, &mut state.past);
+        force::begin(&system.tree, &frame.kinematics, (&state.v, state.time), &mut state.past);
         state.ledger = Ledger::open(flows::stored(system, state, frame));
         state.restart = true;
     }

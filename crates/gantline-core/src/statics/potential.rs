@@ -79,9 +79,12 @@ impl Potential {
     /// Room for `system`.
     pub fn new(system: &System) -> Self {
         let (rows, size) = (system.rows.count(), system.tree.velocities);
+        let mut frame = Frame::new(system);
+        // Nothing has moved yet, and no wave has come.
+        frame.kinematics.past.clear();
         Self {
             q: vec![0.0; system.tree.positions],
-            frame: Frame::new(system),
+            frame,
             dynamics: NewtonEuler::new(&system.tree),
             gravity: vec![0.0; size],
             pushed: if force::has_stream(&system.tree) { vec![0.0; size] } else { Vec::new() },

@@ -261,13 +261,14 @@ impl Del {
 
     /// What the step does to the energy, to the modes of the rows and to what the next one sets out from.
     fn book(&mut self, system: &System, state: &mut State, frame: &Frame, pinned: bool, log: &mut EventLog) {
-        let mut fluid_power = 0.0;
+        let (mut fluid_power, mut turning_power) = (0.0, 0.0);
         if !system.tree.forces.is_empty() {
             let [fluid, lines] = &mut self.resistance;
             force::resistance(&system.tree, &frame.kinematics, &self.middle, fluid);
             force::line_damping(&system.tree, &frame.kinematics, &self.middle, lines);
             fluid_power = force::stream_work(&system.tree, &frame.kinematics, &self.middle)
                 + force::wave_work(&system.tree, &frame.kinematics, &self.v);
+            turning_power = force::turning_work(&system.tree, &frame.kinematics, &self.middle);
         }
         let flow = StepFlows {
             h: self.h,
@@ -276,6 +277,7 @@ impl Del {
             c: &self.c,
             resistance: self.resistance.each_ref().map(Vec::as_slice),
             fluid_power,
+            turning_power,
             rows: &self.rows,
             stiffness: &self.kkt.stiffness,
         };
@@ -301,7 +303,7 @@ impl Del {
         coils::turn(system, state);
         frame.update(system, state);
         memory::arrive(&system.tree, &mut frame.kinematics, (&self.v, h), &mut state.past);
-        force::follow(&system.tree, &mut frame.kinematics, (&self.v, end), &mut state.past);
+        frame.follow_slowly(system, state);
     }
 
     /// How ropes lie and bodies touch where the step has led.

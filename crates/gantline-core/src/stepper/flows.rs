@@ -28,6 +28,8 @@ pub struct StepFlows<'a> {
     pub resistance: [&'a [f64]; 2],
     /// Power that wind, current and waves put in [W].
     pub fluid_power: f64,
+    /// Power that added mass along axes that turn by themselves puts in [W].
+    pub turning_power: f64,
     /// Forces and modes.
     pub rows: &'a Complementarity,
     /// Geometric stiffness of the step.
@@ -80,7 +82,7 @@ impl StepFlows<'_> {
         // Resistance takes what it takes in the step.
         let [fluid, lines] = self.resistance;
         state.ledger.flows.drag += self.h * (power(fluid, self.v) + self.fluid_power);
-        state.ledger.flows.fluid_work += self.h * self.fluid_power;
+        state.ledger.flows.fluid_work += self.h * (self.fluid_power + self.turning_power);
         state.ledger.flows.rope_damping += self.h * power(lines, self.v);
         for (bias, force) in state.bias.iter_mut().zip(fluid.iter().zip(lines)) {
             *bias -= force.0 + force.1;

@@ -4,6 +4,7 @@ use super::coils::Passing;
 use crate::clock::Stage;
 use crate::constraint::Placed;
 use crate::contact::spot::Spot;
+use crate::force;
 use crate::rope::coil::Coil;
 use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
@@ -79,6 +80,20 @@ impl Frame {
         self.passing.copy_from_slice(&other.passing);
         self.feeding.copy_from_slice(&other.feeding);
         system.clock.time(Stage::Assembly, || self.mass.update(&system.tree, &self.kinematics));
+    }
+
+    /// Takes slow places and headings on to the end of a step, where `state` and the frame are, and the mass matrix of what
+    /// turns with them; what that adds to the kinetic energy comes from the waves.
+    pub fn follow_slowly(&mut self, system: &System, state: &mut State) {
+        if !force::has_waves(&system.tree) {
+            return;
+        }
+        let held = self.mass.quadratic(&state.v);
+        force::follow(&system.tree, &mut self.kinematics, (&state.v, state.time), &mut state.past);
+        system.clock.time(Stage::Assembly, || self.mass.update(&system.tree, &self.kinematics));
+        let gained = 0.5 * (self.mass.quadratic(&state.v) - held);
+        state.ledger.flows.fluid_work += gained;
+        state.ledger.kinetic += gained;
     }
 
     /// Evaluates poses and rows, not the mass matrix.

@@ -40,7 +40,7 @@ impl MassMatrix {
     pub(super) fn add_inertia(&mut self, tree: &Tree, kinematics: &Kinematics) {
         for force in &tree.forces {
             let body = force.body();
-            let Some(inertia) = force.inertia(&kinematics.pose[body], &kinematics.q) else { continue };
+            let Some(inertia) = force.inertia(kinematics) else { continue };
             let support = &tree.support[body];
             for (index, &row) in support.iter().enumerate() {
                 let Wrench { force, moment } = inertia.times(&column(tree, kinematics, row, body));

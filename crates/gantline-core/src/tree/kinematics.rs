@@ -43,7 +43,8 @@ pub struct Kinematics {
     pub q: Vec<f64>,
     /// The time that it is at [s], which forces of waves depend on.
     pub time: f64,
-    /// What forces remember of the motion so far, see [`crate::force::memory`] and [`crate::force::slow`].
+    /// What forces remember of the motion so far, see [`crate::force::memory`] and [`crate::force::slow`]; nothing in statics,
+    /// where nothing has moved yet.
     pub past: Vec<f64>,
 }
 

@@ -3,6 +3,7 @@
 
 pub mod hulls;
 pub mod runs;
+pub mod wet;
 
 use gantline_core::build::build;
 use gantline_core::spec::{

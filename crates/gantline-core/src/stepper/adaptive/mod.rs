@@ -259,7 +259,7 @@ impl Adaptive {
         self.advance(system, state, frame, log, if whole { Some(stop) } else { None })
             .map_err(|pivot| self.singular(system, state, pivot))?;
         self.log_slipping(system, state, log);
-        force::follow(&system.tree, &mut frame.kinematics, (&state.v, state.time), &mut state.past);
+        frame.follow_slowly(system, state);
         // Rope over light sheaves and on drums, what slides and what waves do is evaluated anew from what the state knows, as
         // after a restore: the same bytes.
         let slides = system.friction.iter().any(|&row| state.modes[row] == Mode::Slipping);

@@ -91,7 +91,7 @@ pub struct Rodas {
     /// What is known of k^z.
     recalled: Vec<f64>,
     /// ∂τ/∂t at the start of the step, by waves alone; empty without any.
-    drift: Vec<f64>,
+    over_time: Vec<f64>,
     /// Right sides of (AD3), of degrees of freedom and of rows, and x.
     force: Vec<f64>,
     rows: Vec<f64>,
@@ -116,7 +116,7 @@ impl Rodas {
             sum: vec![0.0; size],
             slid: vec![0.0; system.friction.len()],
             recalled: vec![0.0; force::states(&system.tree)],
-            drift: if force::knows_time(&system.tree) { vec![0.0; size] } else { Vec::new() },
+            over_time: if force::knows_time(&system.tree) { vec![0.0; size] } else { Vec::new() },
             force: vec![0.0; size],
             rows: vec![0.0; system.rows.count()],
             x: vec![0.0; size],
@@ -149,8 +149,9 @@ impl Rodas {
     /// Evaluates the tangents there.
     pub fn linearise(&mut self, system: &System, state: &State, mass: &MassMatrix) {
         system.clock.time(Stage::Assembly, || self.matrix.linearise(system, &self.here, mass, state));
-        if !self.drift.is_empty() {
-            force::drift(&system.tree, &self.here.frame.kinematics, &state.v, &mut self.drift);
+        if !self.over_time.is_empty() {
+            let Evaluation { frame, dynamics, .. } = &self.here;
+            force::over_time(&system.tree, &frame.kinematics, dynamics, &mut self.over_time);
         }
     }
 

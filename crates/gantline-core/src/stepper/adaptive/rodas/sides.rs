@@ -54,7 +54,7 @@ impl Rodas {
         for (force, imbalance) in self.force.iter_mut().zip(&at.imbalance) {
             *force -= kappa * imbalance;
         }
-        add(&mut self.force, -kappa * h * D[stage], &self.drift);
+        add(&mut self.force, -kappa * h * D[stage], &self.over_time);
         // Flows of light sheaves have no motion of their own: their equations say how tensions compare.
         for &dof in system.light.iter().flat_map(|light| &light.dofs) {
             self.force[dof] = 0.0;
@@ -152,7 +152,7 @@ impl Rodas {
         for (memory, tangent) in memories(&system.tree).zip(&self.matrix.memories) {
             let place = at.dynamics.at(&system.tree, &at.frame.kinematics, memory.body);
             let (now, before) = (memory.motion(&place), tangent.motion(None, &self.r));
-            let motion = std::array::from_fn(|k| now[k] - before[k] + h * D[stage] * tangent.drift[k]);
+            let motion = std::array::from_fn(|k| now[k] - before[k] + h * D[stage] * tangent.over_time[k]);
             memory.add_rate(&self.point.past, &motion, 1.0, &mut self.recalled);
         }
         let known = &mut self.k[stage].past;

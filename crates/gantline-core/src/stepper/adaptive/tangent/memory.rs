@@ -18,7 +18,7 @@ pub struct MemoryTangent {
     position: Vec<[f64; 6]>,
     velocity: Vec<[f64; 6]>,
     /// ∂ν/∂t.
-    pub drift: [f64; 6],
+    pub over_time: [f64; 6],
     /// Place of (j, k) at j · size + k.
     places: Vec<u32>,
     /// What else is there of damping and stiffness.
@@ -42,7 +42,7 @@ impl MemoryTangent {
             Self {
                 position: vec![[0.0; 6]; dofs.len()],
                 velocity: vec![[0.0; 6]; dofs.len()],
-                drift: [0.0; 6],
+                over_time: [0.0; 6],
                 beside: vec![[0.0; 2]; places.len()],
                 places,
                 dofs,
@@ -60,7 +60,7 @@ impl MemoryTangent {
         tangent: &mut DynamicsTangent,
     ) {
         let here = dynamics.at(&system.tree, kinematics, memory.body);
-        self.drift = memory.drift_of_motion(&here);
+        self.over_time = memory.motion_over_time(&here);
         for (index, &dof) in self.dofs.iter().enumerate() {
             let changes =
                 tangent.of_motion(&system.tree, (kinematics, mass, dynamics), v, (dof, memory.body));
