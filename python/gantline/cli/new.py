@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+import textwrap
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -22,7 +23,9 @@ class NamesLifts(TyperCommand):
         from gantline.scenario.shipped import shipped
 
         with formatter.section("Lifts that come with gantline"):
-            formatter.write_text(", ".join(shipped()))
+            beside = " " * formatter.current_indent
+            names = textwrap.wrap(", ".join(shipped()), formatter.width - len(beside))
+            formatter.write("".join(f"{beside}{line}\n" for line in names))
         super().format_epilog(ctx, formatter)
 
 

@@ -14,6 +14,8 @@ from gantline.cli.report import Recorded, asked_for
 
 #: What a page is told while there is nothing to load: it stays as it is.
 _GONE = "gone"
+#: Recordings from this size on take more than a second to make a page of, of which a line says so [bytes].
+LARGE = 5_000_000
 
 
 def view(
@@ -35,9 +37,10 @@ def view(
         server = PageServer(page.text, page.state, port)
     except OSError as problem:
         stop(f"--port: {port} cannot be used ({(problem.strerror or str(problem)).lower()})")
-    if file.is_file():
-        size = f"{file.stat().st_size / 1e6:.3g} MB"
-        typer.echo(f"making the page of {file} ({size}); it will be at {server.address}", err=True)
+    size = file.stat().st_size if file.is_file() else 0
+    if size >= LARGE:
+        shown = f"{size / 1e6:.3g} MB"
+        typer.echo(f"making the page of {file} ({shown}); it will be at {server.address}", err=True)
     try:
         page.text()
     except (BundleMissing, FileNotFoundError, ValueError) as problem:
