@@ -173,12 +173,12 @@ impl Moving {
     }
 
     /// ∂f and ∂m as A turns by itself.
-    fn over_own_axes(&self) -> Square {
+    fn over_own_axes(&self) -> [DMat3; 2] {
         let [Twist { linear: velocity, angular }, _] = self.motion;
         let [slow, slow_rate, _] = &self.slow;
         let of = [slow, slow_rate, &turned(angular, slow)].map(|motion| sweeping(&self.own, motion));
         let [force, moment] = [0, 1].map(|k| skew(angular) * of[0][k] + of[1][k] - of[2][k]);
-        Square { cross: force, angular: moment + skew(velocity) * of[0][0], ..Square::ZERO }
+        [force, moment + skew(velocity) * of[0][0]]
     }
 }
 
@@ -211,10 +211,10 @@ impl Force for LevelMass {
             let (linear, angular) = (-skew(motion.linear), -skew(motion.angular));
             about(by.linear * linear + by.cross * angular, by.back * linear + by.angular * angular)
         };
-        let own = moving.over_own_axes();
+        let [force, moment] = moving.over_own_axes();
         let mut place = along(&over, motion);
         place.add(1.0, &along(level, rate));
-        place.add(1.0, &about(own.cross, own.angular));
+        place.add(1.0, &about(force, moment));
         let mut place = place.negated();
         let given = opposite(moving.given());
         place.add(1.0, &Tangent::of_what_stays(given.force, given.moment, arm).place);

@@ -3,8 +3,8 @@
 use gantline_core::build::build;
 use gantline_core::force::AnyForce;
 use gantline_core::spec::{
-    BodySpec, ComponentSpec, DriveSpec, ForceSpec, JointSpec, MooringSpec, PhasorSpec, PumpedSpec,
-    SystemSpec, TrainsSpec,
+    BodySpec, ComponentSpec, DriveSpec, ForceSpec, MooringSpec, PhasorSpec, PumpedSpec, SystemSpec,
+    TrainsSpec,
 };
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
@@ -13,7 +13,7 @@ use gantline_core::tree::bias::NewtonEuler;
 use glam::DVec3;
 
 use super::hulls::sphere;
-use super::{Draw, rig};
+use super::{Draw, flow, rig};
 
 /// Central differences as in the tests of mechanics; forces of water are up to some 1e4 here.
 pub const STEP: f64 = 1e-5;
@@ -38,20 +38,8 @@ fn mooring(spec: &mut SystemSpec, draw: &mut Draw, k: usize) -> ForceSpec {
     let down = DVec3::from_array(draw.scaled(10.0)) - up * 40.0;
     let body = format!("b{}", draw.choice(7));
     let winch = format!("winch{k}");
-    let joint = JointSpec::Flow {
-        inertia: 3.0,
-        velocity: draw.number(),
-        damping: 0.0,
-        brake: 0.0,
-        capacity: None,
-        keeps_pull: false,
-        power: None,
-        drive: None,
-    };
-    let mut flow = spec.bodies[0].clone();
-    (flow.name, flow.parent, flow.joint) = (winch.clone(), Some(body.clone()), joint);
-    (flow.mass, flow.centre_of_gravity, flow.inertia) = (0.0, [0.0; 3], [0.0; 6]);
-    spec.bodies.push(flow);
+    let drum = flow(&winch, 3.0, draw.number());
+    spec.bodies.push(BodySpec { parent: Some(body.clone()), ..drum });
     ForceSpec::Mooring(Box::new(MooringSpec {
         name: format!("line{k}"),
         body,
