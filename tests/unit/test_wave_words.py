@@ -229,14 +229,16 @@ def test_drift_forces_where_a_file_has_them(tmp_path: Path) -> None:
     """By default where the file has any, not with `drift: false`; asked of a file without any an error."""
     drift = np.ones((len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3))
 
-    def drifts(has: bool, **given: bool) -> Any:
+    def forces(has: bool, **given: bool) -> dict[str, Any]:
         about = [f"{LENGTH / 2} m", "0 m", f"{DRAFT} m"]
         afloat = {"wave_forces": {"database": "barge.nc", "at": about, **given}}
         path = waves.in_waves(tmp_path, {"swell": SWELL}, afloat)
         if has:
             waves.database(tmp_path, drift=drift)
-        document = assemble(load_scenario(path)).document
-        return next(force for force in document["forces"] if force["type"] == "wave")["drifts"]
+        return {force["type"]: force for force in assemble(load_scenario(path)).document["forces"]}
+
+    def drifts(has: bool, **given: bool) -> Any:
+        return forces(has, **given)["wave"]["drifts"]
 
     # All seven of the file, and five of them mirrored, of each of a hundred waves.
     assert np.shape(drifts(True)) == (100, 12, 4, 3)
@@ -245,6 +247,27 @@ def test_drift_forces_where_a_file_has_them(tmp_path: Path) -> None:
     assert drifts(True, drift=False) == drifts(False) == []
     with pytest.raises(ScenarioError, match=r"wave_forces\.database: barge\.nc.*: has no drift forces"):
         drifts(False, drift=True)
+    damped = [forces(True), forces(True, drift_damping=False), forces(True, drift=False), forces(False)]
+    assert ["drift_damping" in found for found in damped] == [True, False, False, False]
+
+
+def test_drift_damping_is_about_amidships(tmp_path: Path) -> None:
+    """Forces of a file about a point 30 m aft of there and 4 m to port: its yaw, and x F_y − y F_x."""
+    alike = np.ones((len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3))
+
+    def rates(at: list[str]) -> Any:
+        forces = {"database": "barge.nc", "at": at}
+        path = waves.in_waves(tmp_path, {"swell": SWELL}, {"wave_forces": forces})
+        waves.database(tmp_path, drift=alike * [1.0, 0.0, 0.0])
+        force = assemble(load_scenario(path)).document["forces"][-1]
+        assert force["type"] == "drift_damping" and force["at"] == [LENGTH / 2, 0.0, DRAFT]
+        return np.array(force["around"])[0, 0]
+
+    about = rates([f"{LENGTH / 2} m", "0 m", f"{DRAFT} m"])
+    away = rates([f"{LENGTH / 2 - 30} m", "4 m", f"{DRAFT} m"])
+    # Yaw about the middle of a surge of 1 through the point: −4.
+    assert away[2] == pytest.approx(-4.0 * about[0], rel=1e-9, abs=1e-9)
+    assert away[:2] == pytest.approx(about[:2])
 
 
 def test_drift_forces_between_frequencies(tmp_path: Path) -> None:

@@ -330,6 +330,33 @@ fn slow_places_follow_and_leave_out_waves() {
     assert!((0..4).all(|k| (heading[k] - turned[k]).abs() < 1e-9), "{heading:?}");
 }
 
+/// Why a cube under these forces is refused, in a sea of so many waves; nothing if it is not.
+fn refused_in_waves(waves: usize, forces: &[serde_json::Value]) -> String {
+    let component =
+        serde_json::json!({"frequency": 0.7, "wave_number": [0.05, 0], "amplitude": 1.0, "phase": 0.0});
+    let spec = serde_json::json!({"gravity": [0, 0, -10.0], "bodies": [{
+        "name": "cube", "parent": null, "mass": 4000.0, "centre_of_gravity": [0, 0, 1.0],
+        "inertia": [1000, 1000, 1000, 0, 0, 0], "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
+        "joint": {"type": "free", "position": [0, 0, 4.0], "orientation": [1, 0, 0, 0], "velocity": [0, 0, 0],
+                  "angular_velocity": [0, 0, 0]}}],
+        "sea": {"components": vec![component; waves], "rise_time": 5.0},
+        "forces": forces});
+    build(&serde_json::from_value(spec).unwrap()).err().map(|error| error.to_string()).unwrap_or_default()
+}
+
+/// Wave drift damping needs a force of waves, whose slow heading it has, and to be known at a heading.
+#[test]
+fn drift_damping_belongs_to_a_force_of_waves() {
+    let phasors = vec![vec![[[[1.0, 0.0]; 6]; 4]]];
+    let swell = serde_json::json!({"type": "wave", "name": "swell", "body": "cube", "at": [0, 0, 0],
+        "origin": [0, 0, 0], "directions": [0.5], "phasors": phasors});
+    let slowed = |around: &[[[[f64; 4]; 3]; 4]]| serde_json::json!({"type": "drift_damping", "name": "slowed", "body": "cube", "at": [0, 0, 0], "around": around});
+    let known = [[[[1.0; 4]; 3]; 4]];
+    assert_eq!(refused_in_waves(1, &[slowed(&known), swell.clone()]), "");
+    assert!(refused_in_waves(1, &[slowed(&known)]).contains("no waves push `cube`"));
+    assert!(refused_in_waves(1, &[swell, slowed(&[])]).contains("at no heading"));
+}
+
 /// Wave forces that do not belong to their sea, or to no direction, are refused by name.
 #[test]
 fn wave_forces_belong_to_a_sea_and_to_directions() {
@@ -338,17 +365,9 @@ fn wave_forces_belong_to_a_sea_and_to_directions() {
                     directions: &[f64],
                     phasors: Vec<Vec<[[[f64; 2]; 6]; 4]>>,
                     drifts: Vec<Vec<[[f64; 3]; 4]>>| {
-        let component =
-            serde_json::json!({"frequency": 0.7, "wave_number": [0.05, 0], "amplitude": 1.0, "phase": 0.0});
-        let spec = serde_json::json!({"gravity": [0, 0, -10.0], "bodies": [{
-            "name": "cube", "parent": null, "mass": 4000.0, "centre_of_gravity": [0, 0, 1.0],
-            "inertia": [1000, 1000, 1000, 0, 0, 0], "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
-            "joint": {"type": "free", "position": [0, 0, 4.0], "orientation": [1, 0, 0, 0], "velocity": [0, 0, 0],
-                      "angular_velocity": [0, 0, 0]}}],
-            "sea": {"components": vec![component; waves], "rise_time": 5.0},
-            "forces": [{"type": "wave", "name": "swell", "body": "cube", "at": [0, 0, 0], "origin": [0, 0, 0],
-                "directions": directions, "phasors": phasors, "drifts": drifts}]});
-        build(&serde_json::from_value(spec).unwrap()).err().map(|error| error.to_string()).unwrap_or_default()
+        let force = serde_json::json!({"type": "wave", "name": "swell", "body": "cube", "at": [0, 0, 0],
+            "origin": [0, 0, 0], "directions": directions, "phasors": phasors, "drifts": drifts});
+        refused_in_waves(waves, &[force])
     };
     let refused = |waves: usize, directions: &[f64], phasors| drifting(waves, directions, phasors, vec![]);
     assert_eq!(refused(1, &[0.5], vec![vec![phasor]]), "");

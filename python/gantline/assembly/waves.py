@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from gantline.assembly.databases import from_database
+from gantline.assembly.drift_damping import drift_damping
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.trains import Train
 from gantline.assembly.vessels import vessel_hull
 from gantline.hydro.database import AXES, DatabaseError, ForcesAround, HydrodynamicDatabase
+from gantline.hydro.drift_damping import Slowed
 from gantline.hydro.waves import Components, regular, sea, wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt, PathPart
@@ -59,8 +62,8 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     parts.sea = {"components": listed, "rise_time": rise_time}
     moved = {name: vessel for name, vessel in (scenario.vessels or {}).items() if vessel.wave_forces}
     for name, vessel in moved.items():
-        force = _force(parts, scenario, name, vessel, trains)
-        parts.forces.append(force)
+        force, *slowed = _forces(parts, scenario, name, vessel, trains)
+        parts.forces += [force, *slowed]
         parts.doubts += _other_period(scenario, name, vessel)
         parts.doubts += _drifting(scenario, name, vessel, drifts=bool(force["drifts"]))
     parts.doubts += _idle(scenario, moved) + _steep(scenario)
@@ -86,8 +89,12 @@ def _components(name: str, train: WaveTrain) -> Components:
     )
 
 
-def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, Train]) -> Json:
+def _forces(
+    parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, Train]
+) -> list[Json]:
     """What all waves do to a vessel, vessel axes, phases from the middle of its length in the centre plane.
+
+    The first is their force, the second, if any, what they take of its slow way.
 
     There they change least between the frequencies and directions of a file, whose own origin may be far off.
     """
@@ -97,47 +104,69 @@ def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: 
     box = vessel_hull(scenario, name, vessel).box[:, :2]
     found = []
     for train_name, train in trains.items():
-        waves = train.waves
-        per_metre, around, drift, doubts = _of_database(scenario, path, vessel, waves, box)
-        parts.doubts += [Doubt(path, f"wave forces of {name}: {doubt}") for doubt in doubts]
-        unknown = _unknown(waves, per_metre)
+        pushed = _of_database(scenario, path, vessel, train.waves, box)
+        parts.doubts += [Doubt(path, f"wave forces of {name}: {doubt}") for doubt in pushed.doubts]
+        unknown = _unknown(train.waves, pushed.at_start)
         if unknown > _SILENT:
             shown = f"{100 * unknown:.2g} % of the energy of {train_name}"
             sentence = f"{shown} is in waves shorter than any there"
             if unknown > _MOST_UNKNOWN:
                 raise scenario.error((*path, "database"), f"{given.database}: {sentence}")
             parts.doubt(path, f"wave forces of {name}: {sentence}; they do nothing")
-        found.append((around, drift))
-    forces = np.concatenate([around.cubics for around, _ in found])
-    drifts = [drift.cubics.real for _, drift in found if drift is not None]
+        found.append(pushed)
+    forces = np.concatenate([pushed.around.cubics for pushed in found])
+    drifts = [pushed.drift.cubics.real for pushed in found if pushed.drift is not None]
+    slowed = [pushed.slowed for pushed in found if pushed.slowed is not None]
     # One file has the same directions for all waves.
-    return {
+    force: Json = {
         "type": "wave",
         "name": f"{name}.wave_forces",
         "body": name,
         "at": list(given.at),
         "origin": [float(box[:, 0].mean()), 0.0, given.at[2]],
-        "directions": found[0][0].directions.tolist(),
+        "directions": found[0].around.directions.tolist(),
         "phasors": np.stack([forces.real, forces.imag], axis=-1).tolist(),
         "drifts": np.concatenate(drifts).tolist() if drifts else [],
     }
+    return [force, drift_damping(scenario, name, given, slowed, box)] if slowed else [force]
+
+
+class _Pushed(NamedTuple):
+    """Forces of waves on a vessel in its axes, over amplitudes or their squares, and what is doubtful.
+
+    Attributes:
+        at_start: as it lies at the start (n, 6).
+        around: by the direction of the waves.
+        drift: drift forces likewise, if any.
+        slowed: what damps its slow way, if that counts.
+        doubts: sentences.
+    """
+
+    at_start: Complex
+    around: ForcesAround
+    drift: ForcesAround | None
+    slowed: Slowed | None
+    doubts: list[str]
 
 
 def _of_database(
     scenario: Scenario, path: tuple[PathPart, ...], vessel: Vessel, train: Components, box: Array
-) -> tuple[Complex, ForcesAround, ForcesAround | None, list[str]]:
-    """Forces per metre at the start in the vessel's axes (n, 6), all around, drift forces all around, doubts.
+) -> _Pushed:
+    """What waves do to a vessel; phases count from the middle of its length in its centre plane.
 
-    Phases count from the middle of its length in its centre plane; `box`: its least and largest x, y [m].
+    Args:
+        scenario: the lift.
+        path: of its wave forces.
+        vessel: the vessel.
+        train: the waves.
+        box: its least and largest x, y [m].
     """
     given = vessel.wave_forces
     assert given is not None
     density = (scenario.water or Water()).density
     lowest, middle, size = float(train.frequency[0]), float(box[:, 0].mean()), np.ptp(box, axis=0)
 
-    def forces(
-        database: HydrodynamicDatabase,
-    ) -> tuple[Complex, ForcesAround, ForcesAround | None, list[str]]:
+    def forces(database: HydrodynamicDatabase) -> _Pushed:
         shortest = 2 * math.pi / float(database.frequencies[-1])
         if len(train.frequency) == 1 and lowest > float(database.frequencies[-1]) * (1 + 1e-6):
             wanted = f"has no waves of {2 * math.pi / lowest:.4g} s"
@@ -151,7 +180,12 @@ def _of_database(
         drift = database.drift_around(train.frequency, density) if given.drift is not False else None
         if given.drift and drift is None:
             raise DatabaseError(f"{database.source}: has no drift forces")
-        return found, around, drift, doubts + _sparse(database, around, towards, train, size)
+        slowed = None
+        if drift is not None and given.drift_damping:
+            met = database.drift_around(train.frequency, density, derivative=1)
+            assert met is not None  # as `drift`
+            slowed = Slowed(train, drift, met)
+        return _Pushed(found, around, drift, slowed, doubts + _sparse(database, around, towards, train, size))
 
     return from_database(scenario, path, (given.database, given.body), forces)
 

@@ -13,6 +13,7 @@ pub mod axes;
 pub mod buoyancy;
 pub mod damping;
 pub mod drag;
+pub mod drift_damping;
 pub mod level_mass;
 pub mod memory;
 pub mod mooring;
@@ -32,6 +33,7 @@ use added_mass::AddedMass;
 use buoyancy::Buoyancy;
 use damping::Damping;
 use drag::Drag;
+use drift_damping::DriftDamping;
 use level_mass::LevelMass;
 use memory::{Memory, memories};
 use mooring::Mooring;
@@ -177,6 +179,8 @@ pub enum AnyForce {
     Mooring(Box<Mooring>),
     /// Waves.
     Wave(WaveForce),
+    /// What these take of slow way.
+    DriftDamping(DriftDamping),
 }
 
 impl std::ops::Deref for AnyForce {
@@ -193,6 +197,7 @@ impl std::ops::Deref for AnyForce {
             Self::Tank(tank) => &**tank,
             Self::Mooring(mooring) => &**mooring,
             Self::Wave(wave) => wave,
+            Self::DriftDamping(damping) => damping,
         }
     }
 }
@@ -288,7 +293,7 @@ pub fn turning_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
 
 /// The same of waves.
 pub fn wave_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
-    waves(tree).map(|wave| wave.work(&under(tree, kinematics, wave.body, v))).sum()
+    of_waves(tree).map(|force| force.work(&under(tree, kinematics, force.body(), v))).sum()
 }
 
 /// Sets `out` to what fluids resist the velocity coordinates `v` with, along every degree of freedom; at rest that is the
@@ -302,8 +307,9 @@ pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f6
         let body = damping.body();
         take(tree, kinematics, body, damping.wrench(&under(tree, kinematics, body, v)), out);
     }
-    for wave in waves(tree) {
-        take(tree, kinematics, wave.body, wave.wrench(&under(tree, kinematics, wave.body, v)), out);
+    for force in of_waves(tree) {
+        let body = force.body();
+        take(tree, kinematics, body, force.wrench(&under(tree, kinematics, body, v)), out);
     }
     for memory in memories(tree) {
         take(tree, kinematics, memory.body, memory.wrench(&under(tree, kinematics, memory.body, v)), out);
@@ -351,6 +357,11 @@ fn dampings(tree: &Tree) -> impl Iterator<Item = &Damping> {
     tree.forces
         .iter()
         .filter_map(|force| if let AnyForce::Damping(damping) = force { Some(damping) } else { None })
+}
+
+/// What waves push with, as they come by and by the way that a body makes.
+fn of_waves(tree: &Tree) -> impl Iterator<Item = &AnyForce> {
+    tree.forces.iter().filter(|force| matches!(force, AnyForce::Wave(_) | AnyForce::DriftDamping(_)))
 }
 
 fn waves(tree: &Tree) -> impl Iterator<Item = &WaveForce> {

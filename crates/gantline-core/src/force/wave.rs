@@ -25,7 +25,7 @@ use crate::tree::bias::Wrench;
 pub type Phasor = [[f64; 6]; 2];
 
 /// Where surge, sway and yaw are among the six.
-const LEVEL: [usize; 3] = [0, 1, 5];
+pub(super) const LEVEL: [usize; 3] = [0, 1, 5];
 
 /// Waves on a body.
 #[derive(Debug, Clone)]

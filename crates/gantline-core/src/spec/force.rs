@@ -103,6 +103,18 @@ pub enum ForceSpec {
         #[serde(default)]
         drifts: Vec<Vec<[DriftSpec; TERMS]>>,
     },
+    /// What the waves that push a body take of its slow way, and what a current adds to their push.
+    DriftDamping {
+        /// Unique name.
+        name: String,
+        /// Body that it acts on, which has a force of waves too.
+        body: String,
+        /// Point whose way it resists, and at which it acts [m], body frame.
+        at: [f64; 3],
+        /// From each of some even headings to the next, the first along world x: terms of 1, s, s² and s³, s the share of
+        /// the way.
+        around: Vec<[SlowingSpec; TERMS]>,
+    },
 }
 
 /// Real and imaginary part of X in Re(X a exp(i(k·x + ε − ωt))), x the origin: force x, y, z [N/m], moment x, y, z [N], axes
@@ -111,6 +123,10 @@ pub type PhasorSpec = [[f64; 2]; 6];
 
 /// Mean surge, sway and yaw of one wave alone over the square of its amplitude [N/m², N/m], axes of a body that is level.
 pub type DriftSpec = [f64; 3];
+
+/// Surge, sway and yaw, axes of a body that is level: what is lost over speed in each of the three, then what a current pushes
+/// with [N s/m, N s, N; of yaw N s, N m s, N m].
+pub type SlowingSpec = [[f64; 4]; 3];
 
 /// Of a cubic.
 pub const TERMS: usize = 4;
@@ -209,7 +225,8 @@ impl ForceSpec {
             | Self::Drag { name, .. }
             | Self::Memory { name, .. }
             | Self::Tank { name, .. }
-            | Self::Wave { name, .. } => name,
+            | Self::Wave { name, .. }
+            | Self::DriftDamping { name, .. } => name,
             Self::Mooring(line) => &line.name,
         }
     }
