@@ -276,7 +276,7 @@ def _other_period(scenario: Scenario, name: str, vessel: Vessel) -> list[Doubt]:
 
 
 def _drifting(scenario: Scenario, name: str, vessel: Vessel, *, drifts: bool) -> list[Doubt]:
-    """A vessel that drift forces take away, or moorings whose pull is without them and nobody says so."""
+    """A vessel that drift forces take away or make swing for long, or moorings without them unsaid."""
     given = vessel.wave_forces
     assert given is not None
     path = ("vessels", name, "wave_forces")
@@ -291,6 +291,12 @@ def _drifting(scenario: Scenario, name: str, vessel: Vessel, *, drifts: bool) ->
         sentence = (
             f"{given.database} has no drift forces: the pull of the mooring lines of {name} is without them, "
             "and so is where it lies; 'drift: false' says that this is known"
+        )
+        return [Doubt(path, sentence)]
+    if drifts and vessel.water_damping is None and not vessel.current_areas:
+        sentence = (
+            f"nothing but waves takes of the slow motions of {name} on its mooring lines, which drift forces "
+            "stir: lines and hull take more; 'water_damping: {critical: …}' or 'current_areas' say what"
         )
         return [Doubt(path, sentence)]
     return []
