@@ -69,3 +69,13 @@ def gone(run: Run) -> Any:
     along = np.array([[math.cos(HEADING), -math.sin(HEADING)], [math.sin(HEADING), math.cos(HEADING)]])
     turned = np.unwrap(heading(orientation)) - HEADING
     return np.column_stack([shift @ along, turned])
+
+
+def follows(run: Run, time: Any, expected: Any, close: float) -> None:
+    """Samples of a run against a system (n, 3), close by a share of the largest motion; energies balance."""
+    found = gone(run)
+    for k, motion in enumerate(("surge", "sway", "yaw")):
+        wanted = np.interp(run.time, time, expected[:, k])
+        worst = np.abs(found[:, k] - wanted).max() / np.abs(wanted).max()
+        assert worst < close, motion
+    assert run.energy_remainder < 1e-7
