@@ -269,10 +269,12 @@ def test_drift_forces_where_a_file_has_them(tmp_path: Path) -> None:
     with pytest.raises(ScenarioError, match=r"wave_forces\.database: barge\.nc.*: has no drift forces"):
         drifts(False, drift=True)
     damped = [forces(True), forces(True, drift_damping=False), forces(True, drift=False), forces(False)]
-    assert ["drift_damping" in found for found in damped] == [True, False, False, False]
+    assert ["mean_drift" in found for found in damped] == [True, True, False, False]
+    assert np.any(np.array(damped[0]["mean_drift"]["around"])[..., :3])
+    assert not np.any(np.array(damped[1]["mean_drift"]["around"])[..., :3])
 
 
-def test_drift_damping_is_about_amidships(tmp_path: Path) -> None:
+def test_mean_drift_forces_are_about_amidships(tmp_path: Path) -> None:
     """Forces of a file about a point 30 m aft of there and 4 m to port: its yaw, and x F_y − y F_x."""
     alike = np.ones((len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3))
 
@@ -281,7 +283,7 @@ def test_drift_damping_is_about_amidships(tmp_path: Path) -> None:
         path = waves.in_waves(tmp_path, {"swell": SWELL}, {"wave_forces": forces})
         waves.database(tmp_path, drift=alike * [1.0, 0.0, 0.0])
         force = assemble(load_scenario(path)).document["forces"][-1]
-        assert force["type"] == "drift_damping" and force["at"] == [LENGTH / 2, 0.0, DRAFT]
+        assert force["type"] == "mean_drift" and force["at"] == [LENGTH / 2, 0.0, DRAFT]
         return np.array(force["around"])[0, 0]
 
     about = rates([f"{LENGTH / 2} m", "0 m", f"{DRAFT} m"])

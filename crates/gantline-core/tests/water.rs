@@ -25,6 +25,43 @@ fn entry(paired: &Paired, frame: &Frame, row: usize, column: usize) -> f64 {
     found.map_or(0.0, |slot| values[slot])
 }
 
+/// Tangents of inverse dynamics under some accelerations against differences, in frames made as they have to be.
+fn follow_differences(seeds: &[f64], make: impl Fn(&mut Frame)) -> Result<(), TestCaseError> {
+    let (system, state, mut frame) = wet(seeds);
+    make(&mut frame);
+    let size = system.tree.velocities;
+    let a = rates(&system, seeds);
+    let (dynamics, here) = inverse(&system, &frame, &state.v, &a);
+    let mut tangent = DynamicsTangent::new(&system.tree, &frame.mass);
+    tangent.update(&system.tree, &frame.kinematics, &frame.mass, &dynamics, &state.v);
+    let scale = here.iter().fold(100.0_f64, |most, x| most.max(x.abs()));
+    for column in 0..size {
+        let mut direction = vec![0.0; size];
+        direction[column] = 1.0;
+        let at = |step: f64| {
+            let (_, mut frame) = moved(&system, &state, &direction, step);
+            make(&mut frame);
+            inverse(&system, &frame, &state.v, &a).1
+        };
+        let with = |step: f64| {
+            let v: Vec<f64> = state.v.iter().zip(&direction).map(|(v, d)| v + step * d).collect();
+            inverse(&system, &frame, &v, &a).1
+        };
+        let (up, down, faster, slower) = (at(STEP), at(-STEP), with(STEP), with(-STEP));
+        // The row of what a drive prescribes is no equation.
+        for row in (0..size).filter(|&row| system.driven[row].is_none()) {
+            let place = (up[row] - down[row]) / (2.0 * STEP);
+            let found = entry(&tangent.position, &frame, row, column);
+            // |ν| ν of a rotation has a kink of its slope at rest, and the section one where a corner meets the water.
+            prop_assert!((place - found).abs() < 1e-6 * scale, "q {row} {column}: {place} {found}");
+            let speed = (faster[row] - slower[row]) / (2.0 * STEP);
+            let found = entry(&tangent.velocity, &frame, row, column);
+            prop_assert!((speed - found).abs() < 1e-6 * scale, "v {row} {column}: {speed} {found}");
+        }
+    }
+    Ok(())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]
 
@@ -133,36 +170,13 @@ proptest! {
     /// ∂τ/∂q and ∂τ/∂v with all forces, in motion, against differences.
     #[test]
     fn tangents_equal_differences(seeds in seeds()) {
-        let (system, state, frame) = wet(&seeds);
-        let size = system.tree.velocities;
-        let a = rates(&system, &seeds);
-        let (dynamics, here) = inverse(&system, &frame, &state.v, &a);
-        let mut tangent = DynamicsTangent::new(&system.tree, &frame.mass);
-        tangent.update(&system.tree, &frame.kinematics, &frame.mass, &dynamics, &state.v);
-        let scale = here.iter().fold(100.0_f64, |most, x| most.max(x.abs()));
-        for column in 0..size {
-            let mut direction = vec![0.0; size];
-            direction[column] = 1.0;
-            let at = |step: f64| {
-                let (_, frame) = moved(&system, &state, &direction, step);
-                inverse(&system, &frame, &state.v, &a).1
-            };
-            let with = |step: f64| {
-                let v: Vec<f64> = state.v.iter().zip(&direction).map(|(v, d)| v + step * d).collect();
-                inverse(&system, &frame, &v, &a).1
-            };
-            let (up, down, faster, slower) = (at(STEP), at(-STEP), with(STEP), with(-STEP));
-            // The row of what a drive prescribes is no equation.
-            for row in (0..size).filter(|&row| system.driven[row].is_none()) {
-                let place = (up[row] - down[row]) / (2.0 * STEP);
-                let found = entry(&tangent.position, &frame, row, column);
-                // |ν| ν of a rotation has a kink of its slope at rest, and the section one where a corner meets the water.
-                prop_assert!((place - found).abs() < 1e-6 * scale, "q {row} {column}: {place} {found}");
-                let speed = (faster[row] - slower[row]) / (2.0 * STEP);
-                let found = entry(&tangent.velocity, &frame, row, column);
-                prop_assert!((speed - found).abs() < 1e-6 * scale, "v {row} {column}: {speed} {found}");
-            }
-        }
+        follow_differences(&seeds, |_| ())?;
+    }
+
+    /// The same where nothing has moved yet, as statics has it: of waves what is settled pushes, by the heading of its body.
+    #[test]
+    fn tangents_equal_differences_before_anything_moves(seeds in seeds()) {
+        follow_differences(&seeds, |frame| frame.kinematics.past.clear())?;
     }
 
     /// ∂τ/∂t, where waves and gusts alone know time, and how they grow, against differences.
@@ -344,17 +358,17 @@ fn refused_in_waves(waves: usize, forces: &[serde_json::Value]) -> String {
     build(&serde_json::from_value(spec).unwrap()).err().map(|error| error.to_string()).unwrap_or_default()
 }
 
-/// Wave drift damping needs a force of waves, whose slow heading it has, and to be known at a heading.
+/// A mean drift force needs a force of waves, whose slow heading it has, and to be known at a heading.
 #[test]
-fn drift_damping_belongs_to_a_force_of_waves() {
+fn mean_drift_belongs_to_a_force_of_waves() {
     let phasors = vec![vec![[[[1.0, 0.0]; 6]; 4]]];
     let swell = serde_json::json!({"type": "wave", "name": "swell", "body": "cube", "at": [0, 0, 0],
         "origin": [0, 0, 0], "directions": [0.5], "phasors": phasors});
-    let slowed = |around: &[[[[f64; 4]; 3]; 4]]| serde_json::json!({"type": "drift_damping", "name": "slowed", "body": "cube", "at": [0, 0, 0], "around": around});
+    let drift = |around: &[[[[f64; 4]; 3]; 4]]| serde_json::json!({"type": "mean_drift", "name": "drift", "body": "cube", "at": [0, 0, 0], "around": around});
     let known = [[[[1.0; 4]; 3]; 4]];
-    assert_eq!(refused_in_waves(1, &[slowed(&known), swell.clone()]), "");
-    assert!(refused_in_waves(1, &[slowed(&known)]).contains("no waves push `cube`"));
-    assert!(refused_in_waves(1, &[swell, slowed(&[])]).contains("at no heading"));
+    assert_eq!(refused_in_waves(1, &[drift(&known), swell.clone()]), "");
+    assert!(refused_in_waves(1, &[drift(&known)]).contains("no waves push `cube`"));
+    assert!(refused_in_waves(1, &[swell, drift(&[])]).contains("at no heading"));
 }
 
 /// Wave forces that do not belong to their sea, or to no direction, are refused by name.

@@ -9,12 +9,12 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.assembly.databases import from_database
-from gantline.assembly.drift_damping import drift_damping
+from gantline.assembly.mean_drift import mean_drift
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.trains import Train
 from gantline.assembly.vessels import vessel_hull
 from gantline.hydro.database import AXES, DatabaseError, ForcesAround, HydrodynamicDatabase
-from gantline.hydro.drift_damping import Slowed
+from gantline.hydro.mean_drift import Drifting
 from gantline.hydro.waves import Components, regular, sea, wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt, PathPart
@@ -62,8 +62,8 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     parts.sea = {"components": listed, "rise_time": rise_time}
     moved = {name: vessel for name, vessel in (scenario.vessels or {}).items() if vessel.wave_forces}
     for name, vessel in moved.items():
-        force, *slowed = _forces(parts, scenario, name, vessel, trains)
-        parts.forces += [force, *slowed]
+        force, *mean = _forces(parts, scenario, name, vessel, trains)
+        parts.forces += [force, *mean]
         parts.doubts += _other_period(scenario, name, vessel)
         parts.doubts += _drifting(scenario, name, vessel, drifts=bool(force["drifts"]))
     parts.doubts += _idle(scenario, moved) + _steep(scenario)
@@ -94,7 +94,7 @@ def _forces(
 ) -> list[Json]:
     """What all waves do to a vessel, vessel axes, phases from the middle of its length in the centre plane.
 
-    The first is their force, the second, if any, what they take of its slow way.
+    The first is their force as they come by, the second, if they have any, that on the whole.
 
     There they change least between the frequencies and directions of a file, whose own origin may be far off.
     """
@@ -115,8 +115,8 @@ def _forces(
             parts.doubt(path, f"wave forces of {name}: {sentence}; they do nothing")
         found.append(pushed)
     forces = np.concatenate([pushed.around.cubics for pushed in found])
-    drifts = [pushed.drift.cubics.real for pushed in found if pushed.drift is not None]
-    slowed = [pushed.slowed for pushed in found if pushed.slowed is not None]
+    pushes = [pushed.on_the_whole for pushed in found if pushed.on_the_whole is not None]
+    drifts = [one.drift.cubics.real for one in pushes]
     # One file has the same directions for all waves.
     force: Json = {
         "type": "wave",
@@ -128,7 +128,7 @@ def _forces(
         "phasors": np.stack([forces.real, forces.imag], axis=-1).tolist(),
         "drifts": np.concatenate(drifts).tolist() if drifts else [],
     }
-    return [force, drift_damping(scenario, name, given, slowed, box)] if slowed else [force]
+    return [force, mean_drift(scenario, name, given, pushes, box)] if pushes else [force]
 
 
 class _Pushed(NamedTuple):
@@ -137,15 +137,13 @@ class _Pushed(NamedTuple):
     Attributes:
         at_start: as it lies at the start (n, 6).
         around: by the direction of the waves.
-        drift: drift forces likewise, if any.
-        slowed: what damps its slow way, if that counts.
+        on_the_whole: drift forces, if any.
         doubts: sentences.
     """
 
     at_start: Complex
     around: ForcesAround
-    drift: ForcesAround | None
-    slowed: Slowed | None
+    on_the_whole: Drifting | None
     doubts: list[str]
 
 
@@ -180,12 +178,9 @@ def _of_database(
         drift = database.drift_around(train.frequency, density) if given.drift is not False else None
         if given.drift and drift is None:
             raise DatabaseError(f"{database.source}: has no drift forces")
-        slowed = None
-        if drift is not None and given.drift_damping:
-            met = database.drift_around(train.frequency, density, derivative=1)
-            assert met is not None  # as `drift`
-            slowed = Slowed(train, drift, met)
-        return _Pushed(found, around, drift, slowed, doubts + _sparse(database, around, towards, train, size))
+        met = database.drift_around(train.frequency, density, derivative=1)
+        mean = None if drift is None or met is None else Drifting(train, drift, met)
+        return _Pushed(found, around, mean, doubts + _sparse(database, around, towards, train, size))
 
     return from_database(scenario, path, (given.database, given.body), forces)
 

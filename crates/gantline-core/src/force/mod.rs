@@ -13,8 +13,8 @@ pub mod axes;
 pub mod buoyancy;
 pub mod damping;
 pub mod drag;
-pub mod drift_damping;
 pub mod level_mass;
+pub mod mean_drift;
 pub mod memory;
 pub mod mooring;
 pub mod slow;
@@ -33,8 +33,8 @@ use added_mass::AddedMass;
 use buoyancy::Buoyancy;
 use damping::Damping;
 use drag::Drag;
-use drift_damping::DriftDamping;
 use level_mass::LevelMass;
+use mean_drift::MeanDrift;
 use memory::{Memory, memories};
 use mooring::Mooring;
 use square::{Square, skew};
@@ -179,8 +179,8 @@ pub enum AnyForce {
     Mooring(Box<Mooring>),
     /// Waves.
     Wave(WaveForce),
-    /// What these take of slow way.
-    DriftDamping(DriftDamping),
+    /// What these push with on the whole.
+    MeanDrift(MeanDrift),
 }
 
 impl std::ops::Deref for AnyForce {
@@ -197,7 +197,7 @@ impl std::ops::Deref for AnyForce {
             Self::Tank(tank) => &**tank,
             Self::Mooring(mooring) => &**mooring,
             Self::Wave(wave) => wave,
-            Self::DriftDamping(damping) => damping,
+            Self::MeanDrift(damping) => damping,
         }
     }
 }
@@ -265,9 +265,10 @@ pub fn follow(tree: &Tree, kinematics: &mut Kinematics, (v, time): (&[f64], f64)
     kinematics.past.copy_from_slice(past);
 }
 
-/// True where wind or current blows on a body.
+/// True where wind, current or, on the whole, waves push a body that has not moved yet.
 pub fn has_stream(tree: &Tree) -> bool {
     drags(tree).any(|drag| drag.stream != DVec3::ZERO)
+        || tree.forces.iter().any(|force| matches!(force, AnyForce::MeanDrift(drift) if drift.settled))
 }
 
 /// True where waves do something to a body.
@@ -359,9 +360,9 @@ fn dampings(tree: &Tree) -> impl Iterator<Item = &Damping> {
         .filter_map(|force| if let AnyForce::Damping(damping) = force { Some(damping) } else { None })
 }
 
-/// What waves push with, as they come by and by the way that a body makes.
+/// What waves push with, as they come by and on the whole.
 fn of_waves(tree: &Tree) -> impl Iterator<Item = &AnyForce> {
-    tree.forces.iter().filter(|force| matches!(force, AnyForce::Wave(_) | AnyForce::DriftDamping(_)))
+    tree.forces.iter().filter(|force| matches!(force, AnyForce::Wave(_) | AnyForce::MeanDrift(_)))
 }
 
 fn waves(tree: &Tree) -> impl Iterator<Item = &WaveForce> {

@@ -99,12 +99,13 @@ pub enum ForceSpec {
         /// Of every component of the sea, from every direction to the next: terms of 1, s, s² and s³, s the share of the
         /// way.
         phasors: Vec<Vec<[PhasorSpec; TERMS]>>,
-        /// Drift forces D likewise; empty where there are none.
+        /// Drift forces D likewise, of which each two waves have a slow one; empty where there are none.
         #[serde(default)]
         drifts: Vec<Vec<[DriftSpec; TERMS]>>,
     },
-    /// What the waves that push a body take of its slow way, and what a current adds to their push.
-    DriftDamping {
+    /// What the waves that push a body do to it on the whole: a push, with what a current adds to it, and what they take of its
+    /// way.
+    MeanDrift {
         /// Unique name.
         name: String,
         /// Body that it acts on, which has a force of waves too.
@@ -113,7 +114,10 @@ pub enum ForceSpec {
         at: [f64; 3],
         /// From each of some even headings to the next, the first along world x: terms of 1, s, s² and s³, s the share of
         /// the way.
-        around: Vec<[SlowingSpec; TERMS]>,
+        around: Vec<[MeanDriftSpec; TERMS]>,
+        /// True where the push is there from the start, and in statics; else it grows with the waves.
+        #[serde(default)]
+        settled: bool,
     },
 }
 
@@ -124,9 +128,9 @@ pub type PhasorSpec = [[f64; 2]; 6];
 /// Mean surge, sway and yaw of one wave alone over the square of its amplitude [N/m², N/m], axes of a body that is level.
 pub type DriftSpec = [f64; 3];
 
-/// Surge, sway and yaw, axes of a body that is level: what is lost over speed in each of the three, then what a current pushes
-/// with [N s/m, N s, N; of yaw N s, N m s, N m].
-pub type SlowingSpec = [[f64; 4]; 3];
+/// Surge, sway and yaw, axes of a body that is level: what is lost over speed in each of the three, then the push [N s/m, N s, N;
+/// of yaw N s, N m s, N m].
+pub type MeanDriftSpec = [[f64; 4]; 3];
 
 /// Of a cubic.
 pub const TERMS: usize = 4;
@@ -226,7 +230,7 @@ impl ForceSpec {
             | Self::Memory { name, .. }
             | Self::Tank { name, .. }
             | Self::Wave { name, .. }
-            | Self::DriftDamping { name, .. } => name,
+            | Self::MeanDrift { name, .. } => name,
             Self::Mooring(line) => &line.name,
         }
     }

@@ -127,12 +127,14 @@ pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
         };
         // From heading to heading without a bend.
         let headings: Vec<f64> = (0..5).map(|k| 0.2 * f64::from(k) * std::f64::consts::TAU).collect();
-        let around = from_all_sides(&mut draw, &headings).iter().map(slowing).collect();
-        let slowed = ForceSpec::DriftDamping {
-            name: named("slowed", k),
+        let around = from_all_sides(&mut draw, &headings).iter().map(on_the_whole).collect();
+        // One of the two is there from the start.
+        let drift = ForceSpec::MeanDrift {
+            name: named("drift", k),
             body: pushed.clone(),
             at: at(&mut draw),
             around,
+            settled: k == 1,
         };
         // Where waves push, added mass and a matrix alone act along their axes.
         let level = ForceSpec::AddedMass {
@@ -150,7 +152,7 @@ pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
             stream: [0.0; 3],
             gusty: false,
         };
-        spec.forces.extend([buoyancy, added, drag, tank, wave, slowed, level, viscous]);
+        spec.forces.extend([buoyancy, added, drag, tank, wave, drift, level, viscous]);
     }
     let component = |draw: &mut Draw| ComponentSpec {
         frequency: 1.0 + 0.5 * draw.number(),
@@ -187,7 +189,7 @@ fn level(forces: &[[PhasorSpec; 4]]) -> Vec<[[f64; 3]; 4]> {
 }
 
 /// Twelve numbers as three rows, a tenth as large.
-fn slowing(terms: &[PhasorSpec; 4]) -> [[[f64; 4]; 3]; 4] {
+fn on_the_whole(terms: &[PhasorSpec; 4]) -> [[[f64; 4]; 3]; 4] {
     terms.map(|term| {
         let numbers = term.as_flattened();
         std::array::from_fn(|i| std::array::from_fn(|j| 0.1 * numbers[4 * i + j]))

@@ -1,13 +1,16 @@
-//! How the mean drift force of waves changes as a body makes slow way through them, and what a current adds to it: wave drift
-//! damping (Aranha 1994).
+//! What waves push a body with on the whole, as it makes way through them, and through a current: their mean drift force and
+//! wave drift damping (Aranha 1994).
 //!
 //! ```text
-//! F = g² R(ψ) (C(ψ) − B(ψ) R(ψ)ᵀ (v_P, ω_z))
+//! F = R(ψ) (s C(ψ) − g² B(ψ) R(ψ)ᵀ (v_P, ω_z))        s = 1 where it is there from the start, else g²
 //! ```
 //!
 //! v_P and F are level, in surge and sway, and turn in yaw. ψ is the slow heading of the body ([`super::slow`]), B and C are
 //! those of all waves together, cubics from each of some even headings to the next, g is how far the waves have grown. F acts
-//! at a point P of the body. Nothing pushes where nothing has moved yet.
+//! at a point P of the body.
+//!
+//! Where nothing has moved yet, as in statics, a force that is there from the start has the heading of the body itself, and
+//! g = 1; another is nothing there.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -16,18 +19,18 @@ use glam::{DMat3, DVec3};
 
 use super::axes::Axes;
 use super::damping::Push;
-use super::slow::Slow;
-use super::square::Square;
+use super::slow::{Slow, heading_of};
+use super::square::{Square, outer};
 use super::trains::Trains;
 use super::wave::LEVEL;
 use super::{At, Force, Tangent};
-use crate::spec::{SlowingSpec, TERMS};
+use crate::spec::{MeanDriftSpec, TERMS};
 use crate::tree::bias::Wrench;
 use crate::tree::kinematics::Twist;
 
-/// What the waves take of slow way.
+/// What all waves push a body with on the whole.
 #[derive(Debug, Clone)]
-pub struct DriftDamping {
+pub struct MeanDrift {
     /// Name.
     pub name: String,
     /// Index of the body.
@@ -35,16 +38,39 @@ pub struct DriftDamping {
     /// P [m], body frame.
     pub at: DVec3,
     /// B and C from every heading to the next, by powers of the share of the way; the first is 0.
-    pub around: Vec<[SlowingSpec; TERMS]>,
+    pub around: Vec<[MeanDriftSpec; TERMS]>,
+    /// True where it is there from the start, and in statics.
+    pub settled: bool,
     /// The waves.
     pub sea: Arc<Trains>,
     /// Behind the body.
     pub slow: Slow,
 }
 
-impl DriftDamping {
+/// Where it is looked at: the heading, s and g², each with its rate of change.
+#[derive(Debug, Clone, Copy)]
+struct Look {
+    heading: [f64; 2],
+    steady: [f64; 2],
+    damped: [f64; 2],
+}
+
+impl MeanDrift {
+    /// As a body heads and waves have grown, and how that changes with time; where nothing has moved yet, with the heading.
+    fn look(&self, at: &At) -> Option<Look> {
+        let Some(slowly) = self.slow.at(at.past, at.time) else {
+            let still = [1.0, 0.0];
+            let heading = [heading_of(at.pose).0, 1.0];
+            return self.settled.then_some(Look { heading, steady: still, damped: still });
+        };
+        let (growth, growing) = self.sea.growth(at.time);
+        let damped = [growth * growth, 2.0 * growth * growing];
+        let steady = if self.settled { [1.0, 0.0] } else { damped };
+        Some(Look { heading: [slowly.heading[0], slowly.heading[1]], steady, damped })
+    }
+
     /// B and C at a heading [rad], and their derivatives over it.
-    fn at_heading(&self, heading: f64) -> [SlowingSpec; 2] {
+    fn at_heading(&self, heading: f64) -> [MeanDriftSpec; 2] {
         let count = self.around.len();
         let steps = count as f64 / TAU;
         let way = steps * heading.rem_euclid(TAU);
@@ -61,24 +87,27 @@ impl DriftDamping {
         ]
     }
 
-    /// What it does, and the derivative over time of its wrench at P; none before anything has moved.
+    /// What it does, and how its wrench at P changes by itself.
     fn push(&self, at: &At) -> Option<(Push, Wrench)> {
-        let slowly = self.slow.at(at.past, at.time)?;
-        let axes = Axes::new(at.pose, self.at, Some(slowly));
+        let Look { heading: [heading, turning], steady, damped } = self.look(at)?;
+        let turn = DMat3::from_rotation_z(heading);
+        let axes = Axes { turn, arm: at.pose.rotation * self.at, turning: Some(turning) };
         let motion = Twist { linear: at.twist.at(axes.arm), ..at.twist };
-        let [here, slope] = self.at_heading(slowly.heading[0]);
-        let (growth, growing) = self.sea.growth(at.time);
-        let (square, rising) = (growth * growth, 2.0 * growth * growing);
-        let changing = |i: usize, j: usize| rising * here[i][j] + square * slowly.heading[1] * slope[i][j];
-        let (matrix, steady) = spread(&axes.turn, |i, j| square * here[i][j]);
-        let (matrix_rate, steady_rate) = spread(&axes.turn, changing);
-        let wrench = sum(matrix.times(&motion), steady);
+        let [here, slope] = self.at_heading(heading);
+        let share = |j: usize| if j == STEADY { steady } else { damped };
+        let (matrix, push) = spread(&turn, |i, j| share(j)[0] * here[i][j]);
+        let (matrix_rate, push_rate) =
+            spread(&turn, |i, j| share(j)[1] * here[i][j] + share(j)[0] * turning * slope[i][j]);
+        let wrench = sum(matrix.times(&motion), push);
+        let rate = sum(matrix_rate.times(&motion), push_rate);
         let push = Push { axes, motion, matrix, wrench };
-        let rate = sum(matrix_rate.times(&motion), steady_rate);
         let turned = push.over_time().unwrap_or_default();
         Some((push, sum(rate, turned)))
     }
 }
+
+/// The column of C.
+const STEADY: usize = 3;
 
 /// −B and C along world axes.
 fn spread(turn: &DMat3, entry: impl Fn(usize, usize) -> f64) -> (Square, Wrench) {
@@ -87,7 +116,7 @@ fn spread(turn: &DMat3, entry: impl Fn(usize, usize) -> f64) -> (Square, Wrench)
         for (j, column) in LEVEL.into_iter().enumerate() {
             rows[row][column] = -entry(i, j);
         }
-        steady[row] = entry(i, 3);
+        steady[row] = entry(i, STEADY);
     }
     let [force, moment] = [0, 3].map(|first| *turn * DVec3::from_slice(&steady[first..first + 3]));
     (Square::from_rows(&rows).turned(turn), Wrench { force, moment })
@@ -97,7 +126,7 @@ fn sum(one: Wrench, other: Wrench) -> Wrench {
     Wrench { force: one.force + other.force, moment: one.moment + other.moment }
 }
 
-impl Force for DriftDamping {
+impl Force for MeanDrift {
     fn name(&self) -> &str {
         &self.name
     }
@@ -111,10 +140,19 @@ impl Force for DriftDamping {
     }
 
     fn tangent(&self, at: &At) -> Tangent {
-        self.push(at).map_or(Tangent::NONE, |(push, _)| push.tangent())
+        let Some((push, rate)) = self.push(at) else { return Tangent::NONE };
+        let mut tangent = push.tangent();
+        if self.slow.at(at.past, at.time).is_none() {
+            // The heading is that of the body, and the rate is over it.
+            let (over, turns) = (rate.about(push.axes.arm), heading_of(at.pose).1);
+            tangent.place.cross += outer(over.force, turns);
+            tangent.place.angular += outer(over.moment, turns);
+        }
+        tangent
     }
 
     fn over_time(&self, at: &At) -> Option<Wrench> {
+        self.slow.at(at.past, at.time)?;
         self.push(at).map(|(push, rate)| rate.about(push.axes.arm))
     }
 

@@ -1,4 +1,4 @@
-"""What waves take of the slow way of a vessel, into a force of a document."""
+"""What waves push a vessel with on the whole, into a force of a document."""
 
 from __future__ import annotations
 
@@ -9,45 +9,51 @@ import numpy.typing as npt
 
 from gantline.assembly.parts import Json
 from gantline.hydro.database import ForcesAround
-from gantline.hydro.drift_damping import Slowed, cubics_over_heading
+from gantline.hydro.mean_drift import Drifting, cubics_over_heading
 from gantline.scenario import Scenario
 from gantline.scenario.water import Water, WaveForces
 
-__all__ = ["drift_damping"]
+__all__ = ["mean_drift"]
 
 Array = npt.NDArray[np.float64]
 
 
-def drift_damping(scenario: Scenario, name: str, given: WaveForces, slowed: list[Slowed], box: Array) -> Json:
+def mean_drift(scenario: Scenario, name: str, given: WaveForces, pushes: list[Drifting], box: Array) -> Json:
     """The force, about the middle of a vessel.
+
+    One on mooring lines that starts at rest has it from the start: with waves that only then begin, it would
+    set the vessel swinging on them.
 
     Args:
         scenario: the lift.
         name: of the vessel.
         given: its wave forces, which drift forces are about the point of.
-        slowed: all waves with what they push it with.
+        pushes: all waves with what they push it with.
         box: its least and largest x, y [m].
     """
     middle = float(box[:, 0].mean())
     lever = (given.at[0] - middle, given.at[1])
-    current = (0.0, 0.0) if scenario.current is None else scenario.current.velocity[:2]
+    current = scenario.current.velocity[:2] if scenario.current and given.drift_damping else (0.0, 0.0)
     cubics = cubics_over_heading(
-        [_about_middle(one, lever) for one in slowed],
+        [_about_middle(one, lever) for one in pushes],
         length=float(np.ptp(box[:, 0])),
         current=current,
         gravity=scenario.simulation.gravity,
         depth=(scenario.water or Water()).depth,
     )
+    if not given.drift_damping:
+        cubics[..., :3] = 0.0
     return {
-        "type": "drift_damping",
-        "name": f"{name}.drift_damping",
+        "type": "mean_drift",
+        "name": f"{name}.mean_drift",
         "body": name,
         "at": [middle, 0.0, given.at[2]],
         "around": cubics.tolist(),
+        "settled": scenario.has_mean_drift(name),
     }
 
 
-def _about_middle(slowed: Slowed, lever: tuple[float, float]) -> Slowed:
+def _about_middle(one: Drifting, lever: tuple[float, float]) -> Drifting:
     """With yaw about a point from which that of the file is away by `lever` [m]."""
 
     def moved(forces: ForcesAround) -> ForcesAround:
@@ -55,4 +61,4 @@ def _about_middle(slowed: Slowed, lever: tuple[float, float]) -> Slowed:
         cubics[..., 2] += lever[0] * cubics[..., 1] - lever[1] * cubics[..., 0]
         return replace(forces, cubics=cubics)
 
-    return replace(slowed, drift=moved(slowed.drift), over_frequency=moved(slowed.over_frequency))
+    return replace(one, drift=moved(one.drift), over_frequency=moved(one.over_frequency))

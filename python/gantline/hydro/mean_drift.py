@@ -1,4 +1,4 @@
-"""What waves take of the slow way of a vessel, and what a current adds to their drift force: Aranha 1994.
+"""What waves push a vessel with on the whole, as it makes way through them and a current: Aranha 1994.
 
 A vessel that makes way U in a water that streams with V meets waves of the wave number κ at the frequency
 ω − κ e·U, e the direction in which they run, and w = U − V is its way through the water. By what waves carry
@@ -6,7 +6,7 @@ along rays, docs/concepts/waves.md derives
 
     D(w, U) = (1 − A e·w) D(ω − κ e·U, β − t·w/c)    A = κ/ω + 1/c − κ c′/c,
 
-t across e, c = dω/dκ, c′ = dc/dω; in deep water A = 4ω/g. The derivatives over w and U are the damping.
+t across e, c = dω/dκ, c′ = dc/dω; in deep water A = 4ω/g. Derivatives over w and U are wave drift damping.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ import numpy.typing as npt
 from gantline.hydro.database.around import ForcesAround, cubics_around
 from gantline.hydro.waves import Components, group_velocity, wave_number
 
-__all__ = ["Slowed", "cubics_over_heading", "slowing"]
+__all__ = ["Drifting", "cubics_over_heading", "mean_drift"]
 
 Array = npt.NDArray[np.float64]
 
@@ -29,7 +29,7 @@ _HEADINGS = np.arange(72) * math.tau / 72
 
 
 @dataclass(frozen=True, eq=False)
-class Slowed:
+class Drifting:
     """Waves that run in one direction, with what they push a vessel with on the whole.
 
     Attributes:
@@ -43,8 +43,8 @@ class Slowed:
     over_frequency: ForcesAround
 
 
-def slowing(
-    slowed: list[Slowed],
+def mean_drift(
+    pushes: list[Drifting],
     headings: Array,
     *,
     length: float,
@@ -52,13 +52,13 @@ def slowing(
     gravity: float,
     depth: float | None,
 ) -> Array:
-    """Of all waves: B over surge, sway and yaw, then C (h, 3, 4) [N s/m, N s, N m s; N, N m].
+    """Of all waves B over surge, sway and yaw, then the push C (h, 3, 4) [N s/m, N s, N m s; N, N m].
 
     The vessel axes turn with the heading. A turn is taken to be sway of each slice of the length, alike
     everywhere: L²/12 of the damping of sway resists yaw.
 
     Args:
-        slowed: the waves.
+        pushes: the waves.
         headings: of the vessel, from world x towards y (h,) [rad].
         length: L of the vessel [m].
         current: V, world x and y [m/s].
@@ -68,7 +68,7 @@ def slowing(
     found = np.zeros((len(headings), 3, 4))
     cos, sin = np.cos(headings), np.sin(headings)
     stream = np.stack([cos * current[0] + sin * current[1], cos * current[1] - sin * current[0]], axis=1)
-    for one in slowed:
+    for one in pushes:
         omega = one.waves.frequency
         number = wave_number(omega, gravity, depth)
         speed, bend = group_velocity(omega, gravity, depth)
@@ -84,13 +84,13 @@ def slowing(
         over_rays += np.einsum("n,nhi,hj->hij", squares / speed, turned, across)
         over_frequency = np.einsum("n,nhi,hj->hij", squares * number, met, along)
         found[:, :, :2] += over_rays + over_frequency
-        found[:, :, 3] += np.einsum("hij,hj->hi", over_rays, stream)
+        found[:, :, 3] += np.einsum("n,nhi->hi", squares, drift) + np.einsum("hij,hj->hi", over_rays, stream)
     found[:, 2, 2] = found[:, 1, 1] * length**2 / 12
     return found
 
 
 def cubics_over_heading(
-    slowed: list[Slowed],
+    pushes: list[Drifting],
     *,
     length: float,
     current: tuple[float, float],
@@ -98,7 +98,7 @@ def cubics_over_heading(
     depth: float | None,
 ) -> Array:
     """The same as a periodic spline: terms of 1, s, s² and s³ from each heading to the next (h, 4, 3, 4)."""
-    found = slowing(slowed, _HEADINGS, length=length, current=current, gravity=gravity, depth=depth)
+    found = mean_drift(pushes, _HEADINGS, length=length, current=current, gravity=gravity, depth=depth)
     flat = found.reshape(1, len(_HEADINGS), 12).astype(np.complex128)
     cubics: Array = cubics_around(_HEADINGS, flat)[0].real.reshape(len(_HEADINGS), 4, 3, 4)
     return cubics
