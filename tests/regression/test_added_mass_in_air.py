@@ -46,10 +46,10 @@ def hanging(folder: Path, height: float, **water: Any) -> Path:
             "lift": {"title": "A subsea module"},
             "duration": "1 s",
             "start": "rest",
-            "ropes": {"wire": {"axial_stiffness": f"{EA} N", "damping_time": "1 ms"}},
+            "ropes": {"line": {"axial_stiffness": f"{EA} N", "damping_time": "1 ms"}},
             "mechanics": {
                 "bodies": {"module": body},
-                "ropes": {"wire": {"rope": "wire", "length": f"{LENGTH} m", "route": route}},
+                "ropes": {"line": {"rope": "line", "length": f"{LENGTH} m", "route": route}},
             },
             "water": {"density": "1025 kg/m^3", "level": "0 m"},
         },

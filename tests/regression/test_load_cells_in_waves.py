@@ -56,7 +56,7 @@ def run() -> Recording:
 
 def test_load_cell_readings_in_waves(run: Recording) -> None:
     """One hook bears what the stand does not: with 120.5 t of module and what slings lump on it, and 11 t of
-    block, falls and upper halves of slings, the reading at the share p is 11 t + p 120.5 t.
+    hook block, falls and upper halves of slings, the reading at the share p is 11 t + p 120.5 t.
     """
     subject = Subject(run)
     (hook,) = run.rig.hooks
