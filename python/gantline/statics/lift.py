@@ -320,6 +320,7 @@ class Statics:
         ratios = found["damping_ratio"]
         names, turned = self._core.names()["body"], self._core.columns()["body_orientation"][-1]
         drums = drums_of(self.assembly.document)
+        vessels = {vessel.body for vessel in self.rig.vessels}
 
         def mode(number: int, square: float) -> Mode:
             flows = {name: float(found["shape"][number][dof]) for name, dof in found["flows"]}
@@ -330,7 +331,7 @@ class Statics:
                 damping_ratio=None if math.isnan(ratios[number]) else float(ratios[number]),
                 body_motion=motion,
                 bodies=tuple(names),
-                motion=in_words(motion, names, self._bodies, turned, flows, drums),
+                motion=in_words(motion, names, self._bodies, turned, flows, drums, vessels),
                 flows=flows,
             )
 
