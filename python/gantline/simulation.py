@@ -23,7 +23,7 @@ from gantline.results.crossing import crossed_ropes
 from gantline.results.derive import present_of, recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.grounding import grounding_warnings
-from gantline.results.immersion import dry_areas, immersion_warnings
+from gantline.results.immersion import dry_areas, dry_hulls, immersion_warnings
 from gantline.results.longer_falls import longer_falls
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
@@ -350,6 +350,7 @@ class Simulation:
         water = self.scenario.water or Water()
         warnings += immersion_warnings(columns, names, self.assembly.scene, loads, water.density, rig.sea)
         warnings += dry_areas(self.assembly.document, columns, names, water.level)
+        warnings += dry_hulls(self.assembly.document, columns, names)
         if len(columns["time"]):
             at_start, turned = (
                 dict(zip(names["body"], columns[name][0], strict=True))

@@ -25,6 +25,7 @@ __all__ = [
     "add_vessels",
     "adrift",
     "misplaced",
+    "slid",
     "upright_hydrostatics",
     "vessel_hull",
     "vessel_hulls",
@@ -247,6 +248,30 @@ def misplaced(document: Json, loads: Collection[str], at_start: Mapping[str, Seq
                 "there it rests; see its position, what it shall stand on, hooks and slings"
             )
     return sentences
+
+
+def slid(
+    document: Json, load: str, stands_on: Collection[str], places: Mapping[str, Sequence[float]]
+) -> float:
+    """How far a load lies aside of where the lift file has it on what it stands on [m].
+
+    What it has moved along with a vessel under it does not count.
+
+    Args:
+        document: What has been assembled of the lift.
+        load: Name of its body.
+        stands_on: Names of the bodies that it meets; none on ground and supports.
+        places: Centres of gravity of bodies by their names, world axes [m].
+    """
+    bodies = {body["name"]: body for body in document["bodies"]}
+    way = _moved(bodies[load], places)
+    for under in stands_on:
+        while bodies[under].get("parent") in bodies:
+            under = bodies[under]["parent"]
+        if bodies[under]["joint"]["type"] == "free":
+            way = way - _moved(bodies[under], places)
+            break
+    return float(np.hypot(way[0], way[1]))
 
 
 def _moved(body: Json, at_start: Mapping[str, Sequence[float]]) -> Array:

@@ -12,6 +12,35 @@ if TYPE_CHECKING:
     from gantline.statics import Equilibrium, Statics
 
 
+#: A load at rest this far from where the lift file has it has slid [m]; a vessel that leans takes its
+#: load aside by less.
+_SLID = 0.25
+
+
+def slid_loads(question: Statics, rest: Equilibrium) -> list[str]:
+    """Loads that stand at the start, and have slid there without friction: how far, and what holds them.
+
+    Later in the plan a load may stand elsewhere as it was put there.
+    """
+    from gantline.assembly.vessels import slid
+    from gantline.results import series
+
+    recording = rest.recording
+    if rest.losses == "held" or rest.time > 0.0:
+        return []
+    places = dict(zip(recording.coordinates["body"], recording["body_position"].values[-1], strict=True))
+    ways = {
+        load.name: slid(question.assembly.document, load.body, list(load.meets.values()), places)
+        for load in recording.rig.loads
+        if not series.load_is_clear(recording, load)[-1]
+    }
+    return [
+        f"  so {name} slides {way:.2f} m from where the lift file has it; --held has friction hold it"
+        for name, way in ways.items()
+        if way > _SLID
+    ]
+
+
 def contact_forces(rest: Equilibrium) -> list[str]:
     """Support and friction of every contact that carries."""
     rows = [

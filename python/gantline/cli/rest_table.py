@@ -9,6 +9,7 @@ from typing import Any
 
 from gantline.checks import Check, check_recording, outcome_of, verdict_of
 from gantline.cli.check_table import check_table, width_of_terminal
+from gantline.cli.friction import slid_loads
 from gantline.cli.summary import heading, weights
 from gantline.cli.table import ABSENT, show, table
 from gantline.results import series
@@ -28,7 +29,8 @@ def heading_of(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[
         f"  at {moment:.2f} s friction of {name} found no balance: it slid to where nothing drives it"
         for moment, name in rest.slides
     ]
-    return [*lines, *friction_of(rest, bounds="; bounds: all slip along the rope, all against")]
+    bounds = "; bounds: all slip along the rope, all against"
+    return [*lines, *friction_of(rest, bounds=bounds), *slid_loads(question, rest)]
 
 
 def friction_of(rest: Equilibrium, *, bounds: str = "") -> list[str]:

@@ -211,6 +211,7 @@ def _settled(
 ) -> tuple[Equilibrium, list[Equilibrium], list[str]]:
     """The equilibrium; with all sheaves slipping one way and the other; lines on what friction may hold."""
     from gantline.cli.friction import stick_ranges
+    from gantline.results import series
     from gantline.statics import NoEquilibriumError
     from gantline.study.side_by_side import SideBySide
 
@@ -224,6 +225,9 @@ def _settled(
                 # Motions are those of the equilibrium found last.
                 rest = _rest(question, moment, state, held=held)
             bounds = [one.result() for one in pending]
+            if held and rest.recording.rig.loads and not series.is_clear(rest.recording)[-1]:
+                # In them contacts slide freely: a load that friction holds would stand elsewhere.
+                bounds = []
         except NoEquilibriumError as problem:
             stop(str(problem), COULD_NOT_GO_ON)
     return rest, bounds, ranges

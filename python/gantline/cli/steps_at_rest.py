@@ -49,6 +49,7 @@ def steps(question: Statics, *, held: bool, as_json: bool) -> NoReturn:
 
 def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[str]:
     from gantline.cli.cases_table import notes
+    from gantline.cli.friction import slid_loads
     from gantline.cli.rest_table import friction_of
     from gantline.cli.summary import heading
 
@@ -57,7 +58,8 @@ def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[s
     parts = [
         [
             *(*heading(question.rig), *question.scenario.left_out_at_rest),
-            *("At rest where each step ends", *(friction_of(rest) if rest is not None else ())),
+            "At rest where each step ends",
+            *(() if rest is None else (*friction_of(rest), *slid_loads(question, rest))),
         ],
         *_loads(question, found, width),
         *_vessels(question, found, width),

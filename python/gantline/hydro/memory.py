@@ -226,7 +226,8 @@ def _judge(database: HydrodynamicDatabase, misfit: Misfit, doubts: list[str]) ->
     sentence = f"{database.source}: its damping and added mass do not go together as those of one water"
     sentence = f"{sentence}; the nearest that do miss them by {misfit.in_words}"
     if misfit.mean > _USELESS:
-        raise DatabaseError(sentence)
+        instead = "'added_mass' and 'water_damping' of one period ask for no such thing"
+        raise DatabaseError(f"{sentence}; {instead}")
     if misfit.mean > _POOR:
         doubts.append(sentence)
 

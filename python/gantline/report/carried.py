@@ -65,6 +65,8 @@ def _load_cell(subject: Subject, load: FloatArray) -> list[float | None]:
     transferred = recording["load_transferred"].values.min(axis=1)
     if recording.is_equilibrium or transferred[0] >= READINGS[0]:
         return [*(None for _ in READINGS[1:]), _mass(subject, subject.static(load))]
+    if subject.rig.sea is not None:
+        return _between_crests(subject, load)
     found: list[float | None] = []
     for part in READINGS[:-1]:
         over = np.flatnonzero(transferred >= part)
@@ -76,6 +78,20 @@ def _load_cell(subject: Subject, load: FloatArray) -> list[float | None]:
         between = (part - low) / (high - low)
         found.append(float(load[at - 1] + between * (load[at] - load[at - 1])) / subject.rig.gravity)
     return [*found, _mass(subject, _once_clear(subject, load))]
+
+
+def _between_crests(subject: Subject, load: FloatArray) -> list[float | None]:
+    """What a load cell reads on the mean of many waves [kg]; of one wave a sample tells next to nothing.
+
+    Supports bear (1 - p) W of the weight W when the share p has come over. Where one hook bears all the rest
+    its hoist load is less than that of the load clear by just as much; how several share only a plan
+    without waves tells.
+    """
+    static, rig = subject.static(load), subject.rig
+    if static is None or len(rig.hooks) > 1:
+        return [*(None for _ in READINGS[1:]), _mass(subject, static)]
+    weight = sum(one.weight for one in rig.loads)
+    return [_mass(subject, static - (1.0 - part) * weight) for part in READINGS]
 
 
 def _once_clear(subject: Subject, load: FloatArray) -> float | None:

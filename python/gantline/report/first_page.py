@@ -242,7 +242,8 @@ def _simulated_mass(rig: Rig, load: Load) -> float:
 def stop_if(subject: Subject) -> list[str]:
     """When to stop the lift: the usual bounds, or the lift's own where it has some."""
     limits = subject.rig.limits
-    found = ["a load cell differs by more than 10 % from its reading in the table “Hooks”"]
+    cell = "a load cell" if subject.rig.sea is None else "the mean of a load cell over some waves"
+    found = [f"{cell} differs by more than 10 % from its reading in the table “Hooks”"]
     found.append(_tilt(subject, limits.get("load_tilt")))
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
         travel = limits.get("equalizer_travel_used")

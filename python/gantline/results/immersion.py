@@ -1,4 +1,4 @@
-"""Loads that go into water, and areas that come out of it: only hulls feel where it ends in a simulation."""
+"""Loads that go into water, and what comes out of it: only buoyancy ends there in a simulation."""
 
 from __future__ import annotations
 
@@ -14,12 +14,14 @@ from gantline.results.surroundings import SIGNS, ground_in, is_cut
 from gantline.results.variable import Columns, FloatArray, Names
 from gantline.units import format_by_size
 
-__all__ = ["dry_areas", "immersion_warnings"]
+__all__ = ["dry_areas", "dry_hulls", "immersion_warnings"]
 
 #: How deep a load may dip, and an area come out, without a word [m]: contact and slings give that much.
 _DIPS = 0.01
 #: What is between body and area in the name of a force.
 _CURRENT = ".current_areas."
+#: What water does to a body wherever it is, by the end of the name of its force.
+_OF_WATER = {"added_mass": "added mass", "water_damping": "water damping", "radiation": "memory of the water"}
 #: Points of a box of twice the size 1 at which waves are looked at: corners, middles of sides and edges.
 _POINTS = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)], dtype=np.float64)
 
@@ -108,6 +110,30 @@ def dry_areas(document: Mapping[str, Any], columns: Columns, names: Names, level
             where = f"up to {height.max():.2f} m above the water, first at {first:.2f} s"
             as_in = "it resists and is pushed there as in water, which damps motion as air does not"
             warnings.append(f"the current area {area} of {body} is {where}: {as_in}")
+    return warnings
+
+
+def dry_hulls(document: Mapping[str, Any], columns: Columns, names: Names) -> list[str]:
+    """A sentence for each body whose hull comes out of the water, and which moves as if it had not.
+
+    Args:
+        document: What has been assembled of the lift.
+        columns: Columns of the core by name.
+        names: Names along their dimensions.
+    """
+    if not len(columns["time"]):
+        return []
+    forces = document.get("forces", ())
+    warnings = []
+    for hull in (force for force in forces if force["type"] == "buoyancy"):
+        body = hull["body"]
+        kept = [_OF_WATER[end] for end in _OF_WATER if any(one["name"] == f"{body}.{end}" for one in forces)]
+        dry = columns["displaced_volume"][:, list(names["hull"]).index(hull["name"])] <= 0.0
+        if kept and dry.any():
+            first = f"first at {columns['time'][np.argmax(dry)]:.2f} s"
+            acts = f"its {' and '.join(kept)} {'acts' if len(kept) == 1 else 'act'} there as in water"
+            slow = "so that it swings and bounces otherwise than in air"
+            warnings.append(f"the hull of {body} is out of the water, {first}: {acts}, {slow}")
     return warnings
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.check_booms import check_luffing
 from gantline.scenario.check_pumps import check_contents, check_pump
 from gantline.scenario.check_travel import check_travel, said
@@ -103,6 +104,9 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
         name = full_name(text, known)
         if name is None:
             sentence = f"'{text}' is not a {what}; {nearest(text, known)}"
+            if step.kind == "upper" and isinstance((findings.scenario.cranes or {}).get(text), FloatingCrane):
+                sentence = f"the boom of '{text}' luffs and does not slew, as that of no floating crane does"
+                sentence += "; 'haul' and 'veer' of mooring lines take its vessel along"
             findings.add(("plan", place, step.verb), sentence)
             continue
         one = known[name]

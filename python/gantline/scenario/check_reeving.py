@@ -36,7 +36,11 @@ def check_reeving(findings: Findings, hook: Hook) -> None:
         return
 
     def add(word: str, sentence: str) -> None:
-        said = reeving.sheaves is not None and word and getattr(reeving.sheaves, word) is not None
+        if not word:
+            # What is missing belongs there, not beside 'sheave_efficiency'.
+            findings.add((*path, "sheaves"), sentence)
+            return
+        said = reeving.sheaves is not None and getattr(reeving.sheaves, word) is not None
         findings.add((*path, "sheaves", word) if said else path, sentence)
 
     losses = reeving.losses(kind.diameter, kind.mass_per_length)

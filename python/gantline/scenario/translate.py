@@ -30,6 +30,9 @@ _MEANT = {
     "daf": ("dynamic_amplification_factor",),
     "during": ("from_step",),
     "ea": ("axial_stiffness",),
+    "gamma": ("peak_enhancement",),
+    "hmax": ("height",),
+    "hs": ("significant_height",),
     "in_step": ("from_step",),
     "height": ("to",),
     "hook_on": ("attach",),
@@ -49,6 +52,7 @@ _MEANT = {
     "take_off": ("detach",),
     "taut": ("slings",),
     "tilt": ("load_tilt",),
+    "tp": ("peak_period",),
     "unhook": ("detach",),
     "weight": ("mass",),
     "wll": ("working_load_limit", "rated_capacity", "capacity"),
@@ -56,6 +60,27 @@ _MEANT = {
     "mbl": ("minimum_breaking_force",),
     "swl": ("working_load_limit", "rated_capacity", "capacity"),
     # <!-- words: on -->
+}
+_WET = (
+    "a load feels no water; for the part of a lift that is lowered into it a body of 'mechanics' has 'hull', "
+    "'added_mass' and 'current_areas'"
+)
+_HEAVE = "no hoist of a plan follows the heave; a program does, that commands the hook from Python"
+#: What people look for and is not there: what there is in its place, by what it is looked for in.
+_INSTEAD = {
+    "waves": {
+        "spectrum": "a sea has the spectrum of JONSWAP; with 'peak_enhancement: 1' it is that of Pierson and "
+        "Moskowitz",
+        "spreading": "waves run in one direction; several 'waves' with directions of their own spread a sea",
+    },
+    "a floating crane": {
+        "slewing": "its boom luffs and does not slew; 'haul' and 'veer' of mooring lines take its vessel "
+        "along"
+    },
+    "the load": dict.fromkeys(
+        ("added_mass", "buoyancy", "drag", "drag_coefficient", "hull", "volume", "water_damping"), _WET
+    ),
+    "a hoist": dict.fromkeys(("ahc", "active_heave_compensation", "heave_compensation"), _HEAVE),
 }
 #: What steps do, by other words.
 _VERBS = {
@@ -156,6 +181,9 @@ def _unknown_key(key: str, parent: Any) -> str:
         return f"'{shown}' has another place: {_ELSEWHERE[key]}"
     if not isinstance(parent, MapNode) or not parent.allowed:
         return f"'{shown}' is not a key that is known here"
+    instead = _INSTEAD.get(parent.what or "", {}).get(key.lower())
+    if instead is not None:
+        return f"'{shown}' is not a key of {parent.what}: {instead}"
     unused = [name for name in parent.allowed if name not in parent] or list(parent.allowed)
     meant = next((name for name in _MEANT.get(key.lower(), ()) if name in unused), None)
     if meant is not None:

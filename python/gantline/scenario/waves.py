@@ -45,6 +45,8 @@ class WaveTrain(Element):
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:
         """Waves are alike or a sea."""
+        if set(data).difference(cls.keys()):
+            return  # which is told, with what may be meant by it
         regular, irregular = ([key for key in keys if key in data] for keys in (_REGULAR, _IRREGULAR))
         if regular and irregular:
             raise refuse(

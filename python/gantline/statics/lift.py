@@ -16,6 +16,7 @@ from gantline import _core
 from gantline.assembly import assemble
 from gantline.assembly.origin import FALLS, refused, with_advice
 from gantline.results.derive import recording_of
+from gantline.results.immersion import dry_hulls
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, at_rest
 from gantline.scenario import Scenario, load_scenario
@@ -319,6 +320,7 @@ class Statics:
         ratios = found["damping_ratio"]
         names, turned = self._core.names()["body"], self._core.columns()["body_orientation"][-1]
         drums = drums_of(self.assembly.document)
+        vessels = {vessel.body for vessel in self.rig.vessels}
 
         def mode(number: int, square: float) -> Mode:
             flows = {name: float(found["shape"][number][dof]) for name, dof in found["flows"]}
@@ -329,7 +331,7 @@ class Statics:
                 damping_ratio=None if math.isnan(ratios[number]) else float(ratios[number]),
                 body_motion=motion,
                 bodies=tuple(names),
-                motion=in_words(motion, names, self._bodies, turned, flows, drums),
+                motion=in_words(motion, names, self._bodies, turned, flows, drums, vessels),
                 flows=flows,
             )
 
@@ -435,16 +437,17 @@ class Statics:
 
     def _recording(self, status: str) -> Recording:
         # Freeboard is not against a wave that passes at that time of the plan, nor wind a gust.
+        columns, names = self._core.columns(), self._core.names()
         return recording_of(
-            self._core.columns(),
-            self._core.names(),
+            columns,
+            names,
             at_rest(self.assembly.rig),
             title=str(self.assembly.rig.get("title", "")),
             gantline_version=version(),
             scenario=self.scenario.text,
             settings=self.assembly.settings,
             axial_stiffness=self._stiffness(),
-            warnings=list(self.assembly.warnings),
+            warnings=[*self.assembly.warnings, *dry_hulls(self.assembly.document, columns, names)],
             scene=self.assembly.scene,
             counters={},
             status=status,

@@ -16,6 +16,10 @@ Body = Mapping[str, Any]
 _TAKES_PART = 0.25
 #: Share of its kinetic energy from which on a body is said to move, or to turn.
 _SHOWS = 0.3
+#: Share of a vessel's translation, or of its turning, from which on a motion of it is named.
+_NAMED = 0.25
+#: What a vessel does along its x, y and z, and about them.
+_OF_VESSELS = ("surges", "sways", "heaves"), ("rolls", "pitches", "yaws")
 #: Cosine from which on a direction is called by the name of an axis.
 _ALONG = 0.98
 
@@ -27,6 +31,7 @@ def in_words(
     turned: Floats,
     flows: Mapping[str, float] | None = None,
     drums: Collection[str] = (),
+    vessels: Collection[str] = (),
 ) -> str:
     """What moves: the bodies, drums and sheaves with the most kinetic energy.
 
@@ -37,6 +42,7 @@ def in_words(
         turned: Attitudes of the bodies, unit quaternions, (body, 4).
         flows: Velocity of rope over each sheave or off each drum by its name.
         drums: Which of these are drums.
+        vessels: Which bodies are vessels, whose motions have names of their own, along their own axes.
     """
     flows = flows or {}
     energies = np.array(
@@ -52,12 +58,13 @@ def in_words(
     order = np.argsort(-share, kind="stable")
     named = [index for index in order if share[index] >= _TAKES_PART][:2] or order[:1]
     runs = [f"drum {name} turns" if name in drums else f"sheave {name} turns" for name in flows]
-    return ", ".join(
-        _moves(names[index], motion[index], energies[index])
-        if index < len(names)
-        else runs[index - len(names)]
-        for index in named
-    )
+
+    def moves(index: int) -> str:
+        if names[index] in vessels:
+            return _sails(names[index], motion[index], energies[index], turned[index])
+        return _moves(names[index], motion[index], energies[index])
+
+    return ", ".join(moves(index) if index < len(names) else runs[index - len(names)] for index in named)
 
 
 def drums_of(document: Mapping[str, Any]) -> set[str]:
@@ -68,19 +75,33 @@ def drums_of(document: Mapping[str, Any]) -> set[str]:
 
 def _energies(body: Body, motion: Floats, quaternion: Floats) -> tuple[float, float]:
     """Kinetic energy of a body's translation and rotation."""
+    xx, yy, zz, xy, xz, yz = np.asarray(body["inertia"], dtype=float)
+    inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    spin = _rotation(quaternion).T @ motion[3:]
+    mass = float(np.asarray(body["mass"], dtype=float))
+    return 0.5 * mass * float(motion[:3] @ motion[:3]), 0.5 * float(spin @ inertia @ spin)
+
+
+def _rotation(quaternion: Floats) -> Floats:
+    """From the axes of a body into those of the world."""
     w, x, y, z = quaternion
-    rotation = np.array(
+    return np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
             [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
             [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
         ]
     )
-    xx, yy, zz, xy, xz, yz = np.asarray(body["inertia"], dtype=float)
-    inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    spin = rotation.T @ motion[3:]
-    mass = float(np.asarray(body["mass"], dtype=float))
-    return 0.5 * mass * float(motion[:3] @ motion[:3]), 0.5 * float(spin @ inertia @ spin)
+
+
+def _sails(name: str, motion: Floats, energies: Floats, quaternion: Floats) -> str:
+    own = np.reshape(motion, (2, 3)) @ _rotation(quaternion)
+    parts: list[str] = []
+    for words, along, energy in zip(_OF_VESSELS, own, energies, strict=True):
+        if energy >= _SHOWS * energies.sum():
+            share = along**2 / (along @ along)
+            parts += [word for word, part in zip(words, share, strict=True) if part >= _NAMED]
+    return f"{name} {' and '.join(parts)}"
 
 
 def _moves(name: str, motion: Floats, energies: Floats) -> str:
