@@ -1,8 +1,8 @@
 """Shares of slings above and below a spreader.
 
 The column `of the mean` of `gantline statics` had one mean of all slings. Those above a spreader carry the
-spreader too and lean inwards: of a frame in four slings, with a module in four more below it, they had 1.08 and
-1.15 of that mean, and those below 0.85 and 0.91; it is 0.97 and 1.03 of each four.
+spreader too and lean inwards: of a frame in four slings, with a module in four more below it, they had 1.08
+and 1.15 of that mean, and those below 0.85 and 0.91; it is 0.97 and 1.03 of each four.
 """
 
 from __future__ import annotations
