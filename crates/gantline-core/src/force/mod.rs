@@ -292,9 +292,14 @@ pub fn turning_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
     levels.map(|level| level.work(&under(tree, kinematics, level.body(), v))).sum()
 }
 
-/// The same of waves.
-pub fn wave_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
-    of_waves(tree).map(|force| force.work(&under(tree, kinematics, force.body(), v))).sum()
+/// The same of waves, whose forces are those under the velocity coordinates `felt`.
+pub fn wave_work(tree: &Tree, kinematics: &Kinematics, [felt, v]: [&[f64]; 2]) -> f64 {
+    let power = |pushed: &AnyForce| {
+        let Wrench { force, moment } = pushed.wrench(&under(tree, kinematics, pushed.body(), felt));
+        let twist = twist_of(tree, kinematics, pushed.body(), v);
+        force.dot(twist.linear) + moment.dot(twist.angular)
+    };
+    of_waves(tree).map(power).sum()
 }
 
 /// Sets `out` to what fluids resist the velocity coordinates `v` with, along every degree of freedom; at rest that is the
