@@ -9,12 +9,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
 import gantline
 import waves
 from afloat import DRAFT, KG, LENGTH, MASS
 from drifting import HEADING, follows, growing, linear
 from gantline.assembly import assemble
+from gantline.cli.app import app
 from gantline.hydro.database import ForcesAround
 from gantline.hydro.database.around import cubics_around
 from gantline.hydro.mean_drift import Drifting, mean_drift
@@ -222,6 +224,8 @@ def test_a_moored_barge_lies_where_its_lines_hold_what_waves_push(tmp_path: Path
     loose = 200.0 / (1 + 1e5 / 2e6)
     away = found.column("body_position", "barge")[-1][0] - LENGTH / 2
     assert away == pytest.approx(2e4 / (2 * 2e6 / loose), rel=1e-3)
+    said = CliRunner().invoke(app, ["statics", str(path)]).output
+    assert "barge lies 0.95 m ahead of where the lift file has it\n" in said
     run = gantline.simulate(path)
     place = run.column("body_position", "barge")[:, 0] - LENGTH / 2
     assert place == pytest.approx(away, abs=1e-5)

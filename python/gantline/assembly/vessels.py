@@ -32,6 +32,7 @@ __all__ = [
     "vessel_rig",
     "vessel_shape",
     "watch_vessels",
+    "way_of",
 ]
 
 #: More of a hull that looks up and is under water than this is told [of all that looks up].
@@ -206,7 +207,7 @@ def adrift(
     sentences = []
     for body in (one for one in document["bodies"] if one["name"] in vessels):
         joint = body["joint"]
-        moved = _moved(body, at_start)
+        moved = way_of(body, at_start)
         way, higher = float(np.hypot(*moved[:2])), float(moved[2])
         if abs(higher) > _ADRIFT:
             towards = "higher" if higher > 0 else "deeper"
@@ -239,7 +240,7 @@ def misplaced(document: Json, loads: Collection[str], at_start: Mapping[str, Seq
     """
     sentences = []
     for body in (one for one in document.get("bodies", ()) if one["name"] in loads):
-        moved = _moved(body, at_start)
+        moved = way_of(body, at_start)
         way, lower = float(np.linalg.norm(moved)), -float(moved[2])
         if way > _ADRIFT:
             of_that = f", {lower:.1f} m of that lower" if lower > 0.5 * way else ""
@@ -264,22 +265,27 @@ def slid(
         places: Centres of gravity of bodies by their names, world axes [m].
     """
     bodies = {body["name"]: body for body in document["bodies"]}
-    way = _moved(bodies[load], places)
+    way = way_of(bodies[load], places)
     for under in stands_on:
         while bodies[under].get("parent") in bodies:
             under = bodies[under]["parent"]
         if bodies[under]["joint"]["type"] == "free":
-            way = way - _moved(bodies[under], places)
+            way = way - way_of(bodies[under], places)
             break
     return float(np.hypot(way[0], way[1]))
 
 
-def _moved(body: Json, at_start: Mapping[str, Sequence[float]]) -> Array:
-    """How far the centre of gravity of a free body is at the start from where its joint has it (3,) [m]."""
+def way_of(body: Json, places: Mapping[str, Sequence[float]]) -> Array:
+    """How far the centre of gravity of a free body is from where the lift file has it (3,) [m].
+
+    Args:
+        body: Of a document.
+        places: Centres of gravity of bodies by their names, world axes [m].
+    """
     joint = body["joint"]
     given = joint["position"] + rotation_matrix(joint["orientation"]) @ body["centre_of_gravity"]
-    moved: Array = np.asarray(at_start[body["name"]]) - given
-    return moved
+    way: Array = np.asarray(places[body["name"]]) - given
+    return way
 
 
 def vessel_hulls(document: Json, vessels: Collection[str]) -> dict[str, Array]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
@@ -9,6 +10,7 @@ import numpy as np
 
 from gantline.cli.table import table
 from gantline.results.recording import Recording
+from gantline.results.rotation import heading
 from gantline.results.series import mean_over
 from gantline.units import format_quantity
 
@@ -16,6 +18,9 @@ if TYPE_CHECKING:
     from gantline.statics import Equilibrium, Statics
     from gantline.study.inclining import MetacentricHeights
 
+#: A vessel that lies nearer, and turned by less, is where the lift file has it [m, rad].
+_NEAR = 0.005
+_TURNED = math.radians(0.005)
 #: Of a vessel at the end: variable, title, unit, decimals.
 _LIES = (
     ("vessel_displacement", "displacement", "t", 1),
@@ -58,7 +63,38 @@ def vessels_at_rest(question: Statics, rest: Equilibrium) -> list[str]:
     lies = vessels(rest.recording)
     if not lies:
         return []
-    return [*lies, "", *righting(metacentric_heights(question, rest))]
+    return [*lies, *_lies_aside(question, rest), "", *righting(metacentric_heights(question, rest))]
+
+
+def _lies_aside(question: Statics, rest: Equilibrium) -> list[str]:
+    """Vessels that lie elsewhere than the lift file has them: how far along their own axes, how turned."""
+    from gantline.assembly.vessels import way_of
+
+    recording = rest.recording
+    places = dict(zip(recording.coordinates["body"], recording["body_position"].values[-1], strict=True))
+    bodies = {body["name"]: body for body in question.assembly.document["bodies"]}
+    lines = []
+    for vessel in recording.rig.vessels:
+        body = bodies[vessel.body]
+        orientations = [body["joint"]["orientation"], recording.column("body_orientation", vessel.body)[-1]]
+        given, heads = heading(np.array(orientations))
+        turned = math.remainder(heads - given, math.tau)
+        x, y, _ = way_of(body, places)
+        ahead = math.cos(given) * x + math.sin(given) * y
+        to_port = math.cos(given) * y - math.sin(given) * x
+        ways = [("ahead", "aft", ahead), ("to port", "to starboard", to_port)]
+        told = " and ".join(_way(*way) for way in ways if abs(way[2]) >= _NEAR)
+        lies = [f"lies {told} of where the lift file has it"] if told else []
+        if abs(turned) >= _TURNED:
+            side = "port" if turned > 0 else "starboard"
+            lies.append(f"turned {format_quantity(abs(turned), 'deg', 2)} to {side}")
+        if lies:
+            lines.append(f"  {vessel.name} {', '.join(lies)}")
+    return lines
+
+
+def _way(forth: str, back: str, way: float) -> str:
+    return f"{format_quantity(abs(way), 'm', 2)} {forth if way > 0 else back}"
 
 
 def righting(heights: Mapping[str, MetacentricHeights]) -> list[str]:
