@@ -135,6 +135,8 @@ def overridden(
         if name not in place or name == "type":
             raise SettingError([name], _not_of(integrator, name))
         place[name] = _switch(name, value) if name in _SWITCHES else _above_zero(name, value)
+    if integrator.get("paper") and given.get("geometric_stiffness"):
+        raise SettingError(["geometric_stiffness", "paper"], "paper is without it; leave one of both out")
     times = wrong_times(merged["duration"], integrator.get("step"), merged["sample_interval"])
     for name, sentence in times:
         raise SettingError([name, *_BESIDE_TIMES], sentence)

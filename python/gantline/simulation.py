@@ -340,7 +340,7 @@ class Simulation:
         warnings += missed_peaks(rig, columns, names) + missed_bumps(rig, columns, names)
         warnings += missed_crests(rig, columns)
         warnings += still_growing(self.assembly.document, rig, columns, names)
-        warnings += missed_incidents(self.assembly.document, rig, self.duration)
+        warnings += missed_incidents(self.assembly.document, rig, self.duration, names["event_kind"])
         warnings += drum_warnings(rig, columns, names) + longer_falls(rig, columns, names)
         warnings += tipping_warnings(columns, names, rig.crawlers)
         warnings += vessel_warnings(columns, names)

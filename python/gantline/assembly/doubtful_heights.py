@@ -28,6 +28,6 @@ def doubtful_heights(scenario: Scenario) -> Iterator[Doubt]:
                 height = format_quantity(step.to, "m", 2)
                 at = format_quantity(angle, "deg", 1)
                 took = f"takes {one.name} to {height} as if {one.head.boom} stood at {at}"
-                luffed = "it has luffed until something held, and its head is higher or lower by that"
+                luffed = "it has luffed to where only the run knows, and its head is higher or lower by that"
                 sentence = f"step '{step.step}' {took}; {luffed}: 'by' or 'until' says what is meant"
                 yield Doubt(("plan", place, "to"), sentence)

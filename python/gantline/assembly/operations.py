@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from gantline.assembly.conditions import condition_of
 from gantline.assembly.followed import followed
@@ -97,17 +97,27 @@ def emergency_stop(scenario: Scenario) -> Json | None:
     if stop.in_step is not None:
         place = [step.step for step in scenario.plan].index(stop.in_step)
         at = {"type": "in_step", "step": place, "after": stop.after or 0.0}
-    stopped = {}
-    for step in scenario.plan:
-        if isinstance(step, PumpStep):
-            slowing = {"acceleration": step.rate / _PUMPS_START, "brake": None}
-            for drive in moved_drives(scenario, step):
-                stopped[drive] = {"drive": drive, "stop": slowing}
-        for one in _moved(scenario, step) if isinstance(step, MovingStep) else ():
-            rate = _rate(one, {one.name: (one.start or 0.0, True)}, None)
-            for drive in drives_of(one):
-                stopped[drive] = {"drive": drive, "stop": stop_of(one, one.speed, rate)}
-    return {"at": at, "drives": list(stopped.values())}
+    stopped: dict[str, list[Json]] = {}
+    for place, (step, before) in enumerate(zip(scenario.plan, boom_angles(scenario), strict=True)):
+        for drive, how in _stops(scenario, step, before):
+            known = stopped.setdefault(drive, [])
+            if not known or known[-1]["stop"] != how:
+                known.append({"drive": drive, "stop": how, "step": place if known else 0})
+    return {"at": at, "drives": [one for of_drive in stopped.values() for one in of_drive]}
+
+
+def _stops(
+    scenario: Scenario, step: Step, before: Mapping[str, tuple[float, bool]]
+) -> Iterator[tuple[str, Json]]:
+    """The drives that a step moves, each with how an emergency stop of everything stops it from then on."""
+    if isinstance(step, PumpStep):
+        slowing = {"acceleration": step.rate / _PUMPS_START, "brake": None}
+        yield from ((drive, slowing) for drive in moved_drives(scenario, step))
+    if not isinstance(step, MovingStep):
+        return
+    for one in _moved(scenario, step):
+        rate = _rate(one, before, _target(step, one, before))
+        yield from ((drive, stop_of(one, one.speed, rate)) for drive in drives_of(one))
 
 
 def drives_of(one: Mover) -> list[str]:

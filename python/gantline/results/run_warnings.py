@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 
 import numpy as np
@@ -33,13 +33,16 @@ _UNSEEN, _OF_PERIOD = 0.05, 0.1
 _BESIDE = 0.8
 
 
-def missed_incidents(document: Mapping[str, Any], rig: Rig, duration: float) -> list[str]:
+def missed_incidents(
+    document: Mapping[str, Any], rig: Rig, duration: float, happened: Collection[str]
+) -> list[str]:
     """A warning of what the lift file cuts, takes away or stops as the run ends, or later.
 
     Args:
         document: What has been assembled of the lift.
         rig: Its rig.
         duration: Of the run [s].
+        happened: Kinds of its events.
     """
     held = [*document.get("ropes", ()), *document.get("forces", ())]
     stop = document.get("emergency_stop", {}).get("at", {})
@@ -54,6 +57,10 @@ def missed_incidents(document: Mapping[str, Any], rig: Rig, duration: float) -> 
         if late:
             there = f"the run ends at {duration:g} s, and what is {done} then or later is not seen"
             found.append(f"{there}: {', '.join(late)}")
+    if "step" in stop and "emergency_stop" not in happened:
+        after = f", {stop['after']:g} s after that begins" if stop["after"] else ""
+        step = rig.plan[stop["step"]].step
+        found.append(f"the run ends before the emergency stop in '{step}'{after}: it is not seen")
     return found
 
 

@@ -12,6 +12,7 @@ from gantline.scenario.findings import Findings, Path
 from gantline.scenario.hooks import full_name
 from gantline.scenario.model import Scenario
 from gantline.scenario.movers import Mover, movers
+from gantline.scenario.plan_time import earliest_begins
 from gantline.scenario.steps import DrumStep, HoldStep, HookStep, LowerStep, MovingStep, PayOutStep, PumpStep
 from gantline.scenario.tag_line import tag_rope
 from gantline.scenario.tanks import bodies_afloat
@@ -36,6 +37,7 @@ def check_plan(findings: Findings) -> None:
     plan = findings.scenario.plan
     _check_names(findings)
     earliest = began = 0.0
+    begins = earliest_begins(plan)
     busy: set[str] = set()  # what the steps that go on side by side move
     for place, step in enumerate(plan):
         if isinstance(step, HoldStep):
@@ -60,7 +62,7 @@ def check_plan(findings: Findings) -> None:
             right = "leave 'starts: with_previous' out, or move it in one of them"
             findings.add(("plan", place, step.verb), f"{sentence}; {right}")
         busy |= moved
-        began, latest = _check_times(findings, place, step, began if aside else earliest)
+        began, latest = _check_times(findings, place, step, began if aside else earliest, begins[place])
         earliest = max(earliest, latest)
         if step.until is not None:
             _check_condition(findings, place, step)
@@ -148,9 +150,16 @@ def _check_stop(findings: Findings, path: Path, one: Mover, drive: str) -> None:
 
 
 def _check_times(
-    findings: Findings, place: int, step: MovingStep | PumpStep, earliest: float
+    findings: Findings, place: int, step: MovingStep | PumpStep, earliest: float, begin: float
 ) -> tuple[float, float]:
     """Check when a step starts and brakes.
+
+    Args:
+        findings: What is wrong so far.
+        place: Of the step in the plan.
+        step: The step.
+        earliest: The last time that the plan names before it [s].
+        begin: When it begins at the earliest, by the ways and times of all before it [s].
 
     Returns:
         The time before which it cannot start, and that before which no step after it can [s].
@@ -166,6 +175,9 @@ def _check_times(
         elif time < earliest or (key != "start_at" and time == earliest):
             sentence = f"{time:g} s is not after what comes before it, at {earliest:g} s"
             findings.add(("plan", place, key), f"{sentence}; steps go in order of time")
+        elif key != "start_at" and time <= begin:
+            sentence = f"{time:g} s is over before this step begins, at {begin:.4g} s at the earliest"
+            findings.add(("plan", place, key), f"{sentence}; it would move nothing")
         earliest = max(earliest, time)
         began = earliest if key == "start_at" else began
     return began, earliest
@@ -291,7 +303,13 @@ def _check_emergency_stop(findings: Findings) -> None:
         sentence = f"{stop.at:g} s is after the end of the lift at {scenario.duration:g} s"
         findings.add((*path, "at"), f"{sentence}; make 'duration' longer or this time earlier")
     if stop.in_step is not None:
-        place_of_step(findings, (*path, "in_step"), stop.in_step)
+        place = place_of_step(findings, (*path, "in_step"), stop.in_step)
+        begin = 0.0 if place is None else earliest_begins(scenario.plan)[place]
+        if begin + (stop.after or 0.0) > scenario.duration:
+            sentence = f"'{stop.in_step}' begins at {begin:.4g} s at the earliest"
+            late = f"{sentence}, so that this is after the end of the lift at {scenario.duration:g} s"
+            key = "in_step" if begin > scenario.duration or stop.after is None else "after"
+            findings.add((*path, key), f"{late}; make 'duration' longer or this time earlier")
     moved = {
         name: one
         for step in scenario.plan

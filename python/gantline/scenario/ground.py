@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element
 from gantline.scenario.quantities import (
@@ -18,6 +18,7 @@ from gantline.scenario.quantities import (
     PositiveTime,
     Ratio,
     Text,
+    refuse,
 )
 
 __all__ = ["Axes", "Ground", "LiftHead", "SimulationSettings"]
@@ -87,7 +88,9 @@ class SimulationSettings(Element):
     )
     step: PositiveTime = Field(1e-3, description="del and explicit: time step; 1 ms if not given.")
     paper: Flag = Field(
-        False, description="del: true is exactly as in the paper, without geometric stiffness."
+        False,
+        description="del: true is the paper's eq. (15), without geometric stiffness; 'geometric_stiffness: "
+        "false' by another name.",
     )
     geometric_stiffness: Flag = Field(
         True, description="del: false leaves the geometric stiffness of taut ropes out."
@@ -97,3 +100,10 @@ class SimulationSettings(Element):
         description="Time between recorded samples, the last of which is at the end; 20 ms if not given.",
     )
     gravity: Acceleration = Field(9.81, description="Gravity; 9.81 m/s^2 if not given.")
+
+    @model_validator(mode="after")
+    def _paper_has_none(self) -> SimulationSettings:
+        if self.paper and self.geometric_stiffness and "geometric_stiffness" in self.model_fields_set:
+            sentence = "'paper: true' is without geometric stiffness"
+            raise refuse(f"{sentence}; leave one of both out", "geometric_stiffness")
+        return self

@@ -4,7 +4,9 @@ use super::coils::build_layers;
 use super::conditions::{build_condition, build_follow, build_way};
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
-use crate::plan::{Cut, Due, Emergency, EmergencyStop, Move, Plan, Reel, Step, StopAt, Switching, Until};
+use crate::plan::{
+    Cut, DriveStop, Due, Emergency, EmergencyStop, Move, Plan, Reel, Step, StopAt, Switching, Until,
+};
 use crate::spec::{
     AxisJointSpec, BodySpec, EmergencySpec, JointSpec, ReelSpec, StepSpec, StopAtSpec, SystemSpec, UntilSpec,
 };
@@ -73,7 +75,8 @@ pub(super) fn build_plan(
             let mut stopped = Vec::with_capacity(given.drives.len());
             for one in &given.drives {
                 let drive = find_drive(name, &one.drive, drives)?;
-                stopped.push((drive, build_emergency(name, &one.stop, &drives[drive])?));
+                let how = build_emergency(name, &one.stop, &drives[drive])?;
+                stopped.push(DriveStop { drive, how, step: one.step });
             }
             Some(EmergencyStop { at, drives: stopped })
         }

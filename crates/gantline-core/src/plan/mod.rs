@@ -15,5 +15,5 @@ pub use drive::{Order, soon};
 pub use follow::{Follow, Lead, Strand, Way};
 pub use operation::PlanState;
 pub use removal::Removal;
-pub use step::{Emergency, EmergencyStop, Move, Plan, Reel, Step, StopAt, Until};
+pub use step::{DriveStop, Emergency, EmergencyStop, Move, Plan, Reel, Step, StopAt, Until};
 pub use switching::Switching;

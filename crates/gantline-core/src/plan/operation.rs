@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::condition::Seen;
 use super::drive::Timeline;
 use super::follow::SETTLING;
-use super::step::{EmergencyStop, Move, Plan, Step, StopAt, Until};
+use super::step::{DriveStop, EmergencyStop, Move, Plan, Step, StopAt, Until};
 use crate::event::{EventKind, EventLog};
 use looks::{Following, look_every};
 
@@ -192,14 +192,17 @@ impl PlanState {
 
     /// All drives brake, and the plan ends.
     fn stop(&mut self, plan: &Plan, at: f64, log: &mut EventLog) {
-        log.push(at, EventKind::EmergencyStop, self.begun.saturating_sub(1));
+        // Before the first step it is in none, which has no name.
+        log.push(at, EventKind::EmergencyStop, self.begun.checked_sub(1).unwrap_or(plan.steps.len()));
         for timeline in &mut self.timelines {
             if let Some(how) = timeline.commanded() {
                 timeline.stop(at, &how);
             }
         }
-        for (drive, how) in plan.stop.iter().flat_map(|stop| &stop.drives) {
-            self.timelines[*drive].stop(at, how);
+        // Of one drive in several steps the last that has begun has the last word.
+        let begun = |one: &&DriveStop| one.step == 0 || one.step < self.begun;
+        for one in plan.stop.iter().flat_map(|stop| &stop.drives).filter(begun) {
+            self.timelines[one.drive].stop(at, &one.how);
         }
         self.stopped = true;
     }

@@ -101,13 +101,24 @@ pub enum StopAt {
     InStep(usize, f64),
 }
 
+/// How an emergency stop of everything stops one drive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DriveStop {
+    /// The drive.
+    pub drive: usize,
+    /// How.
+    pub how: Emergency,
+    /// From the beginning of this step on; the first is from the start of the run.
+    pub step: usize,
+}
+
 /// An emergency stop of everything that the plan drives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EmergencyStop {
     /// When.
     pub at: StopAt,
     /// Drives that it stops, and how.
-    pub drives: Vec<(usize, Emergency)>,
+    pub drives: Vec<DriveStop>,
 }
 
 /// Steps in order, and what ends them all.

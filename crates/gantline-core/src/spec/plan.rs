@@ -334,6 +334,9 @@ pub struct DriveStopSpec {
     pub drive: String,
     /// How it is stopped.
     pub stop: EmergencySpec,
+    /// Number of the step, from 0, from whose beginning on it is stopped so: what comes last counts.
+    #[serde(default)]
+    pub step: usize,
 }
 
 /// What a program asks for while a run stands still.
