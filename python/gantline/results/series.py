@@ -25,7 +25,7 @@ from gantline.results.alike import earliest_peak, first_peak
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
 from gantline.results.parting import DETACHED, PARTING, while_there
 from gantline.results.recording import Recording
-from gantline.results.rig import Load
+from gantline.results.rig import Load, Rig
 from gantline.results.rotation import axes, heading, tilt
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -393,12 +393,30 @@ def slings_parted(recording: Recording) -> list[Sling]:
 
 
 def of_the_mean(recording: Recording) -> dict[str, float | None]:
-    """Tension of every sling of `slings_on` at the end over the mean of all [1]; None where all are slack."""
-    tensions = {
-        sling.name: float(recording.column("rope_tension", sling.rope)[-1]) for sling in slings_on(recording)
+    """Tension of every sling of `slings_on` at the end over the mean of all below as many spreaders [1].
+
+    None where all of these are slack. Slings above a spreader carry it too, and lean otherwise: beside those
+    below they tell nothing.
+    """
+    slings = slings_on(recording)
+    tensions = [float(recording.column("rope_tension", sling.rope)[-1]) for sling in slings]
+    depths = [_spreaders_above(recording.rig, sling) for sling in slings]
+    alike: dict[int, list[float]] = {}
+    for depth, tension in zip(depths, tensions, strict=True):
+        alike.setdefault(depth, []).append(tension)
+    means = {depth: sum(ones) / len(ones) for depth, ones in alike.items()}
+    return {
+        sling.name: tension / means[depth] if means[depth] > 0.0 else None
+        for sling, tension, depth in zip(slings, tensions, depths, strict=True)
     }
-    mean = sum(tensions.values()) / max(len(tensions), 1)
-    return {name: tension / mean if mean > 0.0 else None for name, tension in tensions.items()}
+
+
+def _spreaders_above(rig: Rig, sling: Sling) -> int:
+    """How many spreaders hang one below the other above a sling."""
+    above = next((one.name for one in rig.spreaders if one.body == sling.from_body), None)
+    if above is None:
+        return 0
+    return 1 + max((_spreaders_above(rig, one) for one in rig.slings if above in one.lugs_of), default=0)
 
 
 def frame_tilt(recording: Recording, equalizer: Equalizer) -> FloatArray:
