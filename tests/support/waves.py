@@ -144,9 +144,8 @@ def _in_waves(folder: Path, waves: dict[str, Any], name: str, vessel: dict[str, 
     afloat = {"wave_forces": {"database": name, "at": about}, **vessel} if waves else vessel
     sea = {"waves": waves} if waves else {}
     radii = [f"{radius} m" for radius in RADII]
-    return written(
-        folder, lift_of(barge(radii_of_gyration=radii, **afloat), start="as_given", **sea, **given)
-    )
+    lift = {"start": "as_given", **sea, **given}
+    return written(folder, lift_of(barge(radii_of_gyration=radii, **afloat), **lift))
 
 
 def response(frequency: float, force: Any, added: Any = ADDED, damping: Any = DAMPING) -> Any:

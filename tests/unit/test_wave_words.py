@@ -19,6 +19,14 @@ from json_lift import plain_lift
 
 SWELL = {"significant_height": "1 m", "peak_period": "8 s", "direction": "0 deg"}
 
+_LINE = {"vessel": "barge", "fairlead": ["0 m", "0 m", "6 m"], "to": ["-180 m", "20 m", "0 m"]}
+_STAY = {"mass": "10 kg/m", "axial_stiffness": "80 MN", "minimum_breaking_force": "1 MN"}
+#: The barge on a line aft.
+MOORED: dict[str, Any] = {
+    "ropes": {"stay": _STAY},
+    "mooring_lines": {"aft": {**_LINE, "rope": "stay", "pretension": "100 kN"}},
+}
+
 
 def refused(folder: Path, train: dict[str, Any]) -> str:
     path = written(folder, lift_of(barge(), waves={"swell": train}))
@@ -78,11 +86,7 @@ def test_what_is_told(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("drifts", "moored"), [(True, False), (False, True), (True, True)])
 def test_drift_forces_and_moorings_belong_together(tmp_path: Path, drifts: bool, moored: bool) -> None:
     """A vessel that nothing holds, and a mooring whose mean pull is not there; not where it is said."""
-    line = {"vessel": "barge", "fairlead": ["0 m", "0 m", "6 m"], "to": ["-180 m", "20 m", "0 m"]}
-    rope = {"mass": "10 kg/m", "axial_stiffness": "80 MN", "minimum_breaking_force": "1 MN"}
-    lines = {"aft": {**line, "rope": "stay", "pretension": "100 kN"}}
-    given: dict[str, Any] = {"ropes": {"stay": rope}, "mooring_lines": lines} if moored else {}
-    path = waves.in_waves(tmp_path, {"swell": SWELL}, **given)
+    path = waves.in_waves(tmp_path, {"swell": SWELL}, **(MOORED if moored else {}))
     size = (len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3)
     waves.database(tmp_path, drift=np.ones(size) if drifts else None)
     (told,) = assemble(load_scenario(path)).warnings if drifts != moored else ("",)
@@ -94,6 +98,23 @@ def test_drift_forces_and_moorings_belong_together(tmp_path: Path, drifts: bool,
     known = path.read_text().replace('"wave_forces": {', '"wave_forces": {"drift": false, ')
     path.write_text(known)
     assert assemble(load_scenario(path)).warnings == ()
+
+
+@pytest.mark.parametrize("by", ["nothing", "matrix", "areas"])
+def test_slow_motions_on_moorings_want_damping(tmp_path: Path, by: str) -> None:
+    """A moored vessel with drift forces whose water takes nothing but what waves take is told."""
+    area = {"area": "400 m^2", "coefficient": 1.0, "along": "y"}
+    critical = {"sway": "5 %", "periods": {"sway": "60 s"}}
+    given: dict[str, dict[str, Any]] = {
+        "nothing": {},
+        "matrix": {"water_damping": {"critical": critical}},
+        "areas": {"current_areas": {"side": area}},
+    }
+    path = waves.radiating(tmp_path, {"swell": SWELL}, given[by], **MOORED)
+    drift = np.ones((len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3))
+    waves.database(tmp_path, waves.radiated, drift=drift)
+    told = " ".join(assemble(load_scenario(path)).warnings)
+    assert ("nothing but waves takes of the slow motions of barge" in told) == (by == "nothing")
 
 
 def test_waves_that_the_file_does_not_know(tmp_path: Path) -> None:
@@ -229,14 +250,16 @@ def test_drift_forces_where_a_file_has_them(tmp_path: Path) -> None:
     """By default where the file has any, not with `drift: false`; asked of a file without any an error."""
     drift = np.ones((len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3))
 
-    def drifts(has: bool, **given: bool) -> Any:
+    def forces(has: bool, **given: bool) -> dict[str, Any]:
         about = [f"{LENGTH / 2} m", "0 m", f"{DRAFT} m"]
         afloat = {"wave_forces": {"database": "barge.nc", "at": about, **given}}
         path = waves.in_waves(tmp_path, {"swell": SWELL}, afloat)
         if has:
             waves.database(tmp_path, drift=drift)
-        document = assemble(load_scenario(path)).document
-        return next(force for force in document["forces"] if force["type"] == "wave")["drifts"]
+        return {force["type"]: force for force in assemble(load_scenario(path)).document["forces"]}
+
+    def drifts(has: bool, **given: bool) -> Any:
+        return forces(has, **given)["wave"]["drifts"]
 
     # All seven of the file, and five of them mirrored, of each of a hundred waves.
     assert np.shape(drifts(True)) == (100, 12, 4, 3)
@@ -245,6 +268,29 @@ def test_drift_forces_where_a_file_has_them(tmp_path: Path) -> None:
     assert drifts(True, drift=False) == drifts(False) == []
     with pytest.raises(ScenarioError, match=r"wave_forces\.database: barge\.nc.*: has no drift forces"):
         drifts(False, drift=True)
+    damped = [forces(True), forces(True, drift_damping=False), forces(True, drift=False), forces(False)]
+    assert ["mean_drift" in found for found in damped] == [True, True, False, False]
+    assert np.any(np.array(damped[0]["mean_drift"]["around"])[..., :3])
+    assert not np.any(np.array(damped[1]["mean_drift"]["around"])[..., :3])
+
+
+def test_mean_drift_forces_are_about_amidships(tmp_path: Path) -> None:
+    """Forces of a file about a point 30 m aft of there and 4 m to port: its yaw, and x F_y − y F_x."""
+    alike = np.ones((len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3))
+
+    def rates(at: list[str]) -> Any:
+        forces = {"database": "barge.nc", "at": at}
+        path = waves.in_waves(tmp_path, {"swell": SWELL}, {"wave_forces": forces})
+        waves.database(tmp_path, drift=alike * [1.0, 0.0, 0.0])
+        force = assemble(load_scenario(path)).document["forces"][-1]
+        assert force["type"] == "mean_drift" and force["at"] == [LENGTH / 2, 0.0, DRAFT]
+        return np.array(force["around"])[0, 0]
+
+    about = rates([f"{LENGTH / 2} m", "0 m", f"{DRAFT} m"])
+    away = rates([f"{LENGTH / 2 - 30} m", "4 m", f"{DRAFT} m"])
+    # Yaw about the middle of a surge of 1 through the point: −4.
+    assert away[2] == pytest.approx(-4.0 * about[0], rel=1e-9, abs=1e-9)
+    assert away[:2] == pytest.approx(about[:2])
 
 
 def test_drift_forces_between_frequencies(tmp_path: Path) -> None:

@@ -25,6 +25,43 @@ fn entry(paired: &Paired, frame: &Frame, row: usize, column: usize) -> f64 {
     found.map_or(0.0, |slot| values[slot])
 }
 
+/// Tangents of inverse dynamics under some accelerations against differences, in frames made as they have to be.
+fn follow_differences(seeds: &[f64], make: impl Fn(&mut Frame)) -> Result<(), TestCaseError> {
+    let (system, state, mut frame) = wet(seeds);
+    make(&mut frame);
+    let size = system.tree.velocities;
+    let a = rates(&system, seeds);
+    let (dynamics, here) = inverse(&system, &frame, &state.v, &a);
+    let mut tangent = DynamicsTangent::new(&system.tree, &frame.mass);
+    tangent.update(&system.tree, &frame.kinematics, &frame.mass, &dynamics, &state.v);
+    let scale = here.iter().fold(100.0_f64, |most, x| most.max(x.abs()));
+    for column in 0..size {
+        let mut direction = vec![0.0; size];
+        direction[column] = 1.0;
+        let at = |step: f64| {
+            let (_, mut frame) = moved(&system, &state, &direction, step);
+            make(&mut frame);
+            inverse(&system, &frame, &state.v, &a).1
+        };
+        let with = |step: f64| {
+            let v: Vec<f64> = state.v.iter().zip(&direction).map(|(v, d)| v + step * d).collect();
+            inverse(&system, &frame, &v, &a).1
+        };
+        let (up, down, faster, slower) = (at(STEP), at(-STEP), with(STEP), with(-STEP));
+        // The row of what a drive prescribes is no equation.
+        for row in (0..size).filter(|&row| system.driven[row].is_none()) {
+            let place = (up[row] - down[row]) / (2.0 * STEP);
+            let found = entry(&tangent.position, &frame, row, column);
+            // |ν| ν of a rotation has a kink of its slope at rest, and the section one where a corner meets the water.
+            prop_assert!((place - found).abs() < 1e-6 * scale, "q {row} {column}: {place} {found}");
+            let speed = (faster[row] - slower[row]) / (2.0 * STEP);
+            let found = entry(&tangent.velocity, &frame, row, column);
+            prop_assert!((speed - found).abs() < 1e-6 * scale, "v {row} {column}: {speed} {found}");
+        }
+    }
+    Ok(())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]
 
@@ -133,36 +170,13 @@ proptest! {
     /// ∂τ/∂q and ∂τ/∂v with all forces, in motion, against differences.
     #[test]
     fn tangents_equal_differences(seeds in seeds()) {
-        let (system, state, frame) = wet(&seeds);
-        let size = system.tree.velocities;
-        let a = rates(&system, &seeds);
-        let (dynamics, here) = inverse(&system, &frame, &state.v, &a);
-        let mut tangent = DynamicsTangent::new(&system.tree, &frame.mass);
-        tangent.update(&system.tree, &frame.kinematics, &frame.mass, &dynamics, &state.v);
-        let scale = here.iter().fold(100.0_f64, |most, x| most.max(x.abs()));
-        for column in 0..size {
-            let mut direction = vec![0.0; size];
-            direction[column] = 1.0;
-            let at = |step: f64| {
-                let (_, frame) = moved(&system, &state, &direction, step);
-                inverse(&system, &frame, &state.v, &a).1
-            };
-            let with = |step: f64| {
-                let v: Vec<f64> = state.v.iter().zip(&direction).map(|(v, d)| v + step * d).collect();
-                inverse(&system, &frame, &v, &a).1
-            };
-            let (up, down, faster, slower) = (at(STEP), at(-STEP), with(STEP), with(-STEP));
-            // The row of what a drive prescribes is no equation.
-            for row in (0..size).filter(|&row| system.driven[row].is_none()) {
-                let place = (up[row] - down[row]) / (2.0 * STEP);
-                let found = entry(&tangent.position, &frame, row, column);
-                // |ν| ν of a rotation has a kink of its slope at rest, and the section one where a corner meets the water.
-                prop_assert!((place - found).abs() < 1e-6 * scale, "q {row} {column}: {place} {found}");
-                let speed = (faster[row] - slower[row]) / (2.0 * STEP);
-                let found = entry(&tangent.velocity, &frame, row, column);
-                prop_assert!((speed - found).abs() < 1e-6 * scale, "v {row} {column}: {speed} {found}");
-            }
-        }
+        follow_differences(&seeds, |_| ())?;
+    }
+
+    /// The same where nothing has moved yet, as statics has it: of waves what is settled pushes, by the heading of its body.
+    #[test]
+    fn tangents_equal_differences_before_anything_moves(seeds in seeds()) {
+        follow_differences(&seeds, |frame| frame.kinematics.past.clear())?;
     }
 
     /// ∂τ/∂t, where waves and gusts alone know time, and how they grow, against differences.
@@ -205,7 +219,7 @@ proptest! {
         let at = |force: &AnyForce| dynamics.at(&system.tree, &frame.kinematics, force.body());
         let losses: Vec<f64> = system.tree.forces.iter().map(|force| force.loss(&at(force))).collect();
         let work = force::stream_work(&system.tree, &frame.kinematics, &state.v)
-            + force::wave_work(&system.tree, &frame.kinematics, &state.v);
+            + force::wave_work(&system.tree, &frame.kinematics, [&state.v, &state.v]);
         let lost: f64 = losses.iter().sum();
         prop_assert!(losses.iter().all(|lost| *lost >= 0.0));
         prop_assert!((lost - work - power).abs() < 1e-10 * (1.0 + power.abs() + work.abs()), "{lost} {work} {power}");
@@ -330,6 +344,33 @@ fn slow_places_follow_and_leave_out_waves() {
     assert!((0..4).all(|k| (heading[k] - turned[k]).abs() < 1e-9), "{heading:?}");
 }
 
+/// Why a cube under these forces is refused, in a sea of so many waves; nothing if it is not.
+fn refused_in_waves(waves: usize, forces: &[serde_json::Value]) -> String {
+    let component =
+        serde_json::json!({"frequency": 0.7, "wave_number": [0.05, 0], "amplitude": 1.0, "phase": 0.0});
+    let spec = serde_json::json!({"gravity": [0, 0, -10.0], "bodies": [{
+        "name": "cube", "parent": null, "mass": 4000.0, "centre_of_gravity": [0, 0, 1.0],
+        "inertia": [1000, 1000, 1000, 0, 0, 0], "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
+        "joint": {"type": "free", "position": [0, 0, 4.0], "orientation": [1, 0, 0, 0], "velocity": [0, 0, 0],
+                  "angular_velocity": [0, 0, 0]}}],
+        "sea": {"components": vec![component; waves], "rise_time": 5.0},
+        "forces": forces});
+    build(&serde_json::from_value(spec).unwrap()).err().map(|error| error.to_string()).unwrap_or_default()
+}
+
+/// A mean drift force needs a force of waves, whose slow heading it has, and to be known at a heading.
+#[test]
+fn mean_drift_belongs_to_a_force_of_waves() {
+    let phasors = vec![vec![[[[1.0, 0.0]; 6]; 4]]];
+    let swell = serde_json::json!({"type": "wave", "name": "swell", "body": "cube", "at": [0, 0, 0],
+        "origin": [0, 0, 0], "directions": [0.5], "phasors": phasors});
+    let drift = |around: &[[[[f64; 4]; 3]; 4]]| serde_json::json!({"type": "mean_drift", "name": "drift", "body": "cube", "at": [0, 0, 0], "around": around});
+    let known = [[[[1.0; 4]; 3]; 4]];
+    assert_eq!(refused_in_waves(1, &[drift(&known), swell.clone()]), "");
+    assert!(refused_in_waves(1, &[drift(&known)]).contains("no waves push `cube`"));
+    assert!(refused_in_waves(1, &[swell, drift(&[])]).contains("at no heading"));
+}
+
 /// Wave forces that do not belong to their sea, or to no direction, are refused by name.
 #[test]
 fn wave_forces_belong_to_a_sea_and_to_directions() {
@@ -338,17 +379,9 @@ fn wave_forces_belong_to_a_sea_and_to_directions() {
                     directions: &[f64],
                     phasors: Vec<Vec<[[[f64; 2]; 6]; 4]>>,
                     drifts: Vec<Vec<[[f64; 3]; 4]>>| {
-        let component =
-            serde_json::json!({"frequency": 0.7, "wave_number": [0.05, 0], "amplitude": 1.0, "phase": 0.0});
-        let spec = serde_json::json!({"gravity": [0, 0, -10.0], "bodies": [{
-            "name": "cube", "parent": null, "mass": 4000.0, "centre_of_gravity": [0, 0, 1.0],
-            "inertia": [1000, 1000, 1000, 0, 0, 0], "placement": {"position": [0, 0, 0], "orientation": [1, 0, 0, 0]},
-            "joint": {"type": "free", "position": [0, 0, 4.0], "orientation": [1, 0, 0, 0], "velocity": [0, 0, 0],
-                      "angular_velocity": [0, 0, 0]}}],
-            "sea": {"components": vec![component; waves], "rise_time": 5.0},
-            "forces": [{"type": "wave", "name": "swell", "body": "cube", "at": [0, 0, 0], "origin": [0, 0, 0],
-                "directions": directions, "phasors": phasors, "drifts": drifts}]});
-        build(&serde_json::from_value(spec).unwrap()).err().map(|error| error.to_string()).unwrap_or_default()
+        let force = serde_json::json!({"type": "wave", "name": "swell", "body": "cube", "at": [0, 0, 0],
+            "origin": [0, 0, 0], "directions": directions, "phasors": phasors, "drifts": drifts});
+        refused_in_waves(waves, &[force])
     };
     let refused = |waves: usize, directions: &[f64], phasors| drifting(waves, directions, phasors, vec![]);
     assert_eq!(refused(1, &[0.5], vec![vec![phasor]]), "");

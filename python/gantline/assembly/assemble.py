@@ -16,6 +16,7 @@ from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_heights import doubtful_heights
 from gantline.assembly.doubtful_rails import doubtful_rails
+from gantline.assembly.doubtful_sheaves import doubtful_sheaves
 from gantline.assembly.doubtful_stops import doubtful_stops
 from gantline.assembly.doubtful_turns import doubtful_turns
 from gantline.assembly.doubtful_waits import doubtful_waits
@@ -155,6 +156,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         *doubtful_rails(scenario),
         *doubtful_cranes(scenario),
         *doubtful_gear(scenario, rigging),
+        *doubtful_sheaves(scenario, rigging),
         *doubtful_following(scenario, rigging),
     )
     return Assembly(

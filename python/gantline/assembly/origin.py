@@ -18,7 +18,7 @@ __all__ = ["FALLS", "origin_of", "refused", "with_advice"]
 FALLS = "nothing holds it, it falls without end"
 #: What it says where its search ends without an equilibrium, and where a stream is why.
 _NO_STEP = "no step brings its forces closer to balance"
-_DRIVEN = "wind or current drives it over its supports, which without friction hold nothing"
+_DRIVEN = "wind, current or waves drive it over its supports, which without friction hold nothing"
 #: Share of its weight with which wind pushes a load that may not rest in it [1]: 11 deg out of plumb.
 _BLOWN = 0.2
 #: What it says of a rope of which nothing is left between two of its guides.

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from gantline.assembly.databases import from_database
+from gantline.assembly.mean_drift import mean_drift
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.trains import Train
 from gantline.assembly.vessels import vessel_hull
 from gantline.hydro.database import AXES, DatabaseError, ForcesAround, HydrodynamicDatabase
+from gantline.hydro.mean_drift import Drifting
 from gantline.hydro.waves import Components, regular, sea, wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt, PathPart
@@ -59,8 +62,8 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     parts.sea = {"components": listed, "rise_time": rise_time}
     moved = {name: vessel for name, vessel in (scenario.vessels or {}).items() if vessel.wave_forces}
     for name, vessel in moved.items():
-        force = _force(parts, scenario, name, vessel, trains)
-        parts.forces.append(force)
+        force, *mean = _forces(parts, scenario, name, vessel, trains)
+        parts.forces += [force, *mean]
         parts.doubts += _other_period(scenario, name, vessel)
         parts.doubts += _drifting(scenario, name, vessel, drifts=bool(force["drifts"]))
     parts.doubts += _idle(scenario, moved) + _steep(scenario)
@@ -86,8 +89,12 @@ def _components(name: str, train: WaveTrain) -> Components:
     )
 
 
-def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, Train]) -> Json:
+def _forces(
+    parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, Train]
+) -> list[Json]:
     """What all waves do to a vessel, vessel axes, phases from the middle of its length in the centre plane.
+
+    The first is their force as they come by, the second, if they have any, that on the whole.
 
     There they change least between the frequencies and directions of a file, whose own origin may be far off.
     """
@@ -97,47 +104,67 @@ def _force(parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: 
     box = vessel_hull(scenario, name, vessel).box[:, :2]
     found = []
     for train_name, train in trains.items():
-        waves = train.waves
-        per_metre, around, drift, doubts = _of_database(scenario, path, vessel, waves, box)
-        parts.doubts += [Doubt(path, f"wave forces of {name}: {doubt}") for doubt in doubts]
-        unknown = _unknown(waves, per_metre)
+        pushed = _of_database(scenario, path, vessel, train.waves, box)
+        parts.doubts += [Doubt(path, f"wave forces of {name}: {doubt}") for doubt in pushed.doubts]
+        unknown = _unknown(train.waves, pushed.at_start)
         if unknown > _SILENT:
             shown = f"{100 * unknown:.2g} % of the energy of {train_name}"
             sentence = f"{shown} is in waves shorter than any there"
             if unknown > _MOST_UNKNOWN:
                 raise scenario.error((*path, "database"), f"{given.database}: {sentence}")
             parts.doubt(path, f"wave forces of {name}: {sentence}; they do nothing")
-        found.append((around, drift))
-    forces = np.concatenate([around.cubics for around, _ in found])
-    drifts = [drift.cubics.real for _, drift in found if drift is not None]
+        found.append(pushed)
+    forces = np.concatenate([pushed.around.cubics for pushed in found])
+    pushes = [pushed.on_the_whole for pushed in found if pushed.on_the_whole is not None]
+    drifts = [one.drift.cubics.real for one in pushes]
     # One file has the same directions for all waves.
-    return {
+    force: Json = {
         "type": "wave",
         "name": f"{name}.wave_forces",
         "body": name,
         "at": list(given.at),
         "origin": [float(box[:, 0].mean()), 0.0, given.at[2]],
-        "directions": found[0][0].directions.tolist(),
+        "directions": found[0].around.directions.tolist(),
         "phasors": np.stack([forces.real, forces.imag], axis=-1).tolist(),
         "drifts": np.concatenate(drifts).tolist() if drifts else [],
     }
+    return [force, mean_drift(scenario, name, given, pushes, box)] if pushes else [force]
+
+
+class _Pushed(NamedTuple):
+    """Forces of waves on a vessel in its axes, over amplitudes or their squares, and what is doubtful.
+
+    Attributes:
+        at_start: as it lies at the start (n, 6).
+        around: by the direction of the waves.
+        on_the_whole: drift forces, if any.
+        doubts: sentences.
+    """
+
+    at_start: Complex
+    around: ForcesAround
+    on_the_whole: Drifting | None
+    doubts: list[str]
 
 
 def _of_database(
     scenario: Scenario, path: tuple[PathPart, ...], vessel: Vessel, train: Components, box: Array
-) -> tuple[Complex, ForcesAround, ForcesAround | None, list[str]]:
-    """Forces per metre at the start in the vessel's axes (n, 6), all around, drift forces all around, doubts.
+) -> _Pushed:
+    """What waves do to a vessel; phases count from the middle of its length in its centre plane.
 
-    Phases count from the middle of its length in its centre plane; `box`: its least and largest x, y [m].
+    Args:
+        scenario: the lift.
+        path: of its wave forces.
+        vessel: the vessel.
+        train: the waves.
+        box: its least and largest x, y [m].
     """
     given = vessel.wave_forces
     assert given is not None
     density = (scenario.water or Water()).density
     lowest, middle, size = float(train.frequency[0]), float(box[:, 0].mean()), np.ptp(box, axis=0)
 
-    def forces(
-        database: HydrodynamicDatabase,
-    ) -> tuple[Complex, ForcesAround, ForcesAround | None, list[str]]:
+    def forces(database: HydrodynamicDatabase) -> _Pushed:
         shortest = 2 * math.pi / float(database.frequencies[-1])
         if len(train.frequency) == 1 and lowest > float(database.frequencies[-1]) * (1 + 1e-6):
             wanted = f"has no waves of {2 * math.pi / lowest:.4g} s"
@@ -151,7 +178,9 @@ def _of_database(
         drift = database.drift_around(train.frequency, density) if given.drift is not False else None
         if given.drift and drift is None:
             raise DatabaseError(f"{database.source}: has no drift forces")
-        return found, around, drift, doubts + _sparse(database, around, towards, train, size)
+        met = database.drift_around(train.frequency, density, derivative=1)
+        mean = None if drift is None or met is None else Drifting(train, drift, met)
+        return _Pushed(found, around, mean, doubts + _sparse(database, around, towards, train, size))
 
     return from_database(scenario, path, (given.database, given.body), forces)
 
@@ -242,7 +271,7 @@ def _other_period(scenario: Scenario, name: str, vessel: Vessel) -> list[Doubt]:
 
 
 def _drifting(scenario: Scenario, name: str, vessel: Vessel, *, drifts: bool) -> list[Doubt]:
-    """A vessel that drift forces take away, or moorings whose pull is without them and nobody says so."""
+    """A vessel that drift forces take away or make swing for long, or moorings without them unsaid."""
     given = vessel.wave_forces
     assert given is not None
     path = ("vessels", name, "wave_forces")
@@ -257,6 +286,12 @@ def _drifting(scenario: Scenario, name: str, vessel: Vessel, *, drifts: bool) ->
         sentence = (
             f"{given.database} has no drift forces: the pull of the mooring lines of {name} is without them, "
             "and so is where it lies; 'drift: false' says that this is known"
+        )
+        return [Doubt(path, sentence)]
+    if drifts and vessel.water_damping is None and not vessel.current_areas:
+        sentence = (
+            f"nothing but waves takes of the slow motions of {name} on its mooring lines, which drift forces "
+            "stir: lines and hull take more; 'water_damping: {critical: …}' or 'current_areas' say what"
         )
         return [Doubt(path, sentence)]
     return []

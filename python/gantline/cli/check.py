@@ -129,6 +129,7 @@ def _look_over(simulation: Simulation) -> None:
     for doubt in simulation.assembly.doubts:
         warn(doubt.of(simulation.scenario.source))
     _warn_of_time(simulation)
+    _warn_of_brakes(simulation.scenario)
     nodes = sum(rope.nodes for rope in rig.ropes)
     drums = sum(not drum.flow for drum in rig.drums)
     numbers = {
@@ -154,6 +155,14 @@ def _warn_of_time(simulation: Simulation) -> None:
         sentence = f"{least}, and end before '{late[0]}' does: make 'duration' longer"
         scenario = simulation.scenario
         warn(scenario.problem(("duration",), sentence).of(scenario.source))
+
+
+def _warn_of_brakes(scenario: Scenario) -> None:
+    """Tell of brakes that hold less than what hangs at rest where a step of the plan ends."""
+    from gantline.study.weak_brakes import weak_brakes
+
+    for doubt in weak_brakes(scenario):
+        warn(scenario.problem(*doubt).of(scenario.source))
 
 
 def _centre_from_cad(simulation: Simulation) -> list[str]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["Components", "jonswap", "phases", "regular", "sea", "wave_number"]
+__all__ = ["Components", "group_velocity", "jonswap", "phases", "regular", "sea", "wave_number"]
 
 Array = npt.NDArray[np.float64]
 
@@ -58,6 +58,25 @@ def wave_number(frequency: Array, gravity: float, depth: float | None) -> Array:
         found = found - (found * tanh - wanted) / (tanh + found * (1.0 - tanh**2))
     number: Array = found / depth
     return number
+
+
+def group_velocity(frequency: Array, gravity: float, depth: float | None) -> tuple[Array, Array]:
+    """With which energy goes, c = dω/dκ (n,) [m/s], and its derivative over κ as a share of it (n,) [m].
+
+    Args:
+        frequency: ω (n,) [rad/s].
+        gravity: g [m/s^2].
+        depth: d [m]; None is deep water.
+    """
+    number = wave_number(frequency, gravity, depth)
+    if depth is None:
+        return gravity / (2 * frequency), -0.5 / number
+    # 2κd / sinh 2κd, nothing where that is large.
+    twice = np.minimum(2 * number * depth, 300.0)
+    shallow = twice / np.sinh(twice)
+    speed = frequency / (2 * number) * (1 + shallow)
+    bend = shallow * (1 - twice / np.tanh(twice)) / (1 + shallow)
+    return speed, speed / frequency + (bend - 1) / number
 
 
 def jonswap(frequency: Array, significant_height: float, peak_period: float, enhancement: float) -> Array:

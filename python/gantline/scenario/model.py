@@ -217,10 +217,22 @@ class Scenario(Element):
     def left_out_at_rest(self) -> list[str]:
         """Sentences on its waves and gusts, which an equilibrium leaves out; none where it has none."""
         gusts = isinstance(self.wind, Wind) and self.wind.gusts is not None
+        waves = f"the waves {', '.join(self.waves or {})}"
+        pushed = any(self.has_mean_drift(name) for name in self.vessels or {})
+        without = f"{waves}, but with their mean drift forces if there are any" if pushed else waves
         return [
-            *([f"Still water: without the waves {', '.join(self.waves)}"] if self.waves else []),
+            *([f"Still water: without {without}"] if self.waves else []),
             *(["Steady wind: without its gusts"] if gusts else []),
         ]
+
+    def has_mean_drift(self, vessel: str) -> bool:
+        """Whether mean drift forces of waves, if there are any, push a vessel from the start, and at rest.
+
+        They do where mooring lines hold it, and it starts in equilibrium.
+        """
+        forces = (self.vessels or {})[vessel].wave_forces
+        is_moored = any(line.vessel == vessel for line in (self.mooring_lines or {}).values())
+        return is_moored and self.starts_at_rest and forces is not None and forces.drift is not False
 
     @property
     def booms(self) -> dict[str, PlacedBoom]:

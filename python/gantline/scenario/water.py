@@ -243,6 +243,9 @@ class WaveForces(Element):
     drift: Flag | None = Field(
         None, description="Whether its drift forces push as well; if not given, where the database has any."
     )
+    drift_damping: Flag = Field(
+        True, description="Whether drift forces change with the slow way that it makes, which damps this."
+    )
 
 
 class BallastTank(Element):

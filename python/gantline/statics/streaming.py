@@ -1,4 +1,4 @@
-"""Motions about an equilibrium that wind or current push, where K is not symmetric."""
+"""Motions about an equilibrium that wind, current or waves push, where K is not symmetric."""
 
 from __future__ import annotations
 
@@ -17,9 +17,12 @@ Floats = npt.NDArray[np.float64]
 
 
 def streams(document: Mapping[str, Any]) -> bool:
-    """Whether wind or current push a body, and no water remembers, whose mass is another for each motion."""
+    """Whether wind, current or waves push a body at rest, in water that does not remember.
+
+    The mass of water that does is another for each motion.
+    """
     forces: Sequence[Mapping[str, Any]] = document.get("forces", ())
-    blows = any(any(force.get("stream", ())) for force in forces)
+    blows = any(any(force.get("stream", ())) or force.get("settled", False) for force in forces)
     return blows and all(force["type"] != "memory" for force in forces)
 
 

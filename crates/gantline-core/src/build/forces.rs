@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::memory::build_memory;
 use super::moorings::build_mooring;
-use super::trains::build_wave;
+use super::trains::{build_mean_drift, build_wave};
 use super::{BuildError, error, finite, positive};
 use crate::force::AnyForce;
 use crate::force::added_mass::AddedMass;
@@ -73,6 +73,7 @@ pub(super) fn build_forces(
 fn follow_waves(force: &mut AnyForce, slow: &Slow) {
     match force {
         AnyForce::Memory(memory) => memory.slow = Some(slow.clone()),
+        AnyForce::MeanDrift(damping) => damping.slow = slow.clone(),
         AnyForce::AddedMass(added) => *force = AnyForce::LevelMass(LevelMass::of(added, slow)),
         AnyForce::Drag(drag) => {
             if let Some(damping) = Damping::of(drag, slow) {
@@ -103,6 +104,14 @@ fn build_force(
         }
         ForceSpec::Wave { body, at, origin, directions, phasors, drifts, .. } => {
             AnyForce::Wave(build_wave(name, find(body)?, [at, origin], directions, (phasors, drifts), sea)?)
+        }
+        ForceSpec::MeanDrift { body, at, around, settled, .. } => {
+            let is_pushed =
+                |force: &ForceSpec| matches!(force, ForceSpec::Wave { body: pushed, .. } if pushed == body);
+            if !spec.forces.iter().any(is_pushed) {
+                return error(name, format!("no waves push `{body}`"));
+            }
+            AnyForce::MeanDrift(build_mean_drift(name, find(body)?, *at, (around, *settled), sea)?)
         }
         ForceSpec::Memory { body, at, terms, .. } => {
             AnyForce::Memory(build_memory(name, find(body)?, *at, terms)?)

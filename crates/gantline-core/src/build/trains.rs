@@ -6,10 +6,11 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::{BuildError, error, finite, positive};
+use crate::force::mean_drift::MeanDrift;
 use crate::force::slow::Slow;
 use crate::force::trains::{Component, Trains};
 use crate::force::wave::{Phasor, WaveForce};
-use crate::spec::{DriftSpec, PhasorSpec, TERMS, TrainsSpec};
+use crate::spec::{DriftSpec, MeanDriftSpec, PhasorSpec, TERMS, TrainsSpec};
 
 /// Cubics of every wave from every direction to the next.
 type Around<'a, T> = &'a [Vec<[T; TERMS]>];
@@ -79,6 +80,24 @@ pub(super) fn build_wave(
         sea: Arc::clone(sea),
         slow: Slow { point: DVec3::from_array(*origin), cut_off: CUT_OFF * slowest, first: 0 },
     })
+}
+
+/// What waves do to a body on the whole; the filter behind it is that of their force.
+pub(super) fn build_mean_drift(
+    name: &str,
+    body: usize,
+    at: [f64; 3],
+    (around, settled): (&[[MeanDriftSpec; TERMS]], bool),
+    sea: &Arc<Trains>,
+) -> Result<MeanDrift, BuildError> {
+    finite(name, "the point at which it acts", &at)?;
+    if around.is_empty() {
+        return error(name, "it has a mean drift force at no heading");
+    }
+    finite(name, "a mean drift force of its waves", around.as_flattened().as_flattened().as_flattened())?;
+    let slow = Slow { point: DVec3::ZERO, cut_off: 0.0, first: 0 };
+    let (at, around, sea) = (DVec3::from_array(at), around.to_vec(), Arc::clone(sea));
+    Ok(MeanDrift { name: name.to_owned(), body, at, around, settled, sea, slow })
 }
 
 /// What is given of every wave of the sea in every direction, one after the other, made of it with the amplitude of the wave

@@ -31,15 +31,50 @@ pub struct Damping {
     pub slow: Slow,
 }
 
-/// What it does at a place.
-struct Push {
-    axes: Axes,
+/// What a matrix along such axes does at a place, by itself or with more.
+pub(super) struct Push {
+    /// The axes, with P.
+    pub axes: Axes,
     /// v_P and ω, world axes.
-    motion: Twist,
+    pub motion: Twist,
     /// −B, world axes.
-    matrix: Square,
+    pub matrix: Square,
     /// At P.
-    wrench: Wrench,
+    pub wrench: Wrench,
+}
+
+impl Push {
+    /// About the body's origin.
+    pub fn about_origin(&self) -> Wrench {
+        self.wrench.about(self.axes.arm)
+    }
+
+    /// As seen from the body, about its origin.
+    pub fn tangent(&self) -> Tangent {
+        let Self { axes, motion, matrix, wrench } = self;
+        let velocity = matrix.about(axes.arm);
+        if axes.turning.is_none() {
+            return Tangent { velocity, ..Tangent::NONE };
+        }
+        // It does not turn along, and the motion of the body does.
+        let (linear, angular) = (-skew(motion.linear), -skew(motion.angular));
+        let force = matrix.linear * linear + matrix.cross * angular;
+        let moment = matrix.back * linear + matrix.angular * angular + skew(axes.arm) * force;
+        let mut place = Tangent::of_what_stays(wrench.force, wrench.moment, axes.arm).place;
+        place.add(1.0, &Square { cross: force, angular: moment, ..Square::ZERO });
+        Tangent { place, velocity, ..Tangent::NONE }
+    }
+
+    /// Derivative of the wrench at P over time alone, as the axes turn; none along the body's own.
+    pub fn over_time(&self) -> Option<Wrench> {
+        let Self { axes, motion, matrix, wrench } = self;
+        let spin = DVec3::Z * axes.turning?;
+        let (linear, angular) = (spin.cross(motion.linear), spin.cross(motion.angular));
+        let left = matrix.times(&Twist { linear, angular });
+        let force = spin.cross(wrench.force) - left.force;
+        let moment = spin.cross(wrench.moment) - left.moment;
+        Some(Wrench { force, moment })
+    }
 }
 
 impl Damping {
@@ -74,33 +109,16 @@ impl Force for Damping {
     }
 
     fn wrench(&self, at: &At) -> Wrench {
-        let Push { axes, wrench, .. } = self.push(at);
-        wrench.about(axes.arm)
+        self.push(at).about_origin()
     }
 
     fn tangent(&self, at: &At) -> Tangent {
-        let Push { axes, motion, matrix, wrench } = self.push(at);
-        let velocity = matrix.about(axes.arm);
-        if axes.turning.is_none() {
-            return Tangent { velocity, ..Tangent::NONE };
-        }
-        // It does not turn along, and the motion of the body does.
-        let (linear, angular) = (-skew(motion.linear), -skew(motion.angular));
-        let force = matrix.linear * linear + matrix.cross * angular;
-        let moment = matrix.back * linear + matrix.angular * angular + skew(axes.arm) * force;
-        let mut place = Tangent::of_what_stays(wrench.force, wrench.moment, axes.arm).place;
-        place.add(1.0, &Square { cross: force, angular: moment, ..Square::ZERO });
-        Tangent { place, velocity, ..Tangent::NONE }
+        self.push(at).tangent()
     }
 
     fn over_time(&self, at: &At) -> Option<Wrench> {
-        let Push { axes, motion, matrix, wrench } = self.push(at);
-        let spin = DVec3::Z * axes.turning?;
-        let (linear, angular) = (spin.cross(motion.linear), spin.cross(motion.angular));
-        let left = matrix.times(&Twist { linear, angular });
-        let force = spin.cross(wrench.force) - left.force;
-        let moment = spin.cross(wrench.moment) - left.moment;
-        Some(Wrench { force, moment }.about(axes.arm))
+        let push = self.push(at);
+        push.over_time().map(|rate| rate.about(push.axes.arm))
     }
 
     fn loss(&self, at: &At) -> f64 {

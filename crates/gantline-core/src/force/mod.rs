@@ -14,6 +14,7 @@ pub mod buoyancy;
 pub mod damping;
 pub mod drag;
 pub mod level_mass;
+pub mod mean_drift;
 pub mod memory;
 pub mod mooring;
 pub mod slow;
@@ -33,6 +34,7 @@ use buoyancy::Buoyancy;
 use damping::Damping;
 use drag::Drag;
 use level_mass::LevelMass;
+use mean_drift::MeanDrift;
 use memory::{Memory, memories};
 use mooring::Mooring;
 use square::{Square, skew};
@@ -177,6 +179,8 @@ pub enum AnyForce {
     Mooring(Box<Mooring>),
     /// Waves.
     Wave(WaveForce),
+    /// What these push with on the whole.
+    MeanDrift(MeanDrift),
 }
 
 impl std::ops::Deref for AnyForce {
@@ -193,6 +197,7 @@ impl std::ops::Deref for AnyForce {
             Self::Tank(tank) => &**tank,
             Self::Mooring(mooring) => &**mooring,
             Self::Wave(wave) => wave,
+            Self::MeanDrift(damping) => damping,
         }
     }
 }
@@ -260,9 +265,10 @@ pub fn follow(tree: &Tree, kinematics: &mut Kinematics, (v, time): (&[f64], f64)
     kinematics.past.copy_from_slice(past);
 }
 
-/// True where wind or current blows on a body.
+/// True where wind, current or, on the whole, waves push a body that has not moved yet.
 pub fn has_stream(tree: &Tree) -> bool {
     drags(tree).any(|drag| drag.stream != DVec3::ZERO)
+        || tree.forces.iter().any(|force| matches!(force, AnyForce::MeanDrift(drift) if drift.settled))
 }
 
 /// True where waves do something to a body.
@@ -286,9 +292,14 @@ pub fn turning_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
     levels.map(|level| level.work(&under(tree, kinematics, level.body(), v))).sum()
 }
 
-/// The same of waves.
-pub fn wave_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
-    waves(tree).map(|wave| wave.work(&under(tree, kinematics, wave.body, v))).sum()
+/// The same of waves, whose forces are those under the velocity coordinates `felt`.
+pub fn wave_work(tree: &Tree, kinematics: &Kinematics, [felt, v]: [&[f64]; 2]) -> f64 {
+    let power = |pushed: &AnyForce| {
+        let Wrench { force, moment } = pushed.wrench(&under(tree, kinematics, pushed.body(), felt));
+        let twist = twist_of(tree, kinematics, pushed.body(), v);
+        force.dot(twist.linear) + moment.dot(twist.angular)
+    };
+    of_waves(tree).map(power).sum()
 }
 
 /// Sets `out` to what fluids resist the velocity coordinates `v` with, along every degree of freedom; at rest that is the
@@ -302,8 +313,9 @@ pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f6
         let body = damping.body();
         take(tree, kinematics, body, damping.wrench(&under(tree, kinematics, body, v)), out);
     }
-    for wave in waves(tree) {
-        take(tree, kinematics, wave.body, wave.wrench(&under(tree, kinematics, wave.body, v)), out);
+    for force in of_waves(tree) {
+        let body = force.body();
+        take(tree, kinematics, body, force.wrench(&under(tree, kinematics, body, v)), out);
     }
     for memory in memories(tree) {
         take(tree, kinematics, memory.body, memory.wrench(&under(tree, kinematics, memory.body, v)), out);
@@ -351,6 +363,11 @@ fn dampings(tree: &Tree) -> impl Iterator<Item = &Damping> {
     tree.forces
         .iter()
         .filter_map(|force| if let AnyForce::Damping(damping) = force { Some(damping) } else { None })
+}
+
+/// What waves push with, as they come by and on the whole.
+fn of_waves(tree: &Tree) -> impl Iterator<Item = &AnyForce> {
+    tree.forces.iter().filter(|force| matches!(force, AnyForce::Wave(_) | AnyForce::MeanDrift(_)))
 }
 
 fn waves(tree: &Tree) -> impl Iterator<Item = &WaveForce> {

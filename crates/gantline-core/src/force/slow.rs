@@ -142,10 +142,15 @@ impl Slow {
     fn seen(&self, pose: &Pose, twist: &Twist) -> [[f64; 2]; 3] {
         let arm = pose.rotation * self.point;
         let (place, velocity) = (pose.position + arm, twist.at(arm));
-        let ahead = pose.rotation.x_axis;
-        let swing = twist.angular.cross(ahead);
-        let level = (ahead.x * ahead.x + ahead.y * ahead.y).max(f64::MIN_POSITIVE);
-        let turning = (ahead.x * swing.y - ahead.y * swing.x) / level;
-        [[place.x, velocity.x], [place.y, velocity.y], [ahead.y.atan2(ahead.x), turning]]
+        let (heading, turns) = heading_of(pose);
+        [[place.x, velocity.x], [place.y, velocity.y], [heading, turns.dot(twist.angular)]]
     }
+}
+
+/// Where a body heads, from world x towards y [rad], and what that changes by with each turn of it.
+pub fn heading_of(pose: &Pose) -> (f64, DVec3) {
+    let ahead = pose.rotation.x_axis;
+    let level = (ahead.x * ahead.x + ahead.y * ahead.y).max(f64::MIN_POSITIVE);
+    let lean = -ahead.z / level;
+    (ahead.y.atan2(ahead.x), DVec3::new(lean * ahead.x, lean * ahead.y, 1.0))
 }

@@ -1,14 +1,15 @@
-//! What waves do to a body: forces of first order, and of second order the drift force, mean and slow (Newman 1974).
+//! What waves do to a body: forces of first order, and of second order the slow drift force (Newman 1974).
 //!
 //! ```text
-//! F = g(t) R(ψ) Re Σ a X(β − ψ) e^{iθ}  +  g² R(ψ) Re (Σ a e^{−iθ}) (Σ a D(β − ψ) e^{iθ}),    θ = k·s + ε − ωt
+//! F = g(t) R(ψ) Re Σ a X e^{iθ}  +  g² R(ψ) (Re (Σ a e^{−iθ}) (Σ a D e^{iθ}) − Σ a² D),    θ = k·s + ε − ωt
 //! ```
 //!
 //! s and ψ are the slow place of a point and the slow heading of the body ([`super::slow`]), β the direction of a wave, X
-//! force and moment per metre, D the mean surge, sway and yaw per square metre of one wave alone, each a cubic from each
-//! direction to the next, along axes that are level and turn with ψ. They act at a point P of the body. Within a step all
+//! force and moment per metre, D the mean surge, sway and yaw per square metre of one wave alone, each in the direction β − ψ a
+//! cubic from one that is known to the next, along axes that are level and turn with ψ. They act at a point P of the body. Within a step all
 //! of that depends on time alone. With the place of every moment the first part would have terms of second order that are
-//! a part of the true ones only; the second has what is mean and slow of all of them.
+//! a part of the true ones only; the second has what is slow of all of them, of each two waves. What each pushes with on the
+//! whole, Σ a² D, is the mean drift force ([`super::mean_drift`]).
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -25,7 +26,7 @@ use crate::tree::bias::Wrench;
 pub type Phasor = [[f64; 6]; 2];
 
 /// Where surge, sway and yaw are among the six.
-const LEVEL: [usize; 3] = [0, 1, 5];
+pub(super) const LEVEL: [usize; 3] = [0, 1, 5];
 
 /// Waves on a body.
 #[derive(Debug, Clone)]
@@ -156,16 +157,21 @@ impl<const N: usize> Rated<N> {
     }
 }
 
-/// Both sums of the drift force, real and imaginary parts: Σ a e^{iθ} and Σ a D e^{iθ}.
+/// Sums of the drift force: real and imaginary parts of Σ a e^{iθ} and Σ a D e^{iθ}, and Σ a² D.
 #[derive(Debug, Clone, Copy, Default)]
 struct Drifting {
     waves: Rated<2>,
     forces: [Rated<2>; 3],
+    mean: Rated<3>,
 }
 
 impl Drifting {
     /// Adds a wave with its a, a D with their derivatives over time, e^{iθ} and the derivative of θ.
     fn add(&mut self, amplitude: f64, drifts: [[f64; 2]; 3], [cos, sin]: [f64; 2], pace: f64) {
+        for (k, [drift, slope]) in drifts.into_iter().enumerate() {
+            self.mean.value[k] += amplitude * drift;
+            self.mean.rate[k] += amplitude * slope;
+        }
         let (phasor, ahead) = ([cos, sin], [-sin, cos]);
         for part in 0..2 {
             self.waves.value[part] += amplitude * phasor[part];
@@ -177,12 +183,14 @@ impl Drifting {
         }
     }
 
-    /// The real part of the product of one with the conjugate of the other.
+    /// The real part of the product of one with the conjugate of the other, less what is of each wave alone.
     fn force(&self) -> Rated<3> {
         let dot = |one: [f64; 2], other: [f64; 2]| one[0] * other[0] + one[1] * other[1];
-        let value = self.forces.map(|force| dot(self.waves.value, force.value));
-        let rate =
-            self.forces.map(|force| dot(self.waves.rate, force.value) + dot(self.waves.value, force.rate));
+        let Self { waves, forces, mean } = self;
+        let value = std::array::from_fn(|k| dot(waves.value, forces[k].value) - mean.value[k]);
+        let rate = std::array::from_fn(|k| {
+            dot(waves.rate, forces[k].value) + dot(waves.value, forces[k].rate) - mean.rate[k]
+        });
         Rated { value, rate }
     }
 }

@@ -99,9 +99,25 @@ pub enum ForceSpec {
         /// Of every component of the sea, from every direction to the next: terms of 1, s, s² and s³, s the share of the
         /// way.
         phasors: Vec<Vec<[PhasorSpec; TERMS]>>,
-        /// Drift forces D likewise; empty where there are none.
+        /// Drift forces D likewise, of which each two waves have a slow one; empty where there are none.
         #[serde(default)]
         drifts: Vec<Vec<[DriftSpec; TERMS]>>,
+    },
+    /// What the waves that push a body do to it on the whole: a push, with what a current adds to it, and what they take of its
+    /// way.
+    MeanDrift {
+        /// Unique name.
+        name: String,
+        /// Body that it acts on, which has a force of waves too.
+        body: String,
+        /// Point whose way it resists, and at which it acts [m], body frame.
+        at: [f64; 3],
+        /// From each of some even headings to the next, the first along world x: terms of 1, s, s² and s³, s the share of
+        /// the way.
+        around: Vec<[MeanDriftSpec; TERMS]>,
+        /// True where the push is there from the start, and in statics; else it grows with the waves.
+        #[serde(default)]
+        settled: bool,
     },
 }
 
@@ -111,6 +127,10 @@ pub type PhasorSpec = [[f64; 2]; 6];
 
 /// Mean surge, sway and yaw of one wave alone over the square of its amplitude [N/m², N/m], axes of a body that is level.
 pub type DriftSpec = [f64; 3];
+
+/// Surge, sway and yaw, axes of a body that is level: what is lost over speed in each of the three, then the push [N s/m, N s, N;
+/// of yaw N s, N m s, N m].
+pub type MeanDriftSpec = [[f64; 4]; 3];
 
 /// Of a cubic.
 pub const TERMS: usize = 4;
@@ -209,7 +229,8 @@ impl ForceSpec {
             | Self::Drag { name, .. }
             | Self::Memory { name, .. }
             | Self::Tank { name, .. }
-            | Self::Wave { name, .. } => name,
+            | Self::Wave { name, .. }
+            | Self::MeanDrift { name, .. } => name,
             Self::Mooring(line) => &line.name,
         }
     }

@@ -360,7 +360,7 @@ impl Statics {
             }
             Stuck::NoStep(dof) if self.drifts(system, losses) => {
                 let cause =
-                    "wind or current drives it over its supports, which without friction hold nothing";
+                    "wind, current or waves drive it over its supports, which without friction hold nothing";
                 (body(system.tree.owner[dof]), cause)
             }
             Stuck::NoStep(dof) => {

@@ -1,4 +1,4 @@
-//! The other half of the tangent where wind or current push. What streams push with is no slope of an energy: how a vane is
+//! The other half of the tangent where wind, current or mean drift forces push. What streams push with is no slope of an energy: how a vane is
 //! turned changes what it is pulled along with, and how it has been pulled along changes nothing of how it is turned.
 //!
 //! The search goes by the symmetric half, whose pivots tell what leads down. Here is the half of ∂/∂q of all that pushes and

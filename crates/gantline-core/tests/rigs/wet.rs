@@ -125,6 +125,17 @@ pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
             drifts,
             directions,
         };
+        // From heading to heading without a bend.
+        let headings: Vec<f64> = (0..5).map(|k| 0.2 * f64::from(k) * std::f64::consts::TAU).collect();
+        let around = from_all_sides(&mut draw, &headings).iter().map(on_the_whole).collect();
+        // One of the two is there from the start.
+        let drift = ForceSpec::MeanDrift {
+            name: named("drift", k),
+            body: pushed.clone(),
+            at: at(&mut draw),
+            around,
+            settled: k == 1,
+        };
         // Where waves push, added mass and a matrix alone act along their axes.
         let level = ForceSpec::AddedMass {
             name: named("level", k),
@@ -141,7 +152,7 @@ pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
             stream: [0.0; 3],
             gusty: false,
         };
-        spec.forces.extend([buoyancy, added, drag, tank, wave, level, viscous]);
+        spec.forces.extend([buoyancy, added, drag, tank, wave, drift, level, viscous]);
     }
     let component = |draw: &mut Draw| ComponentSpec {
         frequency: 1.0 + 0.5 * draw.number(),
@@ -175,6 +186,14 @@ pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
 /// Real parts of surge, sway and yaw.
 fn level(forces: &[[PhasorSpec; 4]]) -> Vec<[[f64; 3]; 4]> {
     forces.iter().map(|terms| terms.map(|term| [0, 1, 5].map(|axis| term[axis][0]))).collect()
+}
+
+/// Twelve numbers as three rows, a tenth as large.
+fn on_the_whole(terms: &[PhasorSpec; 4]) -> [[[f64; 4]; 3]; 4] {
+    terms.map(|term| {
+        let numbers = term.as_flattened();
+        std::array::from_fn(|i| std::array::from_fn(|j| 0.1 * numbers[4 * i + j]))
+    })
 }
 
 /// Forces of a wave that go on from direction to direction without a bend, by Hermite's cubics.

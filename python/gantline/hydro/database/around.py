@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["ForcesAround", "beside"]
+__all__ = ["ForcesAround", "beside", "cubics_around"]
 
 Array = npt.NDArray[np.float64]
 Complex = npt.NDArray[np.complex128]
@@ -68,10 +68,12 @@ class ForcesAround:
         given = (frequency <= known[-1] * (1 + _ROUNDED))[:, np.newaxis, np.newaxis]
         wanted = np.clip(frequency, known[0], known[-1])
         smooth = CubicSpline(known, forces)(wanted) if len(known) > 1 else forces
-        return cls(directions, _cubics(directions, np.where(given, smooth, 0.0)))
+        return cls(directions, cubics_around(directions, np.where(given, smooth, 0.0)))
 
     @classmethod
-    def drifts_between(cls, known: Array, drifts: Array, frequency: Array, directions: Array) -> ForcesAround:
+    def drifts_between(
+        cls, known: Array, drifts: Array, frequency: Array, directions: Array, *, derivative: int = 0
+    ) -> ForcesAround:
         """Drift forces, surge, sway and yaw, by cubics that keep their sign and shape over frequency.
 
         Near a resonance they rise and fall by far within a second of period; a spline would go below zero
@@ -83,12 +85,19 @@ class ForcesAround:
             drifts: (m, k, 3) [N/m², N/m].
             frequency: of waves (n,) [rad/s].
             directions: as the attribute.
+            derivative: over the frequency, 0 or 1.
         """
         from scipy.interpolate import PchipInterpolator  # takes a second to load
 
         wanted = np.clip(frequency, known[0], known[-1])
-        smooth = PchipInterpolator(known, drifts)(wanted) if len(known) > 1 else drifts
-        return cls(directions, _cubics(directions, np.asarray(smooth, dtype=np.complex128)))
+        if len(known) > 1:
+            smooth = PchipInterpolator(known, drifts)(wanted, derivative)
+        else:
+            smooth = np.repeat(drifts, len(frequency), axis=0)
+        if derivative:
+            changes = (wanted == frequency) & (len(known) > 1)
+            smooth = np.where(changes[:, np.newaxis, np.newaxis], smooth, 0.0)
+        return cls(directions, cubics_around(directions, np.asarray(smooth, dtype=np.complex128)))
 
     def at(self, direction: float) -> Complex | None:
         """Those of waves in one direction [rad], shape (n, 6 or 3); None in a gap of more than 60°."""
@@ -99,9 +108,28 @@ class ForcesAround:
         found: Complex = np.einsum("npj,p->nj", self.cubics[:, before], share ** np.arange(4))
         return found
 
+    def everywhere(self, directions: Array) -> tuple[Complex, Complex]:
+        """Those of waves in any directions (m,) [rad], and their derivatives over these (n, m, 6 or 3)."""
+        way = self.directions[0] + (directions - self.directions[0]) % math.tau
+        place = np.searchsorted(self.directions, way, side="right") - 1
+        gaps = np.diff(self.directions, append=self.directions[0] + math.tau)[place, np.newaxis]
+        share = (way - self.directions[place])[:, np.newaxis] / gaps
+        power = np.arange(4)
+        terms = (share**power, power * share ** np.maximum(power - 1, 0) / gaps)
+        found, slope = (np.einsum("nmpj,mp->nmj", self.cubics[:, place], term) for term in terms)
+        return found, slope
 
-def _cubics(directions: Array, forces: Complex) -> Complex:
-    """A periodic spline, or one along each run of directions and straight lines across what is missing."""
+
+def cubics_around(directions: Array, forces: Complex) -> Complex:
+    """A periodic spline, or one along each run of directions and straight lines across what is missing.
+
+    Args:
+        directions: rising within a turn (k,) [rad].
+        forces: (n, k, m).
+
+    Returns:
+        Terms of 1, s, s² and s³ from each direction to the next, s the share of the way (n, k, 4, m).
+    """
     count = len(directions)
     gaps = np.diff(directions, append=directions[0] + math.tau)
     cubics = np.zeros((len(forces), count, 4, forces.shape[2]), dtype=np.complex128)

@@ -223,7 +223,7 @@ class HydrodynamicDatabase:
         scaled = forces * complex(self._denser(density))
         return ForcesAround.between(self.frequencies, scaled, frequency, directions)
 
-    def drift_around(self, frequency: Array, density: float) -> ForcesAround | None:
+    def drift_around(self, frequency: Array, density: float, *, derivative: int = 0) -> ForcesAround | None:
         """Drift forces over the square of the amplitude in the directions of `excitation_around`.
 
         None of a file that has none.
@@ -231,12 +231,15 @@ class HydrodynamicDatabase:
         Args:
             frequency: ω of waves (n,) [rad/s].
             density: of the water that they are wanted for [kg/m^3].
+            derivative: over the frequency, 0 or 1.
         """
         if self.drift is None:
             return None
         drifts, directions = self._all_round(self.drift, np.array([1.0, -1.0, -1.0]))
         scaled = drifts * self._denser(density)
-        return ForcesAround.drifts_between(self.frequencies, scaled, frequency, directions)
+        return ForcesAround.drifts_between(
+            self.frequencies, scaled, frequency, directions, derivative=derivative
+        )
 
     def _all_round(self, forces: Values, mirror: Array) -> tuple[Values, Array]:
         """Forces (n, k, m) by rising direction, mirrored where the other side has none; directions [rad]."""
