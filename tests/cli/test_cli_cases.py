@@ -189,6 +189,16 @@ def test_a_sweep(lift: Path) -> None:
     assert re.search(r" 200 t.* 490\.5 kN", result.stdout)
 
 
+def test_a_sweep_of_what_decides_nothing_at_rest_says_so() -> None:
+    """The table of a sea from other sides had the same numbers in each line, and no word of that."""
+    swept = "waves.swell.direction=0 deg..90 deg/2"
+    result = gantline("statics", "crane_barge_in_swell", "--sweep", swept, columns=200)
+    said = "  nothing changes with waves.swell.direction: forces, tilts and checks are alike, at rest\n"
+    assert said in result.stdout
+    heavier = gantline("statics", "crane_barge_in_swell", "--sweep", "load.weight.calculated=100 t..110 t/2")
+    assert "nothing changes" not in heavier.stdout
+
+
 def test_a_sweep_past_the_end_of_equilibria_ends_with_three(lift: Path) -> None:
     spoil(lift, ("  SD: {from", "  SD: {cut_at: 9 s, from"), ("  SB: {from", "  SB: {cut_at: 9 s, from"),
           ("  SC: {from", "  SC: {cut_at: 9 s, from"))  # fmt: skip

@@ -85,6 +85,17 @@ def test_friction_without_its_per_cent_is_told(friction: str, is_told: bool) -> 
     )
 
 
+@pytest.mark.parametrize(("friction", "is_told"), [("30", True), ("30 %", False)])
+def test_friction_of_a_contact_without_its_per_cent_is_told(friction: str, is_told: bool) -> None:
+    """A load that stands on a deck of `mechanics` stands on no ground and no supports; 30 was in order."""
+    deck = "{joint: {type: fixed}, shape: {box: [9 m, 9 m, 1 m], centre: [0 m, 0 m, -0.5 m]}}"
+    touches = f"{{between: [module, deck], stiffness: 100 MN/m, friction: {friction}}}"
+    mechanics = f"mechanics: {{bodies: {{deck: {deck}}}, body_contacts: {{on_deck: {touches}}}}}\nload:\n"
+    told = [one for one in warnings("load:\n", mechanics) if "friction" in one]
+    usual = "the coefficient of friction of contact on_deck is 30; 0.1 to 1 is usual; '30 %' is 0.3"
+    assert told == [usual] * is_told
+
+
 @pytest.mark.parametrize(
     ("z", "is_told"), [("0 m", True), ("1.5 mm", True), ("29 mm", True), ("31 mm", False), ("1.5 m", False)]
 )

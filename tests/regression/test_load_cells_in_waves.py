@@ -14,6 +14,7 @@ import pytest
 
 from gantline.report.carried import hook_row
 from gantline.report.first_page import stop_if
+from gantline.report.holds import HoldPoints
 from gantline.report.subject import Subject
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
@@ -77,3 +78,9 @@ def test_what_stops_the_lift_is_the_mean(run: Recording) -> None:
     """In waves a load cell goes up and down by more than a tenth, as it should."""
     (said, *_) = stop_if(Subject(run))
     assert said.startswith("the mean of a load cell over some waves differs by more than 10 %")
+
+
+def test_hold_points_are_told_as_those_of_a_moment(run: Recording) -> None:
+    """The table of a run said so, and that of the report, by which load cells may be read, did not."""
+    content = HoldPoints().content(Subject(run))
+    assert content is not None and content["by"] == "waves"

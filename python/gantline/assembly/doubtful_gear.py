@@ -154,6 +154,10 @@ def _rough(scenario: Scenario) -> Iterator[Doubt]:
     }
     for name, group in (scenario.supports or {}).items():
         places["supports", name] = f"supports {name}", group.friction
+    mechanics = scenario.mechanics
+    for kind in ("contacts", "body_contacts"):
+        for name, contact in (getattr(mechanics, kind, None) or {}).items():
+            places["mechanics", kind, name] = f"contact {name}", contact.friction
     for path, (place, friction) in places.items():
         if friction is not None and friction > _ROUGHEST:
             usual = f"0.1 to 1 is usual; '{friction:g} %' is {friction / 100.0:g}"

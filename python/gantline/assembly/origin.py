@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from gantline.assembly.foundering import foundered
 from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart, Problem, StartError
 from gantline.scenario.rigging import resolve
@@ -68,6 +69,7 @@ def with_advice(scenario: Scenario, element: str, cause: str) -> str:
     """
     if cause.endswith((_NO_STEP, _DRIVEN)):
         return cause + _blown(scenario)
+    cause += foundered(scenario, element, cause)
     if not cause.endswith(_USED_UP):
         return cause
     equalizers = resolve(scenario).equalizers

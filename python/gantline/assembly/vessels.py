@@ -99,8 +99,10 @@ def vessel_hull(scenario: Scenario, name: str, vessel: Vessel) -> HullMesh:
     return hull
 
 
-def upright_hydrostatics(scenario: Scenario, name: str, vessel: Vessel) -> Hydrostatics:
-    """Hydrostatics upright at the draft of the start.
+def upright_hydrostatics(
+    scenario: Scenario, name: str, vessel: Vessel, draft: float | None = None
+) -> Hydrostatics:
+    """Hydrostatics upright at a draft [m], at that of the start if not given; no deeper than its hull.
 
     Raises:
         ScenarioError: if the file of its hull cannot be read, or holds no hull.
@@ -108,7 +110,8 @@ def upright_hydrostatics(scenario: Scenario, name: str, vessel: Vessel) -> Hydro
     mesh = vessel_hull(scenario, name, vessel)
     hull = Hull(name, mesh.vertices, mesh.triangles)
     density = (scenario.water or Water()).density
-    return hydrostatics(hull, Attitude(vessel.draft, middle=float(np.mean(hull.box[:, 0]))), density)
+    draft = min(vessel.draft if draft is None else draft, float(hull.box[1, 2]))
+    return hydrostatics(hull, Attitude(draft, middle=float(np.mean(hull.box[:, 0]))), density)
 
 
 def vessel_shape(scenario: Scenario, name: str) -> Json:

@@ -22,8 +22,7 @@ _NOTHING = "nothing in this lift has one"
 def hold_points(recording: Recording) -> list[str]:
     """What is read off at the end of every step that holds or reports, and what hangs in hooks then."""
     lines: list[str] = []
-    wind = recording.rig.wind
-    by = [name for name, it in (("waves", recording.rig.sea), ("gusts", wind and wind.gusts)) if it]
+    by = recording.rig.comes_in_trains
     moment = f", as {' and '.join(by)} have it then" if by else ""
     for point in held(recording):
         sample = int(np.argmax(point.at))

@@ -13,6 +13,7 @@ import typer
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, NO_VERDICT, scenario_errors, stop
 
 if TYPE_CHECKING:
+    from gantline.study.state import State
     from gantline.study.sweep import SweepError, SweepPoint
 
 _WRITTEN = "a sweep is written like 'cranes.hook.at.z=36 m..37 m/5', five values from 36 m to 37 m"
@@ -106,8 +107,19 @@ def _lines(path: str, points: Sequence[SweepPoint], width: int) -> list[str]:
     parts = tables(first, columns, last, width=width)
     states = [point.state for point in points]
     why = list(notes(states, lambda found: _runs(points, found), width))
+    why += _idle(path, states)
     why += textwrap.wrap(nothing_hangs(states), max(width, 60), initial_indent="  ", subsequent_indent="    ")
     return [line for part in (*parts, why) if part for line in (*part, "")][:-1]
+
+
+def _idle(path: str, states: Sequence[State]) -> list[str]:
+    """That a quantity decides nothing at rest, such as one of waves, which statics leaves out."""
+    from gantline.study.effect import is_as
+
+    first = states[0]
+    if any(state.rest is None or not is_as(state, first) for state in states):
+        return []
+    return [f"  nothing changes with {path}: forces, tilts and checks are alike, at rest"]
 
 
 def _runs(points: Sequence[SweepPoint], found: Sequence[int]) -> str:

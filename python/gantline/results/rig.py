@@ -21,6 +21,7 @@ from gantline.results.rating_chart import RatingChart
 from gantline.results.sea import Sea
 from gantline.results.strength import Bend, Factor, FromJson, HasLugs, Lug, Rating, SideLoad
 from gantline.results.tag_lines import TagLine
+from gantline.results.trains import Trains
 from gantline.results.vessels import Vessel
 from gantline.results.wind import Current, Wind
 
@@ -294,10 +295,15 @@ class Rig(FromJson):
         return super().from_json({**document, **parts})
 
     @property
+    def comes_in_trains(self) -> dict[str, Trains]:
+        """Waves and gusts by these words, as far as there are any: they make one moment unlike the next."""
+        found = {"waves": self.sea, "gusts": None if self.wind is None else self.wind.gusts}
+        return {name: trains for name, trains in found.items() if trains is not None}
+
+    @property
     def time_to_average(self) -> float:
         """Time over which what waves and gusts do averages [s]; 0 where there are none."""
-        gusts = None if self.wind is None else self.wind.gusts
-        return max((trains.rise_time for trains in (self.sea, gusts) if trains is not None), default=0.0)
+        return max((trains.rise_time for trains in self.comes_in_trains.values()), default=0.0)
 
     @property
     def carried_hooks(self) -> list[CraneHook]:

@@ -13,7 +13,7 @@ from gantline.scenario.parting import partings
 from gantline.statics import Equilibrium, NoEquilibriumError, Statics
 from gantline.study.state import State, differs, values_of
 
-__all__ = ["with_effect"]
+__all__ = ["is_as", "with_effect"]
 
 #: Times that differ by less are one [s]: a cut is looked at just after it.
 _AT_ONCE = 1e-6
@@ -32,7 +32,7 @@ def with_effect(state: State, given: State, base: Scenario) -> State:
     if state.rest is None or given.rest is None or not state.case:
         return state
     in_vain = tuple(_in_vain(state, given, base))
-    nothing = len(in_vain) == len(state.cut) if state.cut else _is_as(state, given)
+    nothing = len(in_vain) == len(state.cut) if state.cut else is_as(state, given)
     return replace(state, in_vain=in_vain, changes_nothing=nothing)
 
 
@@ -65,8 +65,8 @@ def _before(base: Scenario, time: float) -> Equilibrium | None:
         return None
 
 
-def _is_as(state: State, given: State) -> bool:
-    """Whether all values and checks of a state are those of another one."""
+def is_as(state: State, given: State) -> bool:
+    """Whether all values and checks of a state at rest are those of another one at rest."""
     here, there = values_of(state), values_of(given)
     if any(here[quantity].keys() != there[quantity].keys() for quantity in here):
         return False
