@@ -45,6 +45,8 @@ __all__ = [
 
 #: Density of sea water [kg/m^3].
 SEA_WATER = 1025.0
+#: No water is lighter, hot and fresh, or heavier, saturated with salt [kg/m^3].
+_LIGHTEST, _HEAVIEST = 900.0, 1400.0
 #: Motions of a body along and about its x, y, z.
 MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 ORIGIN = (0.0, 0.0, 0.0)
@@ -66,6 +68,13 @@ class Water(Element):
     depth: PositiveLength | None = Field(
         None, description="Depth, which decides how long waves are; deep if not given."
     )
+
+    @model_validator(mode="after")
+    def _is_water(self) -> Water:
+        if not _LIGHTEST <= self.density <= _HEAVIEST:
+            found = f"{self.density:g} kg/m^3 is not the density of water"
+            raise refuse(f"{found}; fresh water has 1000 kg/m^3, sea water 1025 kg/m^3", "density")
+        return self
 
 
 class HullShape(Element):
