@@ -274,6 +274,19 @@ def test_drift_forces_where_a_file_has_them(tmp_path: Path) -> None:
     assert not np.any(np.array(damped[1]["mean_drift"]["around"])[..., :3])
 
 
+@pytest.mark.parametrize(("lines", "start"), [(1, "rest"), (2, "rest"), (2, "as_given")])
+def test_mean_drift_forces_from_the_start(tmp_path: Path, lines: int, start: str) -> None:
+    """Where two lines hold a vessel that starts at rest; on one it would swing round first."""
+    moored = {f"line{k}": MOORED["mooring_lines"]["aft"] for k in range(lines)}
+    path = waves.in_waves(tmp_path, {"swell": SWELL}, **{**MOORED, "mooring_lines": moored}, start=start)
+    waves.database(tmp_path, drift=np.ones((len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3)))
+    scenario = load_scenario(path)
+    forces = {force["type"]: force for force in assemble(scenario).document["forces"]}
+    is_there = lines > 1 and start == "rest"
+    assert forces["mean_drift"]["settled"] is is_there
+    assert ("with their mean drift forces" in scenario.left_out_at_rest[0]) is is_there
+
+
 def test_mean_drift_forces_are_about_amidships(tmp_path: Path) -> None:
     """Forces of a file about a point 30 m aft of there and 4 m to port: its yaw, and x F_y − y F_x."""
     alike = np.ones((len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3))

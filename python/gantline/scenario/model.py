@@ -228,10 +228,11 @@ class Scenario(Element):
     def has_mean_drift(self, vessel: str) -> bool:
         """Whether mean drift forces of waves, if there are any, push a vessel from the start, and at rest.
 
-        They do where mooring lines hold it, and it starts in equilibrium.
+        They do where mooring lines hold it, and it starts in equilibrium. On a single one it would swing
+        round to leeward first.
         """
         forces = (self.vessels or {})[vessel].wave_forces
-        is_moored = any(line.vessel == vessel for line in (self.mooring_lines or {}).values())
+        is_moored = [line.vessel for line in (self.mooring_lines or {}).values()].count(vessel) > 1
         return is_moored and self.starts_at_rest and forces is not None and forces.drift is not False
 
     @property
