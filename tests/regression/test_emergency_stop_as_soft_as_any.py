@@ -2,7 +2,8 @@
 
 Trolleys, cranes and booms without an `emergency_acceleration` stop with their usual one. A stop of the
 trolleys of `goliath` in mid-traverse was simulated at 0.03 m/s^2, and falls swing by twice that over g,
-0.35 deg: GO. Brakes that are thrown in stop several times as hard.
+0.35 deg: GO. Brakes that are thrown in stop several times as hard. Whoever said that theirs do not, with the
+usual deceleration as that of an emergency, was then told to say it.
 """
 
 from __future__ import annotations
@@ -32,6 +33,14 @@ def test_usual_deceleration_is_told() -> None:
 def test_one_of_its_own_is_in_order() -> None:
     own = {TRAVERSE.format(trolley): "0.2 m/s^2" for trolley in ("upper", "lower")}
     assert told(STOP | own) == []
+
+
+def test_the_usual_one_may_be_said() -> None:
+    """0.03 m/s^2, that of the trolleys of `goliath`, of both or of one."""
+    usual = {TRAVERSE.format(trolley): "0.03 m/s^2" for trolley in ("upper", "lower")}
+    assert told(STOP | usual) == []
+    [found] = told(STOP | {TRAVERSE.format("upper"): "0.03 m/s^2"})
+    assert "of goliath.lower is as soft as any stop" in found
 
 
 def test_nothing_is_said_of_a_lift_without_a_stop() -> None:

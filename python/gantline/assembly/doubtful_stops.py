@@ -6,14 +6,10 @@ from collections.abc import Iterator
 
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
-from gantline.scenario.movers import Mover, mover
+from gantline.scenario.movers import mover
 from gantline.scenario.steps import MovingStep
 
 __all__ = ["doubtful_stops"]
-
-#: What stops with its usual deceleration where nothing says another: of the rest motor and brake, or the
-#: lift file, tell.
-_SOFT = ("trolley", "crane", "boom", "upper")
 
 
 def doubtful_stops(scenario: Scenario) -> Iterator[Doubt]:
@@ -26,7 +22,7 @@ def doubtful_stops(scenario: Scenario) -> Iterator[Doubt]:
             continue
         moved = (mover(scenario, step.kind, text) for text in step.moved)
         for one in moved:
-            if one is not None and _is_soft(one):
+            if one is not None and one.stops_as_usual:
                 soft.setdefault(one.name, place)
     if soft:
         stops = scenario.emergency_stop is not None
@@ -35,7 +31,3 @@ def doubtful_stops(scenario: Scenario) -> Iterator[Doubt]:
             f"the emergency stop of {', '.join(soft)} is as soft as any stop, with the usual acceleration: "
             "brakes that are thrown in stop harder; 'emergency_acceleration' says how hard",
         )
-
-
-def _is_soft(one: Mover) -> bool:
-    return one.kind in _SOFT and not one.capacity and one.emergency == one.acceleration

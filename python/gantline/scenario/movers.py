@@ -49,6 +49,7 @@ class Mover:
         capacity: whether a motor with a limit drives it.
         brake: force that its brake holds, along what its drive counts [N]; None is that of the motor.
         emergency: deceleration of an emergency stop [m/s^2, rad/s^2]; None where nobody has said it.
+        stops_as_usual: whether that is the usual deceleration, since the lift file says no other.
         start: position at the start, as `to` counts it [m, rad]; None for drums and winches, which have none.
         zero: what `to` counts where the drive is at 0 [m, rad].
         range: least and largest position as `to` counts it [m, rad]; None where there is no limit.
@@ -64,6 +65,7 @@ class Mover:
     capacity: bool = False
     brake: float | None = None
     emergency: float | None = None
+    stops_as_usual: bool = False
     start: float | None = None
     zero: float = 0.0
     range: tuple[float, float] | None = None
@@ -153,9 +155,16 @@ def mover(scenario: Scenario, kind: Kind, text: str) -> Mover | None:
 
 
 def _along(name: str, kind: Kind, drive: Traverse | Luffing | Slewing, start: float) -> Mover:
-    emergency = drive.emergency_acceleration or drive.acceleration
+    said = drive.emergency_acceleration
     return Mover(
-        name, kind, drive.speed, drive.acceleration, False, None, emergency, start, 0.0, drive.range_
+        name=name,
+        kind=kind,
+        speed=drive.speed,
+        acceleration=drive.acceleration,
+        emergency=said or drive.acceleration,
+        stops_as_usual=said is None,
+        start=start,
+        range=drive.range_,
     )
 
 

@@ -142,7 +142,9 @@ fn build_step(
             None => None,
         };
         let range = motion.range;
-        moves.push(Move { drive, velocity, acceleration, shape, range, emergency, reel });
+        let moved = &drives[drive];
+        let slips = moved.is_limited.then(|| tree.bodies[moved.body].first_position);
+        moves.push(Move { drive, velocity, acceleration, shape, range, emergency, reel, slips });
     }
     let until = match &given.until {
         UntilSpec::BrakeFrom { time } => Until::BrakeFrom(*time),

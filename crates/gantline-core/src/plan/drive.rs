@@ -110,6 +110,9 @@ pub struct Timeline {
     /// How it stops in an emergency, once a program moves it and no longer the plan.
     #[serde(default)]
     commanded: Option<Emergency>,
+    /// By how much its positions have been put right since the start [m or rad].
+    #[serde(default)]
+    put_right: f64,
 }
 
 impl Timeline {
@@ -118,11 +121,25 @@ impl Timeline {
         self.start = other.start;
         self.ramps.clone_from(&other.ramps);
         (self.braked, self.noticed, self.commanded) = (other.braked, other.noticed, other.commanded);
+        self.put_right = other.put_right;
     }
 
     /// A drive at rest at `start` [m or rad]. Room for ramps is made here, not while stepping.
     pub fn new(start: f64, ramps: usize) -> Self {
-        Self { start, ramps: Vec::with_capacity(ramps), braked: None, noticed: None, commanded: None }
+        let ramps = Vec::with_capacity(ramps);
+        Self { start, ramps, braked: None, noticed: None, commanded: None, put_right: 0.0 }
+    }
+
+    /// All its positions are `by` [m or rad] further: what it moves has slipped meanwhile, and is there.
+    pub fn put_right(&mut self, by: f64) {
+        self.start += by;
+        self.ramps.iter_mut().for_each(|ramp| ramp.position += by);
+        self.put_right += by;
+    }
+
+    /// Where it would be at `time` [s] if nothing had ever slipped: what it has been asked for [m or rad].
+    pub fn asked(&self, time: f64) -> f64 {
+        self.motion(time).position - self.put_right
     }
 
     /// Stops in an emergency from `at` [s] on.

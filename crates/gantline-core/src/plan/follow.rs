@@ -244,6 +244,7 @@ mod tests {
             range,
             emergency: None,
             reel: None,
+            slips: None,
         }
     }
 

@@ -116,7 +116,10 @@ impl PlanState {
                 Due::Rest(index) => {
                     self.phases[index] = Phase::UntilTime(self.brake(&plan.steps[index], at));
                 }
-                Due::Begin => self.begin_next(plan, at, log),
+                Due::Begin => {
+                    self.put_right(&plan.steps[self.begun], from, seen);
+                    self.begin_next(plan, at, log);
+                }
                 Due::Stop => self.stop(plan, at, log),
             }
         }
@@ -168,6 +171,18 @@ impl PlanState {
         let steps = plan.steps[self.stage..][..stage].iter().zip(&self.phases[self.stage..]);
         let leading = steps.filter(|(step, _)| !matches!(step.until, Until::Follow(_)));
         leading.map(|(_, phase)| ended(phase)).fold(0.0, f64::max)
+    }
+
+    /// Drums that have slipped since are where they are, and not where the plan has brought them: ways of a step count
+    /// from there, positions as they are.
+    fn put_right(&mut self, step: &Step, now: f64, seen: Option<&Seen>) {
+        let Some(seen) = seen else { return };
+        for motion in &step.moves {
+            if let Some(place) = motion.slips {
+                let timeline = &mut self.timelines[motion.drive];
+                timeline.put_right(seen.kinematics.q[place] - timeline.motion(now).position);
+            }
+        }
     }
 
     fn begin_next(&mut self, plan: &Plan, at: f64, log: &mut EventLog) {

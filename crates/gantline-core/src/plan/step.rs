@@ -24,6 +24,8 @@ pub struct Move {
     pub emergency: Option<Emergency>,
     /// What goes farther than the drive counts, since its rope lies on a drum in layers.
     pub reel: Option<Reel>,
+    /// Which of the positions of the system it moves, where motor or brake may have let that slip.
+    pub slips: Option<usize>,
 }
 
 /// A drum with layers, of which a drive counts the rope on the first one.

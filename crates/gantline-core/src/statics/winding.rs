@@ -38,10 +38,10 @@ const JOINT: f64 = 1e-6;
 /// through some rounding, and where a drum is held at the joint of two pieces its torque has no one value there.
 const THIN: f64 = 1e-9;
 
-/// Where every drive is at the time of `state`.
+/// Where every drive is at the time of `state`, if nothing has slipped.
 pub fn asked(system: &System, state: &State) -> Vec<f64> {
     let timelines = state.plan.timelines.iter().take(system.drives.len());
-    timelines.map(|timeline| timeline.motion(state.time).position).collect()
+    timelines.map(|timeline| timeline.asked(state.time)).collect()
 }
 
 /// The rope on drums was wound with the strain that it has now, or under what was given. What a motor or brake that gave
