@@ -4,7 +4,7 @@ A drum that slips against its brake in an emergency stop ends v^2 (m + p^2 I/r^2
 plan has it. The plan did not know, so that a later step `to` a height was off by that, and by what a motor
 lost that was too weak for a while: by 127 mm after a stop against a brake of 1.005 times the weight, 12.853 m
 in place of 12.98 m. Of slips shorter than a second nobody was told anything. A step counts from where its
-drum is as it begins.
+drum is as it begins, and a command of a program, which ends at the highest position of the hook.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from crawler_lift import crawler_lift
 from gantline import Simulation, Statics
 from gantline.scenario import parse_scenario
 from mechanics import G
@@ -58,3 +59,22 @@ def test_the_run_ends_where_statics_has_it() -> None:
     step = "{step: then, hoist: crane, speed: 6 m/min, to: 12.5 m}"
     rest = Statics(parse_scenario(hanging(STOP + step, 8.0, MOTOR, 60.0))).equilibrium().recording
     assert heights(step)[2] == pytest.approx(rest.column("body_position", "crane")[-1, 2], abs=1e-4)
+
+
+def test_a_program_comes_to_the_highest_position() -> None:
+    """From 30 m down, stopped against a brake of 1.02 times the weight, then up to `highest: 30.2 m`."""
+    pull = 57e3 * G / 14 / 1e3
+    plan = "{step: down, lower: c1.H, speed: 6 m/min, emergency_stop_at: 8 s}\n{step: end, hold: until_end}"
+    text = crawler_lift(57e3, plan, duration=40.0)
+    for old, new in (
+        ("0.02 m/s^2}", f"0.02 m/s^2, capacity: 60 kN, brake: {1.02 * pull!r} kN}}"),
+        ("drum: {diameter: 0.8 m}", "drum: {diameter: 0.8 m, rotating_mass: 500 kg}"),
+        ("{type: H, height: 30 m}", "{type: H, height: 30 m, highest: 30.2 m}"),
+    ):
+        assert old in text
+        text = text.replace(old, new)
+    run = Simulation(parse_scenario(text))
+    run.advance_to(16.0)
+    run.command("c1.H", speed=0.1, motion="hoist")
+    assert run.run().attributes["status"] == "done"
+    assert run.drive_state("c1.H", motion="hoist")[0] == pytest.approx(30.2, abs=1e-6)

@@ -7,6 +7,7 @@ use super::{SetupError, Simulation};
 use crate::build::plan::build_emergency;
 use crate::plan::Order;
 use crate::spec::CommandSpec;
+use crate::system::DriveJoint;
 
 /// What a program has asked for, in place of the plan.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -54,7 +55,14 @@ impl Simulation {
         }
         let time = self.state.time;
         for (drive, order) in orders {
-            self.state.plan.timelines[drive].command(time, &order);
+            let DriveJoint { body, is_limited, .. } = self.system.drives[drive];
+            let timeline = &mut self.state.plan.timelines[drive];
+            if is_limited {
+                // The end of its range is one of where its drum is, which may have slipped.
+                let position = self.system.tree.bodies[body].first_position;
+                timeline.put_right(self.state.q[position] - timeline.motion(time).position);
+            }
+            timeline.command(time, &order);
         }
         self.commands.push(Command { time, name, motion, speed, acceleration });
         if let Method::Adaptive(adaptive) = &mut self.method {
