@@ -8,10 +8,13 @@ import re
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import databases
 import waves
+from afloat import BREADTH, DRAFT, LENGTH
+from floating import SEA
 from program import program
 
 
@@ -134,6 +137,33 @@ def test_a_database_is_shown_as_a_table_and_as_json(tmp_path: Path) -> None:
     assert found["density"] == 1000.0
 
 
+def test_forces_of_waves_by_their_direction(tmp_path: Path) -> None:
+    """Those of the file's formula in one of its directions, between two the spline's; drift forces beside."""
+    runs = waves.DIRECTIONS
+    drift = np.zeros((len(waves.FREQUENCIES), len(runs), 3))
+    drift[:] = 1e3 * np.stack([np.cos(runs), 2 * np.sin(runs), 0 * runs], 1)
+    path = tmp_path / waves.database(tmp_path, drift=drift)
+    result = hydro(path, "--waves", "90 deg, 45 deg", "--json")
+    assert result.returncode == 0, result.stderr
+    beam, between = json.loads(result.stdout)["waves"]
+    real, imaginary = (np.array(beam[f"excitation_{part}"]) for part in ("real", "imaginary"))
+    expected = np.array([waves.force_per_metre(omega, math.pi / 2) for omega in waves.FREQUENCIES])
+    assert real + 1j * imaginary == pytest.approx(expected, abs=1e-9 * abs(expected).max())
+    assert np.array(beam["drift"])[7] == pytest.approx([0.0, 2e3, 0.0], abs=1e-9)
+    # Directions of the file are 30 deg apart: a spline of cos and sin is off by 5/384 of that to the fourth.
+    assert between["direction"] == pytest.approx(math.pi / 4)
+    assert np.array(between["drift"])[7] / 1e3 == pytest.approx([0.5**0.5, 2**0.5, 0.0], rel=2e-3)
+
+    shown = hydro(path, "--waves", "90 deg").stdout
+    assert "Waves that run 90 deg from its bow: sizes of forces per metre of amplitude, drift forces" in shown
+    slowest = shown.splitlines()[-1].split()
+    assert slowest[0] == "31.416" and slowest[1] == "0" and slowest[7:] == ["0", "2", "0"]
+    # In long waves heave is what lifts the waterline, ρ G L B, to 1 − κT.
+    kappa = 0.2**2 / waves.G
+    lift = SEA * waves.G * LENGTH * BREADTH * math.exp(-kappa * DRAFT) / 1e3
+    assert float(slowest[3]) == pytest.approx(lift, rel=2e-3)
+
+
 def test_how_well_a_database_serves_as_radiation(tmp_path: Path) -> None:
     """What the fit leaves of damping and added mass, and where most."""
     waves.database(tmp_path, waves.radiated)
@@ -151,6 +181,9 @@ def test_how_well_a_database_serves_as_radiation(tmp_path: Path) -> None:
         (["two.h5", "--body", "box3"], "has no body 'box3'; it has box1, box2"),
         (["two.h5", "--drafts", "4 m"], "--drafts: is for a hull; two.h5 is a hydrodynamic database"),
         (["box:100m,30m,8m", "--body", "box1"], "--body: is for a hydrodynamic database; this is a hull"),
+        (["box:100m,30m,8m", "--waves", "0 deg"], "--waves: is for a hydrodynamic database; this is a hull"),
+        (["two.h5", "--body", "box1", "--waves", "45 deg"], "no waves that run 45 deg from its bow; it has"),
+        (["two.h5", "--body", "box1", "--waves", "90 m"], "--waves: '90 m' is a length"),
     ],
 )
 def test_wrong_questions_about_databases(

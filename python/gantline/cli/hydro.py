@@ -12,13 +12,12 @@ import typer
 from gantline.cli.lift import quantity_of, refuse_to_replace, unit_of
 from gantline.cli.messages import DONE, stop, warn, writing
 from gantline.replacing import replaced
+from gantline.scenario.water import HEAVIEST_WATER, LIGHTEST_WATER
 
 if TYPE_CHECKING:
     from gantline.hydro import Hull, Hydrostatics, RightingArms
 
 _MOST = 1000
-#: Densities of water [kg/m^3]: that of salt lakes is 1240.
-_WATER = (900.0, 1300.0)
 #: Axes of a file that may point up.
 _AXES: dict[str, Literal["y", "z"]] = {"y": "y", "z": "z"}
 #: Drafts and angles where none are asked for.
@@ -82,6 +81,14 @@ def hydro(
     body: Annotated[
         str | None, typer.Option(metavar="NAME", help="Body of a hydrodynamic database that has several.")
     ] = None,
+    waves: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ANGLES",
+            help="Directions of waves, such as '0 deg, 45 deg': what a hydrodynamic database has of their "
+            "forces. From body x towards y, where they run to; 180 deg is head sea.",
+        ),
+    ] = None,
     output: Annotated[
         Path | None,
         typer.Option(
@@ -93,7 +100,7 @@ def hydro(
     """Print hydrostatics of a hull over its drafts, with righting arms where angles and --kg are given.
 
     Figures are exact for the mesh. Righting arms are free to trim, at the displacement of each draft. Of a
-    hydrodynamic database: added mass and damping over the period.
+    hydrodynamic database: added mass and damping over the period, and forces of waves with --waves.
     """
     from gantline.hydro.database import DATABASE_FORMATS
 
@@ -110,14 +117,16 @@ def hydro(
             "--half": half or None,
             "--output": output,
         }
-        show_database(Path(hull), body, as_json, [name for name, value in given.items() if value is not None])
-    if body is not None:
-        stop("--body: is for a hydrodynamic database; this is a hull")
+        refused = [name for name, value in given.items() if value is not None]
+        show_database(Path(hull), body, _values("--waves", waves, "angle") or [], as_json, refused)
+    for name, value in (("--body", body), ("--waves", waves)):
+        if value is not None:
+            stop(f"{name}: is for a hydrodynamic database; this is a hull")
     water = quantity_of("--density", density, "density")
     height, tilt = quantity_of("--kg", kg, "length"), quantity_of("--trim", trim, "angle")
     angles = _values("--heel", heel, "angle")
     _refuse_angles(angles, height)
-    if not water or not _WATER[0] <= water <= _WATER[1]:
+    if not water or not LIGHTEST_WATER <= water <= HEAVIEST_WATER:
         stop(f"--density: {density!r} is not the density of water; sea water has '1.025 t/m^3'")
     if tilt is not None and abs(tilt) > math.radians(45):
         stop(f"--trim: {trim!r} is too steep; at most 45 deg, to either side")

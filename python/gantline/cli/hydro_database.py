@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -19,16 +20,28 @@ if TYPE_CHECKING:
 
     from gantline.hydro import HydrodynamicDatabase
 
+#: Share of the largest force of a unit below which one is rounding [1].
+_ROUNDING = 1e-6
 #: Motions that are shown: number, name, and units of their added mass and damping.
 _SHOWN = ((2, "heave", "t", "kN s/m"), (3, "roll", "t m²", "kN m s"), (4, "pitch", "t m²", "kN m s"))
 
 
-def show_database(path: Path, body: str | None, as_json: bool, refused: Sequence[str]) -> NoReturn:
-    """Print a table of a database, or all of its numbers as JSON, and end.
+#: Forces of waves that are shown: motion, units of force over amplitude and of drift force over its square.
+_PUSHES = (
+    *((name, "kN/m", "kN/m²") for name in ("surge", "sway", "heave")),
+    *((name, "kN", "kN/m") for name in ("roll", "pitch", "yaw")),
+)
+
+
+def show_database(
+    path: Path, body: str | None, directions: Sequence[float], as_json: bool, refused: Sequence[str]
+) -> NoReturn:
+    """Print tables of a database, or all of its numbers as JSON, and end.
 
     Args:
         path: the file.
         body: of the file, where it has several.
+        directions: of waves whose forces are wanted, from body x towards y [rad].
         as_json: whether as JSON, SI units.
         refused: options that were given and have no meaning here.
     """
@@ -38,15 +51,79 @@ def show_database(path: Path, body: str | None, as_json: bool, refused: Sequence
 
     try:
         found = read_database(path, body)
+        waves = [_Waves.of(found, direction) for direction in directions]
     except DatabaseError as problem:
         stop(str(problem))
     if as_json:
-        typer.echo(json.dumps(_as_json(found), indent=2, allow_nan=False))
+        numbers = {**_as_json(found), "waves": [one.to_json() for one in waves]}
+        typer.echo(json.dumps(numbers, indent=2, allow_nan=False))
     else:
-        typer.echo("\n".join(_report(found)))
+        typer.echo("\n".join([*_report(found), *(line for one in waves for line in one.table(found))]))
     for doubt in found.doubts:
         warn(doubt)
     raise typer.Exit(DONE)
+
+
+@dataclass(frozen=True)
+class _Waves:
+    """What waves of the frequencies of a database push with.
+
+    Attributes:
+        direction: that they run in, from body x towards y [rad].
+        forces: over the amplitude (n, 6) [N/m, N].
+        drift: of surge, sway and yaw over its square (n, 3) [N/m², N/m], if the file has any.
+    """
+
+    direction: float
+    forces: npt.NDArray[np.complex128]
+    drift: npt.NDArray[np.float64] | None
+
+    @classmethod
+    def of(cls, found: HydrodynamicDatabase, direction: float) -> _Waves:
+        """Those of a database, between its directions by splines.
+
+        Raises:
+            DatabaseError: if it has none, or none close to that direction.
+        """
+        density = found.density or 1.0
+        forces, _ = found.excitation_at(found.frequencies, direction, density)
+        around = found.drift_around(found.frequencies, density)
+        drift = None if around is None else around.at(direction)
+        return cls(direction, forces, None if drift is None else drift.real)
+
+    def table(self, found: HydrodynamicDatabase) -> list[str]:
+        """Sizes of the forces, over the period; what is rounding beside others of its unit is 0."""
+        from gantline.hydro.database.model import DRIFTING
+
+        sizes = abs(self.forces)
+        columns = [(name, unit, sizes[:, k]) for k, (name, unit, _) in enumerate(_PUSHES)]
+        if self.drift is not None:
+            units = {name: unit for name, _, unit in _PUSHES}
+            columns += [(f"drift {name}", units[name], self.drift[:, k]) for k, name in enumerate(DRIFTING)]
+        kinds = [(name.startswith("drift"), unit) for name, unit, _ in columns]
+        most = dict.fromkeys(kinds, 0.0)
+        for kind, (_, _, values) in zip(kinds, columns, strict=True):
+            most[kind] = max(most[kind], float(abs(values).max()))
+        names = ["Period", *(name for name, *_ in columns)]
+        cells = [("[s]", *(f"[{unit}]" for _, unit, _ in columns))]
+        for k in reversed(range(len(found.periods))):
+            row = [
+                f"{values[k] / 1e3:.4g}" if abs(values[k]) > _ROUNDING * most[kind] else "0"
+                for kind, (_, _, values) in zip(kinds, columns, strict=True)
+            ]
+            cells.append((f"{found.periods[k]:.3f}", *row))
+        runs = f"Waves that run {math.degrees(self.direction):.4g} deg from its bow: sizes of forces"
+        per = "per metre of amplitude" + ("" if self.drift is None else ", drift forces per square metre")
+        return ["", f"{runs} {per}", *table(tuple(names), cells, "r" * len(names))]
+
+    def to_json(self) -> dict[str, Any]:
+        """SI units, time as exp(−iωt)."""
+        return {
+            "direction": self.direction,
+            "excitation_real": self.forces.real.tolist(),
+            "excitation_imaginary": self.forces.imag.tolist(),
+            "drift": None if self.drift is None else self.drift.tolist(),
+        }
 
 
 def _report(found: HydrodynamicDatabase) -> list[str]:

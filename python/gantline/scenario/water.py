@@ -45,8 +45,8 @@ __all__ = [
 
 #: Density of sea water [kg/m^3].
 SEA_WATER = 1025.0
-#: No water is lighter, hot and fresh, or heavier, saturated with salt [kg/m^3].
-_LIGHTEST, _HEAVIEST = 900.0, 1400.0
+#: No water is lighter or heavier [kg/m^3]: boiling it has 958, that of salt lakes 1240.
+LIGHTEST_WATER, HEAVIEST_WATER = 900.0, 1300.0
 #: Motions of a body along and about its x, y, z.
 MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 ORIGIN = (0.0, 0.0, 0.0)
@@ -71,7 +71,7 @@ class Water(Element):
 
     @model_validator(mode="after")
     def _is_water(self) -> Water:
-        if not _LIGHTEST <= self.density <= _HEAVIEST:
+        if not LIGHTEST_WATER <= self.density <= HEAVIEST_WATER:
             found = f"{self.density:g} kg/m^3 is not the density of water"
             raise refuse(f"{found}; fresh water has 1000 kg/m^3, sea water 1025 kg/m^3", "density")
         return self
