@@ -24,8 +24,10 @@ def foundered(scenario: Scenario, element: str, cause: str) -> str:
         element: What the core names.
         cause: What it says of that.
     """
+    if not cause.endswith((_SINKS, _CAPSIZES)):
+        return ""
     vessel = (scenario.vessels or {}).get(element)
-    if vessel is None or not cause.endswith((_SINKS, _CAPSIZES)):
+    if vessel is None:
         return ""
     tanks = (vessel.tanks or {}).values()
     own = [(one.mass, one.at[2]) for one in vessel.masses.values()]
