@@ -12,7 +12,6 @@ import typer
 from gantline.cli.lift import quantity_of, refuse_to_replace, unit_of
 from gantline.cli.messages import DONE, stop, warn, writing
 from gantline.replacing import replaced
-from gantline.scenario.water import HEAVIEST_WATER, LIGHTEST_WATER
 
 if TYPE_CHECKING:
     from gantline.hydro import Hull, Hydrostatics, RightingArms
@@ -126,6 +125,8 @@ def hydro(
     height, tilt = quantity_of("--kg", kg, "length"), quantity_of("--trim", trim, "angle")
     angles = _values("--heel", heel, "angle")
     _refuse_angles(angles, height)
+    from gantline.scenario.water import HEAVIEST_WATER, LIGHTEST_WATER
+
     if not water or not LIGHTEST_WATER <= water <= HEAVIEST_WATER:
         stop(f"--density: {density!r} is not the density of water; sea water has '1.025 t/m^3'")
     if tilt is not None and abs(tilt) > math.radians(45):
