@@ -32,11 +32,13 @@ def test_it_is_refused_where_that_is_certain(first: str, begin: int, key: str) -
 
 
 def test_a_time_that_may_come_is_in_order() -> None:
-    parse_scenario(lift(FIRST, "brake_from", "76 s"))
+    """76 s are after the 75 s that the first step takes; a step beside the first begins with it, at 0 s."""
+    after = parse_scenario(lift(FIRST, "brake_from", "76 s"))
     beside = lift(FIRST, "brake_from", "20 s").replace("step: second", "step: second, starts: with_previous")
-    parse_scenario(
+    aside = parse_scenario(
         beside.replace(
             "second, starts: with_previous, slew: c1, speed: 0.2 rev/min",
             "second, starts: with_previous, luff: c1, speed: 3 deg/min",
         )
     )
+    assert [getattr(scenario.plan[-1], "brake_from", None) for scenario in (after, aside)] == [76.0, 20.0]

@@ -146,7 +146,6 @@ impl Force for Buoyancy {
     }
 
     fn energy_rate(&self, at: &At) -> f64 {
-        let Wrench { force, moment } = self.wrench(at);
-        -force.dot(at.twist.linear) - moment.dot(at.twist.angular)
+        -self.wrench(at).power(&at.twist)
     }
 }

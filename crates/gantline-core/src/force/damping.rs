@@ -123,6 +123,6 @@ impl Force for Damping {
 
     fn loss(&self, at: &At) -> f64 {
         let Push { motion, wrench, .. } = self.push(at);
-        -wrench.force.dot(motion.linear) - wrench.moment.dot(motion.angular)
+        -wrench.power(&motion)
     }
 }

@@ -254,8 +254,7 @@ impl Force for LevelMass {
         // Ṫ and what is given are alike in ν̇.
         moving.motion[1] = Twist::default();
         let motion = &moving.motion[0];
-        let power = |Wrench { force, moment }: Wrench| force.dot(motion.linear) + moment.dot(motion.angular);
-        power(crossed(moving.spin(), moving.level.times(motion))) - power(moving.given())
+        crossed(moving.spin(), moving.level.times(motion)).power(motion) - moving.given().power(motion)
     }
 
     fn inertia(&self, kinematics: &Kinematics) -> Option<Square> {

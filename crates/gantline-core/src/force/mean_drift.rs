@@ -95,11 +95,11 @@ impl MeanDrift {
         let motion = Twist { linear: at.twist.at(axes.arm), ..at.twist };
         let [here, slope] = self.at_heading(heading);
         let share = |j: usize| if j == STEADY { steady } else { damped };
-        let (matrix, push) = spread(&turn, |i, j| share(j)[0] * here[i][j]);
-        let (matrix_rate, push_rate) =
+        let (matrix, constant) = spread(&turn, |i, j| share(j)[0] * here[i][j]);
+        let (matrix_rate, constant_rate) =
             spread(&turn, |i, j| share(j)[1] * here[i][j] + share(j)[0] * turning * slope[i][j]);
-        let wrench = sum(matrix.times(&motion), push);
-        let rate = sum(matrix_rate.times(&motion), push_rate);
+        let wrench = sum(matrix.times(&motion), constant);
+        let rate = sum(matrix_rate.times(&motion), constant_rate);
         let push = Push { axes, motion, matrix, wrench };
         let turned = push.over_time().unwrap_or_default();
         Some((push, sum(rate, turned)))
@@ -157,7 +157,6 @@ impl Force for MeanDrift {
     }
 
     fn work(&self, at: &At) -> f64 {
-        let Wrench { force, moment } = self.wrench(at);
-        force.dot(at.twist.linear) + moment.dot(at.twist.angular)
+        self.wrench(at).power(&at.twist)
     }
 }

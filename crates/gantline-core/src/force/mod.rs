@@ -295,9 +295,8 @@ pub fn turning_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
 /// The same of waves, whose forces are those under the velocity coordinates `felt`.
 pub fn wave_work(tree: &Tree, kinematics: &Kinematics, [felt, v]: [&[f64]; 2]) -> f64 {
     let power = |pushed: &AnyForce| {
-        let Wrench { force, moment } = pushed.wrench(&under(tree, kinematics, pushed.body(), felt));
-        let twist = twist_of(tree, kinematics, pushed.body(), v);
-        force.dot(twist.linear) + moment.dot(twist.angular)
+        let wrench = pushed.wrench(&under(tree, kinematics, pushed.body(), felt));
+        wrench.power(&twist_of(tree, kinematics, pushed.body(), v))
     };
     of_waves(tree).map(power).sum()
 }

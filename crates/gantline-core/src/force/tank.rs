@@ -245,8 +245,7 @@ impl Force for Tank {
     }
 
     fn energy_rate(&self, at: &At) -> f64 {
-        let Wrench { force, moment } = self.weight(&self.at(at.pose, at.gravity, self.content(at.q)));
-        -force.dot(at.twist.linear) - moment.dot(at.twist.angular)
+        -self.weight(&self.at(at.pose, at.gravity, self.content(at.q))).power(&at.twist)
     }
 
     fn inertia(&self, kinematics: &Kinematics) -> Option<Square> {
@@ -269,7 +268,7 @@ impl Force for Tank {
         let spin = turn.transpose() * at.twist.angular;
         let motion = Twist { angular: spin, linear: turn.transpose() * at.twist.linear };
         let momentum = self.carried_more(pumped).matrix.times(&motion);
-        let kinetic = 0.5 * (momentum.force.dot(motion.linear) + momentum.moment.dot(motion.angular));
+        let kinetic = 0.5 * momentum.power(&motion);
         -(at.gravity.length() * lift + kinetic)
     }
 

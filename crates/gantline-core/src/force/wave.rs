@@ -218,7 +218,6 @@ impl Force for WaveForce {
     }
 
     fn work(&self, at: &At) -> f64 {
-        let Wrench { force, moment } = self.wrench(at);
-        force.dot(at.twist.linear) + moment.dot(at.twist.angular)
+        self.wrench(at).power(&at.twist)
     }
 }

@@ -32,6 +32,12 @@ impl Wrench {
         self.moment += arm.cross(force);
     }
 
+    /// Its power in a motion of the same point [W].
+    #[inline]
+    pub fn power(&self, motion: &Twist) -> f64 {
+        self.force.dot(motion.linear) + self.moment.dot(motion.angular)
+    }
+
     /// The same about a point from which it acts at `arm` [m].
     pub fn about(self, arm: DVec3) -> Self {
         Self { moment: self.moment + arm.cross(self.force), ..self }
