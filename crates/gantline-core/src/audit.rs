@@ -240,7 +240,9 @@ impl Ledger {
 /// Numbers in [`KINDS`] of those that a system has: without water or air, and where neither streams, theirs are left out.
 pub fn kinds_of(system: &System) -> Vec<usize> {
     let has_fluid = system.tree.forces.iter().any(|force| !matches!(force, AnyForce::Mooring(_)));
-    let streams = force::has_stream(&system.tree) || force::has_waves(&system.tree);
+    let streams = force::has_stream(&system.tree)
+        || force::has_waves(&system.tree)
+        || force::submerged(&system.tree).any(|load| !load.sea.components.is_empty());
     let is_there = |kind: &usize| match KINDS[*kind] {
         "fluid" | "drag" => has_fluid,
         "fluid_work" => streams,

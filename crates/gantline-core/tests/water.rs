@@ -219,7 +219,8 @@ proptest! {
         let at = |force: &AnyForce| dynamics.at(&system.tree, &frame.kinematics, force.body());
         let losses: Vec<f64> = system.tree.forces.iter().map(|force| force.loss(&at(force))).collect();
         let work = force::stream_work(&system.tree, &frame.kinematics, &state.v)
-            + force::wave_work(&system.tree, &frame.kinematics, [&state.v, &state.v]);
+            + force::wave_work(&system.tree, &frame.kinematics, [&state.v, &state.v])
+            + force::submerged_work(&system.tree, &frame.kinematics, &state.v);
         let lost: f64 = losses.iter().sum();
         prop_assert!(losses.iter().all(|lost| *lost >= 0.0));
         prop_assert!((lost - work - power).abs() < 1e-10 * (1.0 + power.abs() + work.abs()), "{lost} {work} {power}");

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::memory::build_memory;
 use super::moorings::build_mooring;
+use super::submerged::build_submerged;
 use super::trains::{build_mean_drift, build_wave};
 use super::{BuildError, error, finite, positive};
 use crate::force::AnyForce;
@@ -131,6 +132,10 @@ fn build_force(
         }
         ForceSpec::AddedMass { body, at, matrix, .. } => {
             AnyForce::AddedMass(build_added_mass(name, find(body)?, *at, matrix)?)
+        }
+        ForceSpec::Submerged { body, cells, density, level, stream, .. } => {
+            let water = (*density, *level, *stream);
+            AnyForce::Submerged(Box::new(build_submerged(name, find(body)?, cells, water, sea, tree.gravity)?))
         }
         ForceSpec::Drag { body, at, damping, quadratic, stream, gusty, .. } => {
             let resistances = (damping, quadratic);

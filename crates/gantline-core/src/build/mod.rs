@@ -12,6 +12,7 @@ pub(crate) mod plan;
 mod ropes;
 mod rows;
 mod start;
+mod submerged;
 mod touches;
 mod trains;
 mod tree;

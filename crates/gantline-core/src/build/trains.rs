@@ -30,7 +30,10 @@ pub(super) fn build_trains(name: &str, given: Option<&TrainsSpec>) -> Result<Arc
         let (wave_number, frequency) = (DVec2::new(x, y), wave.frequency);
         components.push(Component { frequency, wave_number, amplitude: wave.amplitude, phase: wave.phase });
     }
-    Ok(Arc::new(Trains { components, rise_time: given.rise_time }))
+    if let Some(depth) = given.depth {
+        positive(name, "the depth of its water", depth)?;
+    }
+    Ok(Arc::new(Trains { components, rise_time: given.rise_time, depth: given.depth }))
 }
 
 /// What waves do to a body: X, and D if there are any, of every component of the sea in some directions, about a point of the

@@ -17,8 +17,10 @@ pub mod level_mass;
 pub mod mean_drift;
 pub mod memory;
 pub mod mooring;
+pub mod orbital;
 pub mod slow;
 pub mod square;
+pub mod submerged;
 pub mod tank;
 pub mod trains;
 pub mod wave;
@@ -38,6 +40,7 @@ use mean_drift::MeanDrift;
 use memory::{Memory, memories};
 use mooring::Mooring;
 use square::{Square, skew};
+use submerged::Submerged;
 use tank::Tank;
 use wave::WaveForce;
 
@@ -181,6 +184,8 @@ pub enum AnyForce {
     Wave(WaveForce),
     /// What these push with on the whole.
     MeanDrift(MeanDrift),
+    /// Water around a load.
+    Submerged(Box<Submerged>),
 }
 
 impl std::ops::Deref for AnyForce {
@@ -198,6 +203,7 @@ impl std::ops::Deref for AnyForce {
             Self::Mooring(mooring) => &**mooring,
             Self::Wave(wave) => wave,
             Self::MeanDrift(damping) => damping,
+            Self::Submerged(load) => &**load,
         }
     }
 }
@@ -268,6 +274,7 @@ pub fn follow(tree: &Tree, kinematics: &mut Kinematics, (v, time): (&[f64], f64)
 /// True where wind, current or, on the whole, waves push a body that has not moved yet.
 pub fn has_stream(tree: &Tree) -> bool {
     drags(tree).any(|drag| drag.stream != DVec3::ZERO)
+        || submerged(tree).any(|load| load.stream != DVec3::ZERO)
         || tree.forces.iter().any(|force| matches!(force, AnyForce::MeanDrift(drift) if drift.settled))
 }
 
@@ -278,7 +285,9 @@ pub fn has_waves(tree: &Tree) -> bool {
 
 /// True where a force changes by itself as time goes on.
 pub fn knows_time(tree: &Tree) -> bool {
-    has_waves(tree) || drags(tree).any(|drag| drag.gusts.is_some())
+    has_waves(tree)
+        || drags(tree).any(|drag| drag.gusts.is_some())
+        || submerged(tree).any(|load| !load.sea.components.is_empty())
 }
 
 /// Power that fluids which stream put into all bodies under the velocity coordinates `v` [W].
@@ -286,10 +295,20 @@ pub fn stream_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
     drags(tree).map(|drag| drag.work(&under(tree, kinematics, drag.body, v))).sum()
 }
 
-/// The same of added mass along axes that turn by themselves, see [`level_mass`].
+/// The same of added mass along axes that turn by themselves, see [`level_mass`], and of what becomes more as it gets wet.
 pub fn turning_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
     let levels = tree.forces.iter().filter(|force| matches!(force, AnyForce::LevelMass(_)));
-    levels.map(|level| level.work(&under(tree, kinematics, level.body(), v))).sum()
+    let turned: f64 = levels.map(|level| level.work(&under(tree, kinematics, level.body(), v))).sum();
+    turned + submerged(tree).map(|load| load.gathered(&under(tree, kinematics, load.body, v))).sum::<f64>()
+}
+
+/// What waves and current put into loads in the water, beside [`turning_work`] [W].
+pub fn submerged_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
+    let power = |load: &Submerged| {
+        let at = under(tree, kinematics, load.body, v);
+        load.resisting(&at).power(&at.twist) + load.loss(&at)
+    };
+    submerged(tree).map(power).sum()
 }
 
 /// The same of waves, whose forces are those under the velocity coordinates `felt`.
@@ -315,6 +334,9 @@ pub fn resistance(tree: &Tree, kinematics: &Kinematics, v: &[f64], out: &mut [f6
     for force in of_waves(tree) {
         let body = force.body();
         take(tree, kinematics, body, force.wrench(&under(tree, kinematics, body, v)), out);
+    }
+    for load in submerged(tree) {
+        take(tree, kinematics, load.body, load.resisting(&under(tree, kinematics, load.body, v)), out);
     }
     for memory in memories(tree) {
         take(tree, kinematics, memory.body, memory.wrench(&under(tree, kinematics, memory.body, v)), out);
@@ -362,6 +384,13 @@ fn dampings(tree: &Tree) -> impl Iterator<Item = &Damping> {
     tree.forces
         .iter()
         .filter_map(|force| if let AnyForce::Damping(damping) = force { Some(damping) } else { None })
+}
+
+/// Loads in water among the forces.
+pub fn submerged(tree: &Tree) -> impl Iterator<Item = &Submerged> {
+    tree.forces
+        .iter()
+        .filter_map(|force| if let AnyForce::Submerged(load) = force { Some(&**load) } else { None })
 }
 
 /// What waves push with, as they come by and on the whole.

@@ -35,6 +35,8 @@ pub struct Trains {
     pub components: Vec<Component>,
     /// Time in which they grow [s].
     pub rise_time: f64,
+    /// Depth of the water that they run over [m]; none is deep.
+    pub depth: Option<f64>,
 }
 
 /// What comes by at a place and a time.
@@ -58,6 +60,15 @@ impl Trains {
         let share = s * s * s * (10.0 - s * (15.0 - 6.0 * s));
         let slope = 30.0 * s * s * (1.0 - s) * (1.0 - s);
         (share, slope / self.rise_time)
+    }
+
+    /// The second derivative of g over time at `time` [s].
+    pub fn growth_bend(&self, time: f64) -> f64 {
+        if time >= self.rise_time {
+            return 0.0;
+        }
+        let s = (time / self.rise_time).max(0.0);
+        60.0 * s * (1.0 - s) * (1.0 - 2.0 * s) / (self.rise_time * self.rise_time)
     }
 
     /// What comes by at a place [m] and `time` [s], of the water undisturbed by anything in it.

@@ -103,6 +103,22 @@ pub enum ForceSpec {
         #[serde(default)]
         drifts: Vec<Vec<[DriftSpec; TERMS]>>,
     },
+    /// Water around a load, in the waves of the sea.
+    Submerged {
+        /// Unique name.
+        name: String,
+        /// Body that is lowered into it.
+        body: String,
+        /// What it is made of.
+        cells: Vec<CellSpec>,
+        /// Density of the water [kg/m³].
+        density: f64,
+        /// Height of the still surface [m].
+        level: f64,
+        /// Velocity of the current [m/s], world axes.
+        #[serde(default)]
+        stream: [f64; 3],
+    },
     /// What the waves that push a body do to it on the whole: a push, with what a current adds to it, and what they take of its
     /// way.
     MeanDrift {
@@ -119,6 +135,22 @@ pub enum ForceSpec {
         #[serde(default)]
         settled: bool,
     },
+}
+
+/// A part of a load in water.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CellSpec {
+    /// Its middle [m], body frame.
+    pub at: [f64; 3],
+    /// Half of the depth over which it gets wet [m].
+    pub height: f64,
+    /// Volume of water that it displaces [m³].
+    pub volume: f64,
+    /// Added mass along the axes of the body [kg].
+    pub added_mass: [f64; 3],
+    /// Force over speed squared along each [N s²/m²].
+    pub quadratic: [f64; 3],
 }
 
 /// Real and imaginary part of X in Re(X a exp(i(k·x + ε − ωt))), x the origin: force x, y, z [N/m], moment x, y, z [N], axes
@@ -155,6 +187,9 @@ pub struct TrainsSpec {
     pub components: Vec<ComponentSpec>,
     /// Time in which they grow from nothing [s].
     pub rise_time: f64,
+    /// Depth of the water that waves run over [m]; none is deep.
+    #[serde(default)]
+    pub depth: Option<f64>,
 }
 
 /// A regular wave.
@@ -230,7 +265,8 @@ impl ForceSpec {
             | Self::Memory { name, .. }
             | Self::Tank { name, .. }
             | Self::Wave { name, .. }
-            | Self::MeanDrift { name, .. } => name,
+            | Self::MeanDrift { name, .. }
+            | Self::Submerged { name, .. } => name,
             Self::Mooring(line) => &line.name,
         }
     }

@@ -267,7 +267,8 @@ impl Del {
             force::resistance(&system.tree, &frame.kinematics, &self.middle, fluid);
             force::line_damping(&system.tree, &frame.kinematics, &self.middle, lines);
             fluid_power = force::stream_work(&system.tree, &frame.kinematics, &self.middle)
-                + force::wave_work(&system.tree, &frame.kinematics, [&self.middle, &self.v]);
+                + force::wave_work(&system.tree, &frame.kinematics, [&self.middle, &self.v])
+                + force::submerged_work(&system.tree, &frame.kinematics, &self.middle);
             turning_power = force::turning_work(&system.tree, &frame.kinematics, &self.middle);
         }
         let flow = StepFlows {

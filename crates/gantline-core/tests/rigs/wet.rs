@@ -3,7 +3,7 @@
 use gantline_core::build::build;
 use gantline_core::force::AnyForce;
 use gantline_core::spec::{
-    BodySpec, ComponentSpec, DriveSpec, ForceSpec, MooringSpec, PhasorSpec, PumpedSpec, SystemSpec,
+    BodySpec, CellSpec, ComponentSpec, DriveSpec, ForceSpec, MooringSpec, PhasorSpec, PumpedSpec, SystemSpec,
     TrainsSpec,
 };
 use gantline_core::state::State;
@@ -152,7 +152,22 @@ pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
             stream: [0.0; 3],
             gusty: false,
         };
-        spec.forces.extend([buoyancy, added, drag, tank, wave, drift, level, viscous]);
+        let cell = |draw: &mut Draw| CellSpec {
+            at: at(draw),
+            height: 1.5 + draw.number(),
+            volume: draw.number().abs(),
+            added_mass: std::array::from_fn(|_| 10.0 * draw.number().abs()),
+            quadratic: std::array::from_fn(|_| 10.0 * draw.number().abs()),
+        };
+        let submerged = ForceSpec::Submerged {
+            name: named("submerged", k),
+            body: body(&mut draw),
+            cells: (0..4).map(|_| cell(&mut draw)).collect(),
+            density: 60.0,
+            level: draw.number(),
+            stream: if k == 0 { [0.0; 3] } else { draw.scaled(2.0) },
+        };
+        spec.forces.extend([buoyancy, added, drag, tank, wave, drift, level, viscous, submerged]);
     }
     let component = |draw: &mut Draw| ComponentSpec {
         frequency: 1.0 + 0.5 * draw.number(),
@@ -162,7 +177,7 @@ pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
     };
     for trains in [&mut spec.sea, &mut spec.gusts] {
         let components = (0..3).map(|_| component(&mut draw)).collect();
-        *trains = Some(TrainsSpec { components, rise_time: GROWN });
+        *trains = Some(TrainsSpec { components, rise_time: GROWN, depth: Some(3.0 + draw.number()) });
     }
     for k in 0..3 {
         let line = mooring(&mut spec, &mut draw, k);
