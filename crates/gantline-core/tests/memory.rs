@@ -75,7 +75,11 @@ fn remembering(seeds: &[f64], in_waves: bool) -> (System, State, Frame, Vec<Osci
     if in_waves {
         let component =
             |frequency| ComponentSpec { frequency, wave_number: [0.3, 0.2], amplitude: 0.5, phase: 0.1 };
-        spec.sea = Some(TrainsSpec { components: vec![component(0.8), component(1.3)], rise_time: 1.0, depth: None });
+        spec.sea = Some(TrainsSpec {
+            components: vec![component(0.8), component(1.3)],
+            rise_time: 1.0,
+            depth: None,
+        });
     }
     let (system, mut state) = build(&spec).expect("the generator makes valid rigs");
     state.past.iter_mut().for_each(|number| *number = draw.number());
@@ -276,7 +280,8 @@ fn of_two_wave_forces_the_first_says_the_axes() {
     }
     let component =
         |frequency| ComponentSpec { frequency, wave_number: [0.3, 0.2], amplitude: 0.5, phase: 0.1 };
-    spec.sea = Some(TrainsSpec { components: vec![component(0.8), component(1.3)], rise_time: 1.0, depth: None });
+    spec.sea =
+        Some(TrainsSpec { components: vec![component(0.8), component(1.3)], rise_time: 1.0, depth: None });
     let (system, _) = build(&spec).expect("two wave forces may act on a body");
     let waves: Vec<_> = system
         .tree

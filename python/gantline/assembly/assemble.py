@@ -22,6 +22,7 @@ from gantline.assembly.doubtful_turns import doubtful_turns
 from gantline.assembly.doubtful_waits import doubtful_waits
 from gantline.assembly.doubtful_weight import doubtful_weight
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
+from gantline.assembly.in_water import add_in_water
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
 from gantline.assembly.long_waves import add_doubts_of_hulls
 from gantline.assembly.moorings import add_moorings
@@ -120,6 +121,8 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     add_mechanics(parts, scenario)
     add_water(parts, scenario)
     add_doubts_of_hulls(parts, scenario)
+    if scenario.load is not None and lifted is not None:
+        add_in_water(parts, scenario, scenario.load, lifted)
     add_streams(parts, scenario, lifted)
     add_waves(parts, scenario)
     add_critical_damping(parts, scenario)

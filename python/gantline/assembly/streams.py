@@ -70,7 +70,9 @@ def _idle(parts: Parts, scenario: Scenario) -> list[Doubt]:
         )
         found.append(Doubt(("wind",), sentence))
     for kind, speed in speeds.items():
-        if speed > 0.0 and not any(f".{kind}_areas." in str(force["name"]) for force in parts.forces):
+        pushes = any(f".{kind}_areas." in str(force["name"]) for force in parts.forces)
+        pushes |= kind == "current" and scenario.load is not None and scenario.load.in_water is not None
+        if speed > 0.0 and not pushes:
             sentence = f"{_shown(kind, speed)} pushes nothing: no body has '{kind}_areas'"
             found.append(Doubt((kind,), sentence))
     return found

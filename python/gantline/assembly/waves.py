@@ -59,7 +59,7 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     trains = {name: _train(scenario, name, waves) for name, waves in scenario.waves.items()}
     listed = [wave for train in trains.values() for wave in train.document]
     rise_time = _PERIODS_TO_GROW * max(train.main_period for train in scenario.waves.values())
-    parts.sea = {"components": listed, "rise_time": rise_time}
+    parts.sea = {"components": listed, "rise_time": rise_time, "depth": (scenario.water or Water()).depth}
     moved = {name: vessel for name, vessel in (scenario.vessels or {}).items() if vessel.wave_forces}
     for name, vessel in moved.items():
         force, *mean = _forces(parts, scenario, name, vessel, trains)
@@ -300,6 +300,8 @@ def _drifting(scenario: Scenario, name: str, vessel: Vessel, *, drifts: bool) ->
 def _idle(scenario: Scenario, moved: dict[str, Vessel]) -> list[Doubt]:
     names = ", ".join(scenario.waves or {})
     vessels = scenario.vessels or {}
+    if not vessels and scenario.load is not None and scenario.load.in_water is not None:
+        return []
     if not vessels:
         return [Doubt(("waves",), f"the waves {names} do nothing: there are no vessels")]
     still = [name for name in vessels if name not in moved]

@@ -14,7 +14,7 @@ from gantline.results.surroundings import SIGNS, ground_in, is_cut
 from gantline.results.variable import Columns, FloatArray, Names
 from gantline.units import format_by_size
 
-__all__ = ["dry_areas", "dry_hulls", "immersion_warnings"]
+__all__ = ["dry_areas", "dry_hulls", "feels_water", "immersion_warnings"]
 
 #: How deep a load may dip, and an area come out, without a word [m]: contact and slings give that much.
 _DIPS = 0.01
@@ -64,7 +64,7 @@ def immersion_warnings(
         heights = turn[:, 2] @ (middle + SIGNS * half).T
         deep = float(water["level"]) - (place[:, 2] + heights.min(axis=1))
         under = np.flatnonzero(deep > _DIPS)
-        without = "no buoyancy, slamming, drag or added mass acts on a load here, as it would"
+        without = "no buoyancy, slamming, drag or added mass acts on it without 'in_water'"
         if under.size:
             worst = int(np.argmax(deep))
             share = min(1.0, float(deep[worst] / np.ptp(heights[worst])))
@@ -82,6 +82,11 @@ def immersion_warnings(
                 high = f"up to {crests.max():.2f} m above its lowest point"
                 warnings.append(f"waves reach {load} {since}, {high}; {without}")
     return warnings
+
+
+def feels_water(document: Mapping[str, Any], body: str) -> bool:
+    """Whether water acts on a body by how far it is wet."""
+    return any(one["type"] == "submerged" and one["body"] == body for one in document.get("forces", ()))
 
 
 def dry_areas(document: Mapping[str, Any], columns: Columns, names: Names, level: float) -> list[str]:

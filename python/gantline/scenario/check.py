@@ -7,6 +7,7 @@ from gantline.scenario.check_crawlers import check_crawlers
 from gantline.scenario.check_cut_lines import check_cut_lines
 from gantline.scenario.check_equalizer import check_equalizer
 from gantline.scenario.check_goliath import check_goliaths
+from gantline.scenario.check_in_water import check_in_water
 from gantline.scenario.check_load import check_load
 from gantline.scenario.check_mechanics import check_mechanics
 from gantline.scenario.check_plan import check_plan
@@ -68,6 +69,7 @@ def check(scenario: Scenario) -> None:
         check_reeving(findings, hook)
     if scenario.load is not None:
         check_load(findings, scenario.load)
+        check_in_water(findings)
     elif scenario.mechanics is None and scenario.vessels is None:
         findings.add((), "there is nothing to lift; a lift file has a 'load', 'vessels' or 'mechanics'")
     if scenario.start == "settled" and (scenario.load is None or scenario.load.stands_on is None):

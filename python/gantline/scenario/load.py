@@ -8,6 +8,7 @@ from pydantic import Discriminator, Field, Tag
 
 from gantline.scenario.base import Element, Named
 from gantline.scenario.errors import shorten
+from gantline.scenario.in_water import InWater
 from gantline.scenario.lug import Lug
 from gantline.scenario.quantities import (
     Angle,
@@ -180,6 +181,9 @@ class Load(Element):
     )
     wind_areas: Named[StreamArea] | None = Field(None, description=WIND_SHOWN)
     current_areas: Named[StreamArea] | None = Field(None, description=CURRENT_SHOWN)
+    in_water: InWater | None = Field(
+        None, description="What water does to it where it is lowered into it; nothing if not given."
+    )
 
     @property
     def is_at_origin(self) -> bool:

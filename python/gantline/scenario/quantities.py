@@ -39,6 +39,7 @@ _LARGEST: Final[dict[str, tuple[float, str]]] = {
     "rotational_damping": (1e12, "1e6 MN m s"),
     "inertia": (1e15, "1e12 t m^2"),
     "area": (1e7, "1e7 m^2"),
+    "volume": (1e9, "1e9 m^3"),
     "mass_moment": (1e12, "1e9 t m"),
     "coupled_damping": (1e13, "1e7 MN s"),
     "mass_per_length": (1e5, "100 t/m"),

@@ -61,10 +61,7 @@ _MEANT = {
     "swl": ("working_load_limit", "rated_capacity", "capacity"),
     # <!-- words: on -->
 }
-_WET = (
-    "a load feels no water; for the part of a lift that is lowered into it a body of 'mechanics' has 'hull', "
-    "'added_mass' and 'current_areas'"
-)
+_WET = "what water does to a load that is lowered into it stands under its 'in_water'"
 _HEAVE = "no hoist of a plan follows the heave; a program does, that commands the hook from Python"
 #: What people look for and is not there: what there is in its place, by what it is looked for in.
 _INSTEAD = {

@@ -135,7 +135,14 @@ fn build_force(
         }
         ForceSpec::Submerged { body, cells, density, level, stream, .. } => {
             let water = (*density, *level, *stream);
-            AnyForce::Submerged(Box::new(build_submerged(name, find(body)?, cells, water, sea, tree.gravity)?))
+            AnyForce::Submerged(Box::new(build_submerged(
+                name,
+                find(body)?,
+                cells,
+                water,
+                sea,
+                tree.gravity,
+            )?))
         }
         ForceSpec::Drag { body, at, damping, quadratic, stream, gusty, .. } => {
             let resistances = (damping, quadratic);

@@ -16,32 +16,21 @@ use super::square::outer;
 use super::trains::Trains;
 
 /// The water at a place and a time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Orbital {
     /// u [m/s].
     pub velocity: DVec3,
     /// u̇ [m/s²].
     pub acceleration: DVec3,
-    /// ∂u/∂x.
-    pub velocity_gradient: DMat3,
-    /// ∂u̇/∂x.
-    pub acceleration_gradient: DMat3,
-    /// ∂u/∂t at the place.
-    pub velocity_rate: DVec3,
-    /// ∂u̇/∂t at the place.
-    pub acceleration_rate: DVec3,
 }
 
-impl Orbital {
-    /// Water that stands.
-    pub const STILL: Self = Self {
-        velocity: DVec3::ZERO,
-        acceleration: DVec3::ZERO,
-        velocity_gradient: DMat3::ZERO,
-        acceleration_gradient: DMat3::ZERO,
-        velocity_rate: DVec3::ZERO,
-        acceleration_rate: DVec3::ZERO,
-    };
+/// How it changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OrbitalChange {
+    /// ∂/∂x of velocity and acceleration.
+    pub gradient: [DMat3; 2],
+    /// ∂/∂t of both at the place.
+    pub rate: [DVec3; 2],
 }
 
 /// The surface above a place at a time.
@@ -67,7 +56,7 @@ impl Trains {
         let mut sum = Surface::default();
         for wave in &self.components {
             let (k, w, a) = (wave.wave_number, wave.frequency, wave.amplitude);
-            let (sin, cos) = (k.dot(place) - w * time + wave.phase).sin_cos();
+            let (sin, cos) = wave.turned(place, time);
             let (up, ahead) = (a * cos, a * sin);
             sum.height += up;
             sum.slope -= k * ahead;
@@ -91,37 +80,58 @@ impl Trains {
 
     /// The water at a place [m], its height above the still surface [m], at `time` [s]; `up` is ẑ.
     pub fn orbital(&self, (place, height): (DVec2, f64), time: f64, up: DVec3) -> Orbital {
-        let mut sum = Orbital::STILL;
-        let bed = -self.depth.unwrap_or(f64::INFINITY);
-        let inside = if height < 0.0 && height > bed { 1.0 } else { 0.0 };
-        let height = height.clamp(bed, 0.0);
+        let mut sum = Orbital::default();
+        let (height, _) = self.inside(height);
         for wave in &self.components {
-            let (k, w) = (wave.wave_number, wave.frequency);
-            let number = k.length();
-            let (sin, cos) = (k.dot(place) - w * time + wave.phase).sin_cos();
-            let [level, upward] = self.decay(number, height);
-            let along = (k / number).extend(0.0);
-            let (swing, pull) = (wave.amplitude * w, wave.amplitude * w * w);
-            let ([c, c_slope], [s, s_slope]) =
-                ([level, inside * number * upward], [upward, inside * number * level]);
-            let ahead = k.extend(0.0);
+            let (sin, cos) = wave.turned(place, time);
+            let number = wave.wave_number.length();
+            let [c, s] = self.decay(number, height);
+            let (swing, along) = (wave.amplitude * wave.frequency, (wave.wave_number / number).extend(0.0));
             sum.velocity += along * (swing * c * cos) + up * (swing * s * sin);
+            let pull = swing * wave.frequency;
             sum.acceleration += along * (pull * c * sin) - up * (pull * s * cos);
-            sum.velocity_gradient += outer(along * swing, up * (c_slope * cos) - ahead * (c * sin))
+        }
+        let (g, _) = self.growth(time);
+        Orbital { velocity: sum.velocity * g, acceleration: sum.acceleration * g }
+    }
+
+    /// How that changes; `water` is what is there.
+    pub fn orbital_change(
+        &self,
+        (place, height): (DVec2, f64),
+        time: f64,
+        up: DVec3,
+        water: &Orbital,
+    ) -> OrbitalChange {
+        let mut sum = OrbitalChange { gradient: [DMat3::ZERO; 2], rate: [DVec3::ZERO; 2] };
+        let (height, share) = self.inside(height);
+        for wave in &self.components {
+            let (k, number) = (wave.wave_number, wave.wave_number.length());
+            let (sin, cos) = wave.turned(place, time);
+            let [c, s] = self.decay(number, height);
+            let (c_slope, s_slope) = (share * number * s, share * number * c);
+            let (ahead, along) = (k.extend(0.0), (k / number).extend(0.0));
+            let swing = wave.amplitude * wave.frequency;
+            let pull = swing * wave.frequency;
+            sum.gradient[0] += outer(along * swing, up * (c_slope * cos) - ahead * (c * sin))
                 + outer(up * swing, up * (s_slope * sin) + ahead * (s * cos));
-            sum.acceleration_gradient += outer(along * pull, up * (c_slope * sin) + ahead * (c * cos))
+            sum.gradient[1] += outer(along * pull, up * (c_slope * sin) + ahead * (c * cos))
                 - outer(up * pull, up * (s_slope * cos) - ahead * (s * sin));
-            sum.acceleration_rate -= along * (w * pull * c * cos) + up * (w * pull * s * sin);
+            let turn = pull * wave.frequency;
+            sum.rate[1] -= along * (turn * c * cos) + up * (turn * s * sin);
         }
         let (g, slope) = self.growth(time);
-        Orbital {
-            velocity: sum.velocity * g,
-            acceleration: sum.acceleration * g,
-            velocity_gradient: sum.velocity_gradient * g,
-            acceleration_gradient: sum.acceleration_gradient * g,
-            velocity_rate: sum.acceleration * g + sum.velocity * slope,
-            acceleration_rate: sum.acceleration_rate * g + sum.acceleration * slope,
-        }
+        // What is there has grown by g already.
+        let growing = if g > 0.0 { slope / g } else { 0.0 };
+        let rate =
+            [water.acceleration + water.velocity * growing, sum.rate[1] * g + water.acceleration * growing];
+        OrbitalChange { gradient: sum.gradient.map(|gradient| gradient * g), rate }
+    }
+
+    /// A height between bed and still surface, and whether it is as it was, 1 or 0.
+    fn inside(&self, height: f64) -> (f64, f64) {
+        let bed = -self.depth.unwrap_or(f64::INFINITY);
+        (height.clamp(bed, 0.0), if height < 0.0 && height > bed { 1.0 } else { 0.0 })
     }
 
     /// C and S of a wave number at a height from the bed to the still surface.

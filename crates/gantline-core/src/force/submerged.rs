@@ -27,7 +27,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use super::orbital::{Orbital, Surface};
+use super::orbital::{Orbital, OrbitalChange, Surface};
 use super::square::{Square, outer};
 use super::trains::Trains;
 use super::{At, Force, Tangent};
@@ -177,15 +177,15 @@ impl Wet<'_> {
     }
 
     /// That of a motion of the body as seen from there: water, surface and plumb turn the other way.
-    fn moved(&self, shift: DVec3, turn: DVec3) -> Change {
+    fn moved(&self, around: &OrbitalChange, shift: DVec3, turn: DVec3) -> Change {
         let place = shift + turn.cross(self.arm);
         let Surface { bend: [xx, xy, yy], slope_rate, .. } = self.surface;
         let Self { velocity, normal, water, .. } = self;
         let bent = DVec3::new(xx * velocity.x + xy * velocity.y, xy * velocity.x + yy * velocity.y, 0.0);
         let pace = (bent + slope_rate.extend(0.0)).dot(place) + velocity.cross(*normal).dot(turn);
         let fluid = *velocity - self.relative;
-        let relative = turn.cross(fluid) - water.velocity_gradient * place;
-        let water = water.acceleration_gradient * place - turn.cross(water.acceleration);
+        let relative = turn.cross(fluid) - around.gradient[0] * place;
+        let water = around.gradient[1] * place - turn.cross(water.acceleration);
         Change {
             depth: normal.dot(place),
             pace,
@@ -205,13 +205,13 @@ impl Wet<'_> {
     }
 
     /// That of time alone.
-    fn later(&self) -> Change {
+    fn later(&self, around: &OrbitalChange) -> Change {
         let Surface { rate, slope_rate, rate_rate, .. } = self.surface;
-        let water = self.water.acceleration_rate;
+        let [fluid, water] = around.rate;
         Change {
             depth: rate,
             pace: rate_rate + slope_rate.extend(0.0).dot(self.velocity),
-            relative: -self.water.velocity_rate,
+            relative: -fluid,
             rate: -water,
             water,
             ..Change::default()
@@ -238,21 +238,18 @@ impl Wet<'_> {
             + 0.5 * (self.share.slope * self.pace).abs() * self.relative.dot(self.momentum)
     }
 
-    /// d/dt ½ s v·A v while v stays.
+    /// d/dt ½ s v·A v while the velocity of the body stays.
     fn gathered(&self) -> f64 {
-        let moved = self.added * self.velocity;
-        0.5 * self.share.slope * self.pace * self.velocity.dot(moved)
-            + self.share.value * self.velocity.dot(self.spin.cross(moved))
+        let Self { velocity, spin, .. } = *self;
+        let moved = self.added * velocity;
+        let turned = spin.cross(moved) + self.added * spin.cross(spin.cross(self.arm));
+        0.5 * self.share.slope * self.pace * velocity.dot(moved) + self.share.value * velocity.dot(turned)
     }
 }
 
 impl Submerged {
     /// Cells that are wet where the body is at `pose`, with the places from its origin [m] and their surfaces and shares.
-    fn wet_at(
-        &self,
-        pose: &Pose,
-        time: f64,
-    ) -> impl Iterator<Item = (&Cell, DVec3, f64, Surface, Share)> {
+    fn wet_at(&self, pose: &Pose, time: f64) -> impl Iterator<Item = (&Cell, DVec3, f64, Surface, Share)> {
         let highest = self.sea.highest();
         self.cells.iter().filter_map(move |cell| {
             let arm = pose.rotation * cell.at;
@@ -307,6 +304,13 @@ impl Submerged {
         })
     }
 
+    /// How the water around a cell changes.
+    fn around(&self, wet: &Wet, at: &At) -> OrbitalChange {
+        let place = at.pose.position + wet.arm;
+        let height = self.up.dot(place) - self.level;
+        self.sea.orbital_change((place.truncate(), height), at.time, self.up, &wet.water)
+    }
+
     /// What still water presses the body with, the wrench that has the energy U.
     fn still(&self, pose: &Pose) -> Wrench {
         let mut sum = Wrench::default();
@@ -331,13 +335,19 @@ impl Submerged {
         self.wet(at).map(|wet| wet.gathered()).sum()
     }
 
-    /// Share of the volume, or of the cells where none has any, that is wet.
-    pub fn share(&self, pose: &Pose, time: f64) -> f64 {
-        let has_volume = self.cells.iter().any(|cell| cell.volume > 0.0);
-        let weigh = |cell: &Cell| if has_volume { cell.volume } else { 1.0 };
-        let whole: f64 = self.cells.iter().map(weigh).sum();
-        let wet = self.wet_at(pose, time);
-        wet.map(|(cell, _, _, _, share)| share.value * weigh(cell)).sum::<f64>() / whole
+    /// True where the surface of the waves may pass one of its cells.
+    pub fn may_be_passed(&self, pose: &Pose) -> bool {
+        let highest = self.sea.highest();
+        highest > 0.0
+            && self.cells.iter().any(|cell| {
+                let height = self.up.dot(pose.point(cell.at)) - self.level;
+                height.abs() < highest + cell.height
+            })
+    }
+
+    /// Volume that is wet [m³].
+    pub fn displaced(&self, pose: &Pose, time: f64) -> f64 {
+        self.wet_at(pose, time).map(|(cell, _, _, _, share)| share.value * cell.volume).sum()
     }
 }
 
@@ -363,7 +373,8 @@ impl Force for Submerged {
     fn tangent(&self, at: &At) -> Tangent {
         let mut sum = Tangent::NONE;
         for wet in self.wet(at) {
-            sum.place.add(1.0, &wet.derivative(|shift, turn| wet.moved(shift, turn)));
+            let around = self.around(&wet, at);
+            sum.place.add(1.0, &wet.derivative(|shift, turn| wet.moved(&around, shift, turn)));
             sum.velocity.add(1.0, &wet.derivative(|linear, spin| wet.sped(linear, spin)));
             let added = Square { linear: wet.added, ..Square::ZERO };
             sum.acceleration.add(-wet.share.value, &added.about(wet.arm));
@@ -389,7 +400,7 @@ impl Force for Submerged {
         }
         let mut sum = Wrench::default();
         for wet in self.wet(at) {
-            let Wrench { force, moment } = wet.change(&wet.later());
+            let Wrench { force, moment } = wet.change(&wet.later(&self.around(&wet, at)));
             sum.force += force;
             sum.moment += moment;
         }
@@ -406,7 +417,8 @@ impl Force for Submerged {
         }
         // The wrench and the energy of what is accelerated along are alike in v̇.
         let steady = At { rate: Twist::default(), ..*at };
-        self.resisting(&steady).power(&at.twist) + self.gathered(&steady) + self.loss(&steady)
+        let of_cell = |wet: Wet| wet.wrench().power(&at.twist) + wet.gathered() + wet.loss();
+        self.wet(&steady).map(of_cell).sum::<f64>() + self.energy_rate(at)
     }
 
     fn inertia(&self, kinematics: &Kinematics) -> Option<Square> {

@@ -50,6 +50,13 @@ pub struct Passing {
     pub rate: f64,
 }
 
+impl Component {
+    /// Sine and cosine of its phase at a place [m] and `time` [s].
+    pub fn turned(&self, place: DVec2, time: f64) -> (f64, f64) {
+        (self.wave_number.dot(place) - self.frequency * time + self.phase).sin_cos()
+    }
+}
+
 impl Trains {
     /// g and its derivative over time at `time` [s].
     pub fn growth(&self, time: f64) -> (f64, f64) {
@@ -75,7 +82,7 @@ impl Trains {
     pub fn passing(&self, place: DVec2, time: f64) -> Passing {
         let mut sum = Passing::default();
         for wave in &self.components {
-            let (sin, cos) = (wave.wave_number.dot(place) - wave.frequency * time + wave.phase).sin_cos();
+            let (sin, cos) = wave.turned(place, time);
             sum.value += wave.amplitude * cos;
             sum.gradient -= wave.wave_number * (wave.amplitude * sin);
             sum.rate += wave.frequency * wave.amplitude * sin;
@@ -89,6 +96,15 @@ impl Trains {
     pub fn looks(&self, length: f64) -> usize {
         let fastest = self.components.iter().map(|wave| wave.frequency).fold(0.0, f64::max);
         (LOOKS_IN_WAVE * length * fastest / (2.0 * PI)).ceil() as usize
+    }
+
+    /// Mean period of the rate of the surface, 2π √(Σ a²ω²/Σ a²ω⁴) [s]; infinite where nothing comes by.
+    pub fn mean_period(&self) -> f64 {
+        let moment = |power: i32| -> f64 {
+            self.components.iter().map(|wave| wave.amplitude.powi(2) * wave.frequency.powi(power)).sum()
+        };
+        let fast = moment(4);
+        if fast > 0.0 { 2.0 * PI * (moment(2) / fast).sqrt() } else { f64::INFINITY }
     }
 
     /// No wave is higher [m].

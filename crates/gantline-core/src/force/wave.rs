@@ -102,7 +102,7 @@ impl WaveForce {
                 _ => self.between(towards - heading),
             };
             found = Some((towards, between));
-            let (sin, cos) = (wave.wave_number.dot(place) - wave.frequency * time + wave.phase).sin_cos();
+            let (sin, cos) = wave.turned(place, time);
             let pace = wave.wave_number.dot(velocity) - wave.frequency;
             let cubic = &self.phasors[k * count + between.place];
             for j in 0..6 {

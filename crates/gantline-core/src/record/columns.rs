@@ -12,6 +12,7 @@ use crate::constraint::rope::Rope;
 use crate::constraint::touch::Touch;
 use crate::contact::spot::Spot;
 use crate::event::EventLog;
+use crate::force;
 use crate::rope::part::Straight;
 use crate::rope::seat::Seat;
 use crate::system::System;
@@ -62,7 +63,7 @@ pub struct Columns {
     pub pin_force: Vec<f64>,
     /// (pair) smallest distance [m], not positive where they touch.
     pub clearance: Vec<f64>,
-    /// (hull) volume below the water [m³].
+    /// (hull) volume below still water, of a load below the waves [m³].
     pub displaced_volume: Vec<f64>,
     /// (pair, side, xyz) where the two are nearest to each other [m].
     pub clearance_point: Vec<f64>,
@@ -341,6 +342,10 @@ impl Sampled {
         for buoyancy in tree.hulls() {
             let pose = &self.kinematics.pose[buoyancy.body];
             columns.displaced_volume.push(buoyancy.below(pose, tree.gravity).volume);
+        }
+        for load in force::submerged(tree) {
+            let pose = &self.kinematics.pose[load.body];
+            columns.displaced_volume.push(load.displaced(pose, self.kinematics.time));
         }
     }
 

@@ -3,6 +3,7 @@
 use super::columns::ARC_SAMPLES;
 use crate::audit::{KINDS, kinds_of};
 use crate::constraint::AnyConstraint;
+use crate::force;
 use crate::force::mooring::CHORDS;
 use crate::system::System;
 
@@ -37,6 +38,8 @@ impl Names {
     /// Names of `system`.
     pub fn new(system: &System) -> Self {
         let bodies = &system.tree.bodies;
+        let hulls = system.tree.hulls().map(|hull| hull.name.clone());
+        let submerged = force::submerged(&system.tree).map(|load| load.name.clone());
         let mut names = Self {
             rope: Vec::new(),
             segment: Vec::new(),
@@ -51,7 +54,7 @@ impl Names {
             contact: Vec::new(),
             pin: Vec::new(),
             pair: system.watches.iter().map(|watch| watch.name.clone()).collect(),
-            hull: system.tree.hulls().map(|hull| hull.name.clone()).collect(),
+            hull: hulls.chain(submerged).collect(),
             energy_kind: kinds_of(system).into_iter().map(|kind| KINDS[kind]).collect(),
         };
         for constraint in &system.constraints {

@@ -14,6 +14,7 @@ impl Adaptive {
             h = h.min(2.0 * state.engaged_step);
         }
         h = h.min(self.ringing_limit(system, state)).min(self.winding_limit(system, state));
+        h = h.min(self.crest_limit(system));
         h = prescribed::turning_limit(system, state, h.min(stop - state.time));
         if !system.finders.is_empty() {
             let here = &self.rodas.here;

@@ -10,6 +10,7 @@ mod begin;
 mod books;
 mod breaking;
 pub mod course;
+mod crests;
 mod distance;
 mod error;
 pub mod evaluation;

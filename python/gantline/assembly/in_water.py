@@ -1,0 +1,116 @@
+"""A load in water into the cells that the core lets get wet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.parts import Json, Parts
+from gantline.assembly.spatial import Array
+from gantline.cad.assumptions import STEEL
+from gantline.scenario import Scenario
+from gantline.scenario.check_in_water import check_box_in_water
+from gantline.scenario.errors import Doubt
+from gantline.scenario.findings import Findings
+from gantline.scenario.in_water import InWater
+from gantline.scenario.load import Load
+from gantline.scenario.water import Water
+from gantline.units import format_by_size
+
+__all__ = ["add_in_water", "in_water_name"]
+
+#: Layers of cells over a height.
+_LAYERS = 8
+#: Of the two places of Gauss on each side of the middle, in halves of a length: exact for cubics.
+_GAUSS = 1.0 / np.sqrt(3.0)
+
+
+def in_water_name(load: str) -> str:
+    """Name of the force of the water on a load, and of what it displaces in recordings."""
+    return f"{load}.in_water"
+
+
+def add_in_water(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoad) -> None:
+    """Add what water does to a load.
+
+    Raises:
+        ScenarioError: if the box of its CAD file has no room for it.
+    """
+    given = load.in_water
+    if given is None:
+        return
+    water, box = scenario.water or Water(), lifted.body.box
+    if load.shape.box is None:
+        findings = Findings(scenario)
+        length, breadth, height = (float(size) for size in np.ptp(box, axis=0))
+        check_box_in_water(findings, (length, breadth, height), given, water.density)
+        findings.raise_any()
+    current = scenario.current
+    parts.forces.append(
+        {
+            "type": "submerged",
+            "name": in_water_name(load.name),
+            "body": load.name,
+            "cells": list(_cells(given, load, box, lifted.centre, water.density)),
+            "density": water.density,
+            "level": water.level,
+            "stream": [0.0, 0.0, 0.0] if current is None else list(current.velocity),
+        }
+    )
+    parts.doubts += _floats(given, load, water.density)
+
+
+def _volume(given: InWater, load: Load) -> float:
+    """What it displaces, wholly wet [m^3]."""
+    return load.weight.simulated / STEEL if given.displaced_volume is None else given.displaced_volume
+
+
+def _cells(given: InWater, load: Load, box: Array, centre: Array, density: float) -> Iterator[Json]:
+    """Its cells, from its centre of gravity: layers of four, and where it slams others with what slams.
+
+    Args:
+        given: What water does to it.
+        load: The load.
+        box: Its least and largest x, y, z from its datum (2, 3) [m].
+        centre: Of gravity, from its datum (3,) [m].
+        density: Of the water [kg/m^3].
+    """
+    length, breadth, height = np.ptp(box, axis=0)
+    sides = np.array([breadth * height, length * height, length * breadth])
+    drag = 0.5 * density * np.array(given.drag_coefficients) * sides
+    added = np.array(given.added_mass)
+    depth = given.slamming_depth(float(sides[2]), density)
+    slamming = np.zeros(3) if depth is None else added * [0.0, 0.0, 1.0]
+    yield from _layers(box, centre, height, _volume(given, load), added - slamming, drag)
+    if depth is not None:
+        yield from _layers(box, centre, depth, 0.0, slamming, np.zeros(3))
+
+
+def _layers(
+    box: Array, centre: Array, height: float, volume: float, added: Array, drag: Array
+) -> Iterator[Json]:
+    """Cells that share out volume [m^3], added mass [kg] and drag [N s^2/m^2] of a height over a bottom [m]."""
+    middle, half = box.mean(axis=0), np.ptp(box, axis=0) / 2
+    thick, count = height / _LAYERS, 4 * _LAYERS
+    for layer in range(_LAYERS):
+        for x, y in ((-1, -1), (-1, 1), (1, -1), (1, 1)):
+            at = middle + np.array([x, y, 0.0]) * _GAUSS * half
+            at[2] = box[0, 2] + (layer + 0.5) * thick
+            yield {
+                "at": (at - centre).tolist(),
+                "height": float(thick),
+                "volume": volume / count,
+                "added_mass": (added / count).tolist(),
+                "quadratic": (drag / count).tolist(),
+            }
+
+
+def _floats(given: InWater, load: Load, density: float) -> Iterator[Doubt]:
+    """Of a load that water bears."""
+    displaced, weight = density * _volume(given, load), load.weight.simulated
+    if displaced >= weight:
+        carried, weighs = (format_by_size(mass, "mass", 4) for mass in (displaced, weight))
+        sentence = f"the load floats: it weighs {weighs} and displaces {carried} of water"
+        yield Doubt(("load", "in_water"), f"{sentence}; ropes go slack where it has sunk in so far")

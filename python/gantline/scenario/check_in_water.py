@@ -1,0 +1,44 @@
+"""Whether water can do to a load what the lift file says."""
+
+from __future__ import annotations
+
+from gantline.scenario.findings import Findings
+from gantline.scenario.in_water import InWater
+from gantline.scenario.water import Water
+
+__all__ = ["check_box_in_water", "check_in_water"]
+
+
+def check_in_water(findings: Findings) -> None:
+    """Note what a load cannot be in water, as far as the lift file tells without its CAD file."""
+    load = findings.scenario.load
+    if load is None or load.in_water is None:
+        return
+    given, path = load.in_water, ("load", "in_water")
+    if findings.scenario.water is None:
+        findings.add(path, "where is the water? Write 'water: {level: 0 m}' with the height of its surface")
+    if load.current_areas:
+        sentence = "'drag_coefficients' of 'in_water' say already how water resists the load"
+        findings.add(("load", "current_areas"), f"{sentence}; leave one out")
+    if load.shape.box is not None:
+        check_box_in_water(findings, load.shape.box, given, (findings.scenario.water or Water()).density)
+
+
+def check_box_in_water(
+    findings: Findings, box: tuple[float, float, float], given: InWater, density: float
+) -> None:
+    """Note what the box about a load [m] has no room for, in water of that density [kg/m^3]."""
+    length, breadth, height = box
+    path, volume = ("load", "in_water"), length * breadth * height
+    if given.displaced_volume is not None and given.displaced_volume > volume:
+        sentence = f"{given.displaced_volume:g} m^3 are more than the load's box has, {volume:.4g} m^3"
+        findings.add((*path, "displaced_volume"), sentence)
+    depth = given.slamming_depth(length * breadth, density)
+    if depth is not None and depth > height:
+        least = given.slamming_depth(length * breadth, density * height) or 0.0
+        even = (given.slamming_coefficient or 0.0) * least
+        sentence = (
+            f"{given.slamming_coefficient:g} is less than {even:.3g}, which added mass along z makes that "
+            "comes evenly over the load's height"
+        )
+        findings.add((*path, "slamming_coefficient"), f"{sentence}; leave it out")

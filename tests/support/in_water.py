@@ -1,0 +1,72 @@
+"""Bodies in water as the core's documents: cells, and waves that run over it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from mechanics import Floats, G, Json
+
+RHO = 1025.0
+#: Nothing along any axis.
+NONE = (0.0, 0.0, 0.0)
+
+
+def cell(
+    at: Sequence[float] = NONE,
+    *,
+    height: float = 1.0,
+    volume: float = 0.0,
+    added: Sequence[float] = NONE,
+    quadratic: Sequence[float] = NONE,
+) -> Json:
+    return {
+        "at": list(at),
+        "height": height,
+        "volume": volume,
+        "added_mass": list(added),
+        "quadratic": list(quadratic),
+    }
+
+
+def submerged(body: str, *cells: Json, stream: Sequence[float] = NONE) -> Json:
+    """Water up to 0 around a body."""
+    named = {"type": "submerged", "name": f"{body}.in_water", "body": body, "cells": list(cells)}
+    return {**named, "density": RHO, "level": 0.0, "stream": list(stream)}
+
+
+def sea(*waves: tuple[float, float, float, float], rise_time: float, depth: float | None = None) -> Json:
+    """Waves of ω [rad/s], amplitude [m], direction [rad] and phase [rad]."""
+    components = []
+    for omega, amplitude, direction, phase in waves:
+        k = number(omega, depth)
+        along = [k * math.cos(direction), k * math.sin(direction)]
+        components.append({"frequency": omega, "wave_number": along, "amplitude": amplitude, "phase": phase})
+    return {"components": components, "rise_time": rise_time, "depth": depth}
+
+
+def number(omega: float, depth: float | None) -> float:
+    """κ of ω² = g κ tanh κd [rad/m], by Newton's method."""
+    k = omega**2 / G
+    if depth is None:
+        return k
+    for _ in range(50):
+        tanh = math.tanh(k * depth)
+        k -= (G * k * tanh - omega**2) / (G * tanh + G * k * depth * (1 - tanh**2))
+    return k
+
+
+def growth(time: Any, rise_time: float) -> Any:
+    """What waves have grown to, as a share."""
+    s = np.clip(np.asarray(time) / rise_time, 0.0, 1.0)
+    return s**3 * (10 - 15 * s + 6 * s**2)
+
+
+def share(depth: Any, height: float) -> Floats:
+    """How wet a cell is at a depth: the integral of a hat from -height to height."""
+    t = np.clip(np.asarray(depth) / height, -1.0, 1.0)
+    wet: Floats = np.where(t < 0, 0.5 * (1 + t) ** 2, 1 - 0.5 * (1 - t) ** 2)
+    return wet
