@@ -256,7 +256,7 @@ def _route(
         elif isinstance(guide, Eye):
             route.append(eye(body, guide.at))
         else:
-            route.append(half_turn(guide.body, guide.enter, guide.leave, guide.bulge))
+            route.append(half_turn(body, guide.enter, guide.leave, guide.bulge))
     _, arcs = route_lengths(parts, route)
     for place, guide in enumerate(rope.route):
         if isinstance(guide, HalfTurn | Sheave):
