@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from gantline.assembly.commands import CommandError
+    from gantline.overrides import SettingError
     from gantline.report import Report, write_report
     from gantline.results.comparison import Comparison, compare
     from gantline.results.recording import Recording, open_recording
@@ -29,6 +30,7 @@ __all__ = [
     "Report",
     "Scenario",
     "ScenarioError",
+    "SettingError",
     "Simulation",
     "SimulationError",
     "Statics",
@@ -60,6 +62,7 @@ _PARTS = (
 
 _HOMES = {
     "CommandError": "gantline.assembly.commands",
+    "SettingError": "gantline.overrides",
     "Comparison": "gantline.results.comparison",
     "compare": "gantline.results.comparison",
     "Recording": "gantline.results.recording",

@@ -23,6 +23,8 @@ def replaced(path: Path) -> Iterator[Path]:
         OSError: If there is no writing there.
     """
     target = Path(os.path.realpath(path))
+    if target.is_dir():
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
     if target.exists() and not target.is_file():
         yield target
         return

@@ -134,6 +134,13 @@ _ELSEWHERE: Final[dict[str, dict[str, tuple[float, str]]]] = {
         "psi": (6.894757293168, "kPa"),
     },
 }
+#: Units that are smaller than any of a yard, in units of here. One of them may stand for a unit whose letters
+#: differ by their case alone, which is a thousand million times as large.
+_TINY: Final[dict[str, dict[str, tuple[float, str]]]] = {
+    "length": {"um": (1e-3, "mm"), "µm": (1e-3, "mm"), "nm": (1e-6, "mm")},
+    "mass": {"mg": (1e-6, "kg")},
+    "force": {"mN": (1e-3, "N"), "uN": (1e-6, "N"), "µN": (1e-6, "N")},
+}
 #: Units in other spellings, which are not near to their symbols.
 _SPELT_OUT: Final[dict[str, str]] = {
     **dict.fromkeys(("tonne", "tonnes", "metric ton", "metric tons"), "t"),
@@ -336,6 +343,11 @@ def _wrong_unit(shown: str, number: float, unit: str, dimension: str) -> str:
     if powers in (elsewhere := _ELSEWHERE.get(dimension, {})):
         factor, here = elsewhere[powers]
         return f"'{shown}' is {number * factor:.7g} {here}; units are metric: {example(dimension)}"
+    if unit in (tiny := _TINY.get(dimension, {})):
+        factor, here = tiny[unit]
+        alike = [other for other in DIMENSIONS[dimension] if other.lower() == unit.lower()]
+        asked = f"; or is '{alike[0]}' meant?" if alike else ""
+        return f"'{unit}' in '{shown}' is no unit here; it is written '{number * factor:.7g} {here}'{asked}"
     spelt_out = _SPELT_OUT.get(unit.lower(), powers)
     if unit.lower() not in _SPELT_OUT and dimension == "mass" and unit.endswith(("ton", "tons")):
         return f"'{unit}' in '{shown}' has several sizes: {_TONS}; {example(dimension)}"

@@ -85,7 +85,7 @@ def test_a_swing_has_frames_and_an_amplitude(wrong: dict[str, float]) -> None:
     [mode] = question.modes()
     with pytest.raises(ValueError, match="can be shown"):
         question.swing(mode, **wrong)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="there are no -1 modes"):
+    with pytest.raises(ValueError, match="count: -1 is no whole number from 0 on"):
         question.modes(-1)
 
 

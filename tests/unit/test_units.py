@@ -77,6 +77,9 @@ def test_zero_needs_no_unit(zero: str) -> None:
             "'300 kN' is a force; needed is a mass, written like '300 t' or '20 kg' (30.58 t weigh 300 kN)",
         ),
         ("300 T", "mass", "'T' in '300 T' is not a unit of mass; did you mean 't'?"),
+        ("1 mN", "force", "'mN' in '1 mN' is no unit here; it is written '0.001 N'; or is 'MN' meant?"),
+        ("10 µN", "force", "'µN' in '10 µN' is no unit here; it is written '1e-05 N'"),
+        ("5 nm", "length", "'nm' in '5 nm' is no unit here; it is written '5e-06 mm'"),
         (
             "3 stone",
             "mass",

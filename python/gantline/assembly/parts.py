@@ -311,7 +311,7 @@ def drum_layers(drum: RopeOnDrum, diameter: float, rope_diameter: float | None) 
 
 
 def half_turn(
-    body: str,
+    body: str | None,
     enter: Sequence[float],
     leave: Sequence[float],
     bulge: Sequence[float],
@@ -320,7 +320,7 @@ def half_turn(
     """Half a turn over a sheave.
 
     Args:
-        body: what carries the sheave.
+        body: what carries the sheave; None is the world.
         enter: where the rope comes on, body axes [m].
         leave: where it goes off [m].
         bulge: side on which it lies.

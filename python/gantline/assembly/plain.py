@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
+
+import numpy as np
 
 from gantline.assembly.parts import Json, Parts, drum_layers, end, eye, half_turn, material, sheave
 from gantline.assembly.rope_weight import add_free_rope, lump_rope
 from gantline.assembly.route import MOST_STRAIN, route_length, route_lengths, too_far
 from gantline.assembly.sheave import add_sheave_flow
-from gantline.assembly.spatial import IDENTITY, about_axis
+from gantline.assembly.spatial import IDENTITY, about_axis, unit
 from gantline.scenario import Scenario
 from gantline.scenario.drum import Drum
+from gantline.scenario.errors import Doubt
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.mechanics import (
     Ball,
@@ -34,11 +37,17 @@ from gantline.scenario.mechanics import (
 )
 from gantline.scenario.rope_weight import rope_weight
 from gantline.scenario.sheave import sheave_losses
+from gantline.units import format_by_size, format_quantity
 
 __all__ = ["add_mechanics", "bodies_in_hook", "drum_drive", "ropes_ending_at", "ropes_over"]
 
 _WORLD = "world"
 _ROUNDING = 1e-9
+#: With how many times the weight of all bodies a contact may push at the start: at rest none bears more than
+#: all of it, and what falls on one starts outside.
+_MOST_PUSH = 10.0
+#: That weight counts without gravity too [m/s^2].
+_GRAVITY = 9.81
 
 
 def add_mechanics(parts: Parts, scenario: Scenario) -> None:
@@ -70,6 +79,24 @@ def add_mechanics(parts: Parts, scenario: Scenario) -> None:
                 "friction": contact.friction,
             }
         )
+    if not scenario.starts_at_rest:
+        parts.doubts += _thrown_out(parts, mechanics)
+
+
+def _thrown_out(parts: Parts, mechanics: Mechanics) -> Iterator[Doubt]:
+    """Each contact that starts so far behind its plane that its body is shot out."""
+    weight = _GRAVITY * sum(body["mass"] for body in parts.bodies.values())
+    for name, contact in (mechanics.contacts or {}).items():
+        way = parts.place(contact.body, contact.at) - np.array(contact.plane.point)
+        depth = -float(way @ np.array(unit(contact.plane.normal)))
+        push = contact.stiffness * depth
+        if push > _MOST_PUSH * weight:
+            far = f"starts {format_quantity(depth, 'mm', 1)} behind its plane"
+            held = f"pushes with {format_by_size(push, 'force', 3)}, where all bodies weigh"
+            sentence = (
+                f"{far} and {held} {format_by_size(weight, 'force', 3)}; it starts at its plane or outside"
+            )
+            yield Doubt(("mechanics", "contacts", name), sentence)
 
 
 def bodies_in_hook(scenario: Scenario, hook: str) -> list[str]:
@@ -256,7 +283,7 @@ def _route(
         elif isinstance(guide, Eye):
             route.append(eye(body, guide.at))
         else:
-            route.append(half_turn(guide.body, guide.enter, guide.leave, guide.bulge))
+            route.append(half_turn(body, guide.enter, guide.leave, guide.bulge))
     _, arcs = route_lengths(parts, route)
     for place, guide in enumerate(rope.route):
         if isinstance(guide, HalfTurn | Sheave):

@@ -146,11 +146,16 @@ def _cheek(scenario: Scenario, hook: ReevedHook) -> Json:
 
 
 def _sheaves(parts: Parts) -> list[Json]:
-    """Every half turn and sheave of a rope on a body; it moves if its body has translations of its own."""
+    """Every half turn and sheave of a rope on a body; it moves if its body has translations of its own.
+
+    Those of the world are not drawn: pictures have places on bodies alone.
+    """
     found = []
     for rope in parts.ropes:
         for guide in rope["route"]:
-            if guide["type"] == "sheave" and guide["body"] is not None:
+            if guide["body"] is None:
+                continue
+            if guide["type"] == "sheave":
                 found.append(_sheave(parts, guide["body"], guide["at"], guide["axis"], guide["radius"]))
             if guide["type"] != "half_turn":
                 continue

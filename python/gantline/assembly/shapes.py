@@ -213,7 +213,8 @@ def _known(parts: Parts, scenario: Scenario, path: tuple[PathPart, ...], name: s
     if not found:
         parted = (shape.split(".") for shape in parts.shapes)
         known = {".".join(words[:count]): None for words in parted for count in range(1, len(words) + 1)}
-        sentence = f"'{name}' has no shape; {nearest(name, known)}"
+        right = nearest(name, known) if known else "give it one: 'shape: {box: [1 m, 1 m, 1 m]}'"
+        sentence = f"'{name}' has no shape; {right}"
         raise scenario.error(path, sentence)
     return found
 

@@ -121,7 +121,7 @@ def _in_its_place(path: Path) -> str:
     """What is said of a path where no file is: which recordings a folder has, that of a run before others."""
     inside = sorted(path.glob("*.nc"), key=lambda one: (one.name != "recording.nc", one.name))
     if not inside:
-        return "no such file"
+        return "is a folder without a recording" if path.is_dir() else "no such file"
     if len(inside) > 1 and inside[0].name == "recording.nc":
         return f"is a folder; of the {len(inside)} recordings in it that of the run is {inside[0]}"
     more = f", the first of {len(inside)}" if len(inside) > 1 else ""

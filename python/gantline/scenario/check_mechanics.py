@@ -119,6 +119,9 @@ def _check_joint(findings: Findings, path: Path, joint: Joint) -> None:
         if joint.velocity != 0:
             sentence = "a joint with a given motion starts at rest; leave 'velocity' out"
             findings.add((*path, "velocity"), sentence)
+        if joint.friction != 0:
+            sentence = "a given motion takes place whatever holds against it; leave 'friction' out"
+            findings.add((*path, "friction"), sentence)
         _check_motion(findings, (*path, "motion"), joint.motion)
 
 
@@ -237,7 +240,7 @@ def _check_guide(findings: Findings, path: Path, guide: Guide, is_last: bool, kn
     if is_end != is_last:
         sentence = "a route begins and ends with 'type: end', with only sheaves and eyes between"
         findings.add((*path, "type"), sentence)
-    allowed = known if isinstance(guide, HalfTurn) else [*known, "world"]
+    allowed = [*known, "world"]
     if guide.body not in allowed:
         findings.add((*path, "body"), f"'{guide.body}' is not a body; {nearest(guide.body, allowed)}")
     if isinstance(guide, Sheave):

@@ -136,7 +136,7 @@ class HingeJoint(Element):
     position: Angle = Field(0.0, description="Angle at the start.")
     velocity: AngularSpeed = Field(0.0, description="Angular speed at the start.")
     damping: RotationalDamping = Field(0.0, description="Damping of the turning.")
-    friction: Torque = Field(0.0, description="Dry friction that holds it, without a motion.")
+    friction: Torque = Field(0.0, description="Dry friction that holds it; not with a motion.")
     stops: HingeStops | None = Field(None, description="Where it ends; nowhere if not given.")
     motion: list[TurnRamp] | None = Field(None, description="Motion given in advance, at rest at first.")
 
@@ -151,7 +151,7 @@ class Slider(Element):
     position: Length = Field(0.0, description="Travel at the start.")
     velocity: Speed = Field(0.0, description="Speed at the start.")
     damping: Damping = Field(0.0, description="Damping of the sliding.")
-    friction: NotNegativeForce = Field(0.0, description="Dry friction that holds it, without a motion.")
+    friction: NotNegativeForce = Field(0.0, description="Dry friction that holds it; not with a motion.")
     stops: SliderStops | None = Field(None, description="Where it ends; nowhere if not given.")
     motion: list[SpeedRamp] | None = Field(None, description="Motion given in advance, at rest at first.")
 
@@ -257,7 +257,7 @@ class HalfTurn(SheaveWords):
     what: ClassVar[str] = "a half turn over a sheave"
 
     type: Literal["half_turn"] = Field(description="Kind of guide.")
-    body: Name = Field(description="Body that the sheave belongs to.")
+    body: Name = Field(description="Body that carries the sheave, or 'world'.")
     enter: Position = Field(description="Where the rope comes on, in the body's axes.")
     leave: Position = Field(description="Where the rope goes off, in the body's axes.")
     bulge: Direction = Field(description="Side on which the rope lies on the sheave, three plain numbers.")

@@ -8,7 +8,7 @@ three also ``x``, ``y`` or ``z``. The last key of a mapping need not be there ye
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Set
 from numbers import Real
 from typing import Any, Final
 
@@ -19,6 +19,8 @@ __all__ = ["PathError", "node_at", "node_of", "put", "text_node"]
 
 _AXES: Final = ("x", "y", "z")
 _PLACE: Final = re.compile(r"\[(\d+)\]")
+#: How deep a text may be nested too.
+_DEEPEST: Final = 32
 
 
 class PathError(ValueError):
@@ -76,17 +78,20 @@ def text_node(text: str, line: int) -> TextNode:
     return node
 
 
-def node_of(value: Any, line: int) -> Node:
+def node_of(value: Any, line: int, depth: int = 0) -> Node:
     """A value of Python as if it had been written in a line.
 
     Args:
         value: A text as in a lift file, also of a list or mapping: ``"[0 m, 0 m, 1 m]"``; a number or a truth
             value, where a lift file has one; or a list or mapping of such.
         line: Where it stands.
+        depth: In how many lists and mappings it stands.
 
     Raises:
         PathError: if it is nothing that a lift file can say.
     """
+    if depth > _DEEPEST:
+        raise PathError(f"lists and mappings stand in one another {depth} deep; does one hold itself?")
     if isinstance(value, str):
         return _flow(value, line) if value.lstrip()[:1] in ("[", "{") else text_node(value, line)
     if isinstance(value, bool):
@@ -94,11 +99,11 @@ def node_of(value: Any, line: int) -> Node:
     if isinstance(value, Real):
         return text_node(str(value), line)
     if isinstance(value, Mapping):
-        mapping = MapNode({str(key): node_of(one, line) for key, one in value.items()})
+        mapping = MapNode({str(key): node_of(one, line, depth + 1) for key, one in value.items()})
         mapping.line, mapping.key_lines = line, dict.fromkeys(mapping, line)
         return mapping
-    if isinstance(value, Iterable):
-        items = ListNode(node_of(one, line) for one in value)
+    if isinstance(value, Iterable) and not isinstance(value, (bytes, Set)) and getattr(value, "ndim", 1) > 0:
+        items = ListNode(node_of(one, line, depth + 1) for one in value)
         items.line = line
         return items
     sentence = f"{shorten(repr(value))} is no value of a lift file"

@@ -129,6 +129,8 @@ def changed(scenario: Scenario, values: Mapping[str, Any]) -> Scenario:
         raise TypeError(f"values: a mapping from paths to values is needed, not {type(values).__name__}")
     known = Scenario.keys()
     for path in values:
+        if not isinstance(path, str):
+            raise TypeError(f"values: {path!r} is no path; a text such as 'load.weight.calculated' is needed")
         first, *rest = path.split(".")
         if rest and first in known and first not in scenario.tree:
             sentence = f"there is no '{first}' in this file yet; it is given whole: {{'{first}': {{...}}}}"

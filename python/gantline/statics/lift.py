@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from functools import wraps
 from itertools import islice
+from numbers import Integral
 from pathlib import Path
 from threading import RLock
 from typing import Any, Concatenate, ParamSpec, TypeVar
@@ -15,6 +16,7 @@ import numpy as np
 from gantline import _core
 from gantline.assembly import assemble
 from gantline.assembly.origin import FALLS, refused, with_advice
+from gantline.overrides import is_number
 from gantline.results.derive import recording_of
 from gantline.results.immersion import dry_hulls
 from gantline.results.recording import Recording
@@ -140,9 +142,10 @@ class Statics:
         """
         duration = self.scenario.duration
         moment = duration if time is None else time
-        if not 0.0 <= moment <= duration + _PAST:
+        if not (is_number(moment) and 0.0 <= moment <= duration + _PAST):
+            shown = f"{moment:g} s" if is_number(moment) else repr(moment)
             lasts = f"which lasts from 0 s to {duration:g} s"
-            raise ValueError(f"time: {moment:g} s is no time of the lift, {lasts}")
+            raise ValueError(f"time: {shown} is no time of the lift, {lasts}")
         start = None if increment is None else [float(part) for part in increment]
         if start is not None and not np.isfinite(start).all():
             raise ValueError(f"increment: {increment!r} has a part that is not finite")
@@ -310,10 +313,10 @@ class Statics:
 
         Raises:
             NoEquilibriumError: If there is none.
-            ValueError: If the count is below zero.
+            ValueError: If the count is no whole number from 0 on.
         """
-        if count is not None and count < 0:
-            raise ValueError(f"count: there are no {count} modes")
+        if count is not None and not (isinstance(count, Integral) and count >= 0):
+            raise ValueError(f"count: {count!r} is no whole number from 0 on; None asks for all modes")
         self._of_last()
         whole = motions(self._core.linear())[:count] if self._streams else None
         found = self._core.modes(count, whole)
@@ -352,7 +355,7 @@ class Statics:
             NoEquilibriumError: If there is none.
             ValueError: If the frequency is no number above zero.
         """
-        if frequency is not None and not (math.isfinite(frequency) and frequency > 0.0):
+        if frequency is not None and not (is_number(frequency) and 0.0 < frequency < math.inf):
             raise ValueError(f"frequency: {frequency!r} is no frequency above zero in radians per second")
         self._of_last()
         return linear_model(self._core.linear(frequency), self._core.names())

@@ -251,8 +251,7 @@ pub(super) fn build_rope(
     let is_fed = feeds.iter().any(Option::is_some);
     let material = match given.material {
         MaterialSpec::Inextensible {} if is_fed || route.parts.iter().any(|part| !part.is_plain()) => {
-            let problem =
-                "an inextensible rope runs over half turns without losses only; give it an axial stiffness";
+            let problem = "an inextensible rope runs over eyes and half turns without losses only; give it an axial stiffness";
             return error(name, problem);
         }
         MaterialSpec::Inextensible {} => Material::INEXTENSIBLE,

@@ -110,7 +110,7 @@ fn set_inertia_scales(system: &mut System, frame: &Frame) -> Result<(), BuildErr
         if system.driven[dof].is_none() && inertia <= 0.0 && !system.is_light[dof] {
             return error(
                 &system.tree.bodies[system.tree.owner[dof]].name,
-                "it has no inertia in a direction that it can move: give it mass or inertia",
+                "it has no inertia in a direction that it can move: give it mass or inertia; mass on an axis has none about it",
             );
         }
         system.tree.inertia_scale[dof] = if inertia > 0.0 { inertia } else { 1.0 };
