@@ -25,7 +25,7 @@ ropes:
   sling: {axial_stiffness: 100 MN, damping_time: 20 ms, mass: none}
   tag: {axial_stiffness: 1 MN, damping_time: 50 ms, mass: none}
 load:
-  name: block
+  name: module
   shape: {box: [10 m, 3 m, 3 m]}
   position: [0 m, 0 m, 0 m]
   weight: {calculated: 40 t, contingency: 1.1}
@@ -40,9 +40,9 @@ cranes:
   H2: {type: fixed_hook, at: [4 m, 0 m, 12.99 m], hoist: {speed: 6 m/min, acceleration: 0.05 m/s^2}}
   H3: {type: fixed_hook, at: [0 m, 0 m, 12.99 m], hoist: {speed: 6 m/min, acceleration: 0.05 m/s^2}}
 slings:
-  S1: {from: H1, to: block.L1, length: 10 m, rope: sling}
-  S2: {from: H2, to: block.L2, length: 10 m, rope: sling}
-  S3: {from: H3, to: block.L3, length: 10.1 m, rope: sling}
+  S1: {from: H1, to: module.L1, length: 10 m, rope: sling}
+  S2: {from: H2, to: module.L2, length: 10 m, rope: sling}
+  S3: {from: H3, to: module.L3, length: 10.1 m, rope: sling}
 mechanics:
   drums:
     winch:
@@ -54,7 +54,7 @@ mechanics:
       rope: tag
       length: as_routed
       route:
-        - {type: end, body: block, at: [0 m, 1.5 m, 0 m]}
+        - {type: end, body: module, at: [0 m, 1.5 m, 0 m]}
         - {type: end, body: world, at: [0 m, 40 m, 1 m], drum: winch}
 plan:
   - {step: pull, haul_in: winch, speed: 0.5 m/s, by: 72.5 m}
