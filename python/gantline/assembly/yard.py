@@ -286,7 +286,7 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         elif sling.starts_on and sling.length > _MOST_SLACK * distance:
             loose[sling.name] = sling.length, distance
     if too_short:
-        raise StartError(scenario.source, _too_short(parts, scenario, too_short))
+        raise StartError(scenario.source, _too_short(parts, scenario, rigging, too_short))
     warn_of_off(parts, scenario, off)
     if below:
         deepest = max(below, key=lambda name: below[name])
@@ -319,8 +319,33 @@ def _may_be_short(scenario: Scenario, sling: SlingRigging) -> float:
     return MOST_STRAIN * sling.length if _stretches(scenario, sling) else _TAUT
 
 
+def _outweighed(
+    parts: Parts, scenario: Scenario, rigging: Rigging, sling: SlingRigging, distance: float
+) -> str:
+    """What pulls a sling taut over an extension sheave, where a heavier one on its sling does; else empty.
+
+    Where lugs hold a sling over the lighter of two, that goes up until it is taut, wherever the hook is.
+    """
+    if sling.over is None or sling.rope.stiffness is None:
+        return ""
+    above = rigging.slings[rigging.extensions[sling.over].hangs_on]
+    others = [end.extension for end in above.ends if end.extension not in (None, sling.over)]
+    weight = {
+        name: parts.bodies[name]["mass"] * scenario.simulation.gravity for name in (sling.over, *others)
+    }
+    tension = sling.rope.stiffness * (distance / sling.length - 1.0)
+    for other in others:
+        # Its two legs share what the other has more; they stand within 60 degrees of plumb.
+        if 0.0 < tension <= weight[other] - weight[sling.over]:
+            more = (weight[other] - weight[sling.over]) / scenario.simulation.gravity
+            return (
+                f"'{other}' is {more:.3g} kg heavier, with what is lumped on it, and draws '{sling.over}' up"
+            )
+    return ""
+
+
 def _too_short(
-    parts: Parts, scenario: Scenario, slings: Sequence[tuple[SlingRigging, list[Json]]]
+    parts: Parts, scenario: Scenario, rigging: Rigging, slings: Sequence[tuple[SlingRigging, list[Json]]]
 ) -> list[Problem]:
     """What is wrong with slings that do not reach from end to end at the start, with their routes."""
     assert scenario.load is not None
@@ -338,6 +363,9 @@ def _too_short(
         if sling.name in aside:
             way = f"{sideways[sling.name]:.3f} m of that sideways"
             sentence += f"{way}, which no height of the hook makes up; "
+        if outweighed := _outweighed(parts, scenario, rigging, sling, distance):
+            sentence += f"{outweighed}; "
+            advice = "two extension sheaves on one sling have equal masses"
         if scenario.load_has_settled and distance - sling.length <= MOST_STRAIN * sling.length:
             advice += ", or write 'start: as_given' if it shall pull from the start"
         problems.append(scenario.problem(("slings", sling.name), sentence + advice))

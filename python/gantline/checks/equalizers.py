@@ -213,22 +213,31 @@ def _past_stroke(recording: Recording) -> str:
     met = [one for one in stops_met(recording.events()) if one.joint in sheaves]
     if met:
         return ", ".join(f"{one.joint} met its stop at {one.time:.2f} s" for one in met)
-    furthest = max(_travel(recording, everywhere(recording)), key=lambda found: found.value, default=None)
-    if furthest is None or furthest.value <= 1.0:
+    everywhen = everywhere(recording)
+    past = [(found, way) for way in _ways(recording) for found in _one_way(recording, everywhen, way)]
+    furthest, way = max(past, key=lambda one: one[0].value, default=(None, None))
+    if furthest is None or way is None or furthest.value <= 1.0:
         return ""
     when = "" if furthest.time is None else f" at {furthest.time:.2f} s"
     place = f"{furthest.element} {100.0 * furthest.value:.1f} %{when}"
+    # One that stands at its stop from the start, as in an equilibrium, has not met it.
+    if way.has_stop:
+        return f"{place}: it stands at its stop, which gives"
     return f"{place}: it would have met its stop, which is not simulated"
 
 
 @dataclass(frozen=True)
 class _Way:
-    """A moving sheave one way: its name, that way in a word, its travel and stroke that way [m]."""
+    """A moving sheave one way: its name, that way in a word, its travel and stroke that way [m].
+
+    `has_stop` tells whether a stop at the end of that stroke is simulated.
+    """
 
     sheave: str
     word: str
     travel: FloatArray
     stroke: float
+    has_stop: bool
 
     @property
     def element(self) -> str:
@@ -242,9 +251,9 @@ def _ways(recording: Recording) -> Iterator[_Way]:
         for sheave in equalizer.moving_sheaves:
             travel = recording.column("sheave_travel", sheave)
             if equalizer.travel_up:
-                yield _Way(sheave, "up", -travel, equalizer.travel_up)
+                yield _Way(sheave, "up", -travel, equalizer.travel_up, equalizer.stops)
             if equalizer.travel_down:
-                yield _Way(sheave, "down", travel, equalizer.travel_down)
+                yield _Way(sheave, "down", travel, equalizer.travel_down, equalizer.stops)
 
 
 def _travel(recording: Recording, during: BoolArray) -> Iterator[Found]:

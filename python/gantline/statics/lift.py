@@ -122,12 +122,13 @@ class Statics:
     ) -> Equilibrium:
         """The equilibrium that lies downhill of the start of the lift.
 
-        Brakes, locking pins and dry friction given in newtons hold what they hold at the start.
+        Brakes, locking pins and dry friction given in newtons hold what they hold at the start, pins that the
+        plan puts in where the lift at rest has come to by then.
 
         Args:
             time: Time of the plan [s], at which drives are where it says; None for the end of the lift. A
-                plan that waits for conditions is followed from rest to rest; so is a lift with drums that
-                remember what they wind, and one whose friction holds.
+                plan that waits for conditions, or has put in pins, is followed from rest to rest; so is a
+                lift with drums that remember what they wind, and one whose friction holds.
             losses: What friction of sheaves and contacts does: `none`, sheaves are ideal, which is the middle
                 of what they may hold, and contacts slide freely; `forward` and `backward`, all sheaves slip
                 towards the end or the start of their ropes' routes, which bounds it; `held`, sheaves and

@@ -73,9 +73,10 @@ impl StaticLift {
     /// free degrees of freedom (none: the start itself).
     ///
     /// The samples are then the start of the lift, as it is given, and the equilibrium; at time 0 that alone.
-    /// A plan that waits for a condition, or in which a drive follows, is followed from rest to rest, contacts holding; so is a lift whose drums remember
-    /// what they wind, or whose friction holds. What slides does so from there. Before every part `goes_on` is asked. The same
-    /// way is gone once: who asks again, or for a later time, goes on from there, with the same answer.
+    /// A plan that waits for a condition, in which a drive follows, or that has put in a pin is followed from rest to rest,
+    /// contacts holding; so is a lift whose drums remember what they wind, or whose friction holds. What slides does so from
+    /// there. Before every part `goes_on` is asked. The same way is gone once: who asks again, or for a later time, goes on
+    /// from there, with the same answer.
     ///
     /// # Errors
     /// [`NoEquilibrium`] says why there is none, or that the search was stopped.
@@ -99,7 +100,7 @@ impl StaticLift {
         let has_history = !self.system.coils.is_empty()
             || losses.sheaves == Sheaves::Held
             || losses.contacts != Contacts::Free
-            || self.looks(time);
+            || self.has_way(time);
         let rest = if has_history {
             let on_the_way = losses.on_the_way();
             let is_same = losses.sheaves == on_the_way.sheaves

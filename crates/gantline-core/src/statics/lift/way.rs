@@ -3,6 +3,7 @@
 use super::{GoesOn, StaticLift, placed};
 use crate::event::{Event, EventLog};
 use crate::plan::condition::Seen;
+use crate::plan::switching::Switching;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::statics::losses::Losses;
@@ -41,11 +42,13 @@ impl Trail {
 }
 
 impl StaticLift {
-    /// Whether the plan waits for a condition, or follows what there is to see, before `time` [s].
-    pub(super) fn looks(&self, time: f64) -> bool {
+    /// Whether what the lift comes to at `time` [s] of its plan depends on the way: where that waits for a condition or
+    /// follows what there is to see before, or has put in a pin, which holds its joint where it had come to by then.
+    pub(super) fn has_way(&self, time: f64) -> bool {
         let mut ahead = self.state.plan.clone();
         ahead.advance(&self.system.plan, 0.0, time, None, &mut EventLog::new());
-        ahead.has_looked(&self.system.plan)
+        let is_put_in = |pin: &Switching| matches!(pin.wanted(ahead.begun()), (true, Some(_)));
+        ahead.has_looked(&self.system.plan) || self.system.pins.iter().any(is_put_in)
     }
 
     /// At once.
