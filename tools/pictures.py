@@ -35,6 +35,7 @@ PICTURES_OF_LIFTS = {
     "spreader_bar": {"system": "spreader_bar"},
     "upending": {"stages": "upending_stages"},
     "crane_barge_in_swell": {"vessels": "waves"},
+    "splash_zone": {"hook_load": "splash_zone"},
 }
 #: What puts a lift in gusts: its load has the areas of its box.
 IN_GUSTS = {

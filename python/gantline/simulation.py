@@ -23,7 +23,13 @@ from gantline.results.crossing import crossed_ropes
 from gantline.results.derive import present_of, recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.grounding import grounding_warnings
-from gantline.results.immersion import dry_areas, dry_hulls, feels_water, immersion_warnings
+from gantline.results.immersion import (
+    askew_in_water,
+    dry_areas,
+    dry_hulls,
+    feels_water,
+    immersion_warnings,
+)
 from gantline.results.longer_falls import longer_falls
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
@@ -350,6 +356,7 @@ class Simulation:
         water = self.scenario.water or Water()
         dry = {load: body for load, body in loads.items() if not feels_water(self.assembly.document, body)}
         warnings += immersion_warnings(columns, names, self.assembly.scene, dry, water.density, rig.sea)
+        warnings += askew_in_water(self.assembly.document, columns, names)
         warnings += dry_areas(self.assembly.document, columns, names, water.level)
         warnings += dry_hulls(self.assembly.document, columns, names)
         if len(columns["time"]):

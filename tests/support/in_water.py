@@ -8,33 +8,39 @@ from typing import Any
 
 import numpy as np
 
-from mechanics import Floats, G, Json
+from mechanics import Floats, G, Json, Xyz
 
 RHO = 1025.0
 #: Nothing along any axis.
 NONE = (0.0, 0.0, 0.0)
 
 
-def cell(
-    at: Sequence[float] = NONE,
+def lattice(
+    at: Xyz = NONE,
     *,
+    half: Xyz = (0.0, 0.0),
     height: float = 1.0,
+    layers: int = 1,
     volume: float = 0.0,
-    added: Sequence[float] = NONE,
-    quadratic: Sequence[float] = NONE,
+    added: Xyz = NONE,
+    quadratic: Xyz = NONE,
 ) -> Json:
+    """Layers of four cells from `at` upwards; amounts are those of all of them."""
+    count = 4 * layers
     return {
         "at": list(at),
+        "half": list(half),
         "height": height,
-        "volume": volume,
-        "added_mass": list(added),
-        "quadratic": list(quadratic),
+        "layers": layers,
+        "volume": volume / count,
+        "added_mass": [part / count for part in added],
+        "quadratic": [part / count for part in quadratic],
     }
 
 
-def submerged(body: str, *cells: Json, stream: Sequence[float] = NONE) -> Json:
+def submerged(body: str, *lattices: Json, stream: Sequence[float] = NONE) -> Json:
     """Water up to 0 around a body."""
-    named = {"type": "submerged", "name": f"{body}.in_water", "body": body, "cells": list(cells)}
+    named = {"type": "submerged", "name": f"{body}.in_water", "body": body, "lattices": list(lattices)}
     return {**named, "density": RHO, "level": 0.0, "stream": list(stream)}
 
 

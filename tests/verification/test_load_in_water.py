@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+import gantline
 from floating import added_mass, drag
-from in_water import RHO, cell, growth, number, sea, share, submerged
+from in_water import RHO, growth, lattice, number, sea, share, submerged
 from mechanics import G, Json, adaptive, body, document, end, free, rope, simulate, slider
 
 MASS, ADDED = 1000.0, 700.0
@@ -29,7 +30,7 @@ def test_sinks_to_its_terminal_speed() -> None:
     w² = (m − ρV) g/c and T = w (m + a)/((m − ρV) g).
     """
     volume, c = 0.4, 350.0
-    force = submerged("load", cell(volume=volume, added=(0, 0, ADDED), quadratic=(0, 0, c)))
+    force = submerged("load", lattice(volume=volume, added=(0, 0, ADDED), quadratic=(0, 0, c)))
     run = adaptive(falling(force, {"position": DEEP}), 10.0)
     weight = (MASS - RHO * volume) * G
     w = math.sqrt(weight / c)
@@ -50,7 +51,7 @@ def test_blow_on_the_way_in() -> None:
     """
     speed = 5.0
     start = {"position": 2.0, "velocity": -speed}
-    system = falling(submerged("load", cell(added=(0, 0, ADDED))), start) | {"gravity": [0, 0, -1e-9]}
+    system = falling(submerged("load", lattice(added=(0, 0, ADDED))), start) | {"gravity": [0, 0, -1e-9]}
     run = adaptive(system, 1.5, sample_interval=0.005)
     velocity, wet = run.body("load", "body_velocity")[:, 2], share(-run.body("load")[:, 2], 1.0)
     assert (wet[0], wet[-1]) == (0.0, 1.0)
@@ -64,7 +65,7 @@ def test_no_blow_on_the_way_out() -> None:
     """What comes out of the water leaves behind what went along: it keeps its speed, and ½ a v² is lost."""
     speed = 2.0
     start = {"position": -2.0, "velocity": speed}
-    system = falling(submerged("load", cell(added=(0, 0, ADDED))), start) | {"gravity": [0, 0, -1e-9]}
+    system = falling(submerged("load", lattice(added=(0, 0, ADDED))), start) | {"gravity": [0, 0, -1e-9]}
     run = adaptive(system, 2.0)
     assert run.body("load", "body_velocity")[:, 2] == pytest.approx(speed, rel=1e-6)
     # Nothing makes steps short, and the books look at some points of each: the hat of s' bends between.
@@ -80,7 +81,7 @@ def test_hung_in_a_wave(depth: float | None) -> None:
     volume, length, ea, tau = 0.4, 20.0, 4e5, 0.1
     rise = 10.0
     hung = rope("fall", length, [end(None, (0, 0, at + length)), end("load")], ea, tau)
-    force = submerged("load", cell(volume=volume, added=(0, 0, ADDED)))
+    force = submerged("load", lattice(volume=volume, added=(0, 0, ADDED)))
     waves = sea((omega, amplitude, 0.6, phase), rise_time=rise, depth=depth)
     k, weight = ea / length, (MASS - RHO * volume) * G
     system = falling(force, {"position": at - weight / k}, sea=waves, ropes=[hung])
@@ -100,44 +101,43 @@ def test_hung_in_a_wave(depth: float | None) -> None:
     assert run.body("load")[late, 2] == pytest.approx(height + expected, abs=2e-4 * abs(moved))
 
 
-def lattice() -> list[Json]:
+def lattices() -> list[Json]:
     """Cells of no symmetry about a body."""
     draw = np.random.default_rng(5)
     return [
-        cell(
-            draw.uniform(-1.5, 1.5, 3),
-            height=0.8,
-            volume=0.03,
-            added=tuple(draw.uniform(20, 150, 3)),
-            quadratic=tuple(draw.uniform(10, 80, 3)),
+        lattice(
+            draw.uniform(-1.0, 0.5, 3),
+            half=draw.uniform(0.2, 1.2, 2),
+            height=0.5,
+            layers=layers,
+            volume=0.12,
+            added=draw.uniform(100, 600, 3),
+            quadratic=draw.uniform(40, 300, 3),
         )
-        for _ in range(8)
+        for layers in (1, 3)
     ]
 
 
-def tumbling(place: float, force: Json, **rest: Any) -> Json:
+def tumbling(place: float, *forces: Json, **rest: Any) -> Json:
     """A free body that turns about all axes."""
     start = free([0, 0, place], velocity=[0.8, -0.5, 0.3], angular_velocity=[0.5, -0.7, 0.9])
     load = body("load", start, MASS, inertia=(400.0, 700.0, 900.0))
-    forces = [force] if isinstance(force, dict) else force
-    return document([load], forces=forces, **rest)
+    return document([load], forces=list(forces), **rest)
 
 
 @pytest.mark.parametrize("stream", [(0.0, 0.0, 0.0), (0.9, -0.4, 0.0)])
 def test_deep_down_it_is_kirchhoffs_body(stream: tuple[float, ...]) -> None:
-    """A body with one cell, wholly wet, moves as one with the added mass and drag by matrices of a body in deep
-    water; in a current as that does if the world goes the other way.
+    """A body with cells at one place, wholly wet, moves as one with added mass and drag by matrices, which
+    the core has of bodies afloat; in a current as that does if the world goes the other way.
     """
     added, quadratic = (300.0, 800.0, 1500.0), (40.0, 90.0, 200.0)
     run = adaptive(
-        tumbling(DEEP, submerged("load", cell(added=added, quadratic=quadratic), stream=stream)), 8.0
+        tumbling(DEEP, submerged("load", lattice(added=added, quadratic=quadratic), stream=stream)), 8.0
     )
     still = tumbling(
         DEEP,
-        [
-            added_mass("load", (0, 0, 0), [*added, 0, 0, 0]),
-            drag("load", (0, 0, 0), [0] * 6, [*quadratic, 0, 0, 0]),
-        ],
+        added_mass("load", (0, 0, 0), [*added, 0, 0, 0]),
+        drag("load", (0, 0, 0), [0] * 6, [*quadratic, 0, 0, 0]),
     )
     joint = still["bodies"][0]["joint"]
     joint["velocity"] = [one - other for one, other in zip(joint["velocity"], stream, strict=True)]
@@ -157,7 +157,7 @@ WAVES = ((0.9, 0.5, 0.3, 0.2), (1.3, 0.3, 1.1, 1.9), (2.1, 0.1, -0.8, 4.0))
 def test_energy_in_waves_and_current(integrator: str) -> None:
     """A body that tumbles into waves and a current: all that it loses and gains is booked."""
     # Lighter than water, so that it goes in, out and in again.
-    force = submerged("load", *lattice(), cell(height=1.5, volume=1.4), stream=(0.5, 0.2, 0.0))
+    force = submerged("load", *lattices(), lattice(height=1.5, volume=1.4), stream=(0.5, 0.2, 0.0))
     system = tumbling(3.5, force, sea=sea(*WAVES, rise_time=5.0, depth=12.0))
     if integrator == "adaptive":
         run = adaptive(system, 12.0)
@@ -177,7 +177,7 @@ def test_energy_in_waves_and_current(integrator: str) -> None:
 
 def test_order_of_its_steps_in_waves() -> None:
     """The error of the way of a body that is wholly wet falls with the fifth power of the number of steps."""
-    system = tumbling(-9.0, submerged("load", *lattice()), sea=sea(*WAVES, rise_time=5.0))
+    system = tumbling(-9.0, submerged("load", *lattices()), sea=sea(*WAVES, rise_time=5.0))
 
     def motion(tolerance: float) -> tuple[int, Any]:
         run = adaptive(system, 8.0, position_tolerance=tolerance, sample_interval=1.0)
@@ -191,16 +191,20 @@ def test_order_of_its_steps_in_waves() -> None:
 
 
 def test_through_the_splash_zone() -> None:
-    """A column of cells on a rope whose upper end goes down, through a sea that grows: its pull by equations of
-    their own, solved by scipy's DOP853, to the tension tolerance; 0.04 N of 9890 apart.
+    """A column of cells on a rope whose upper end goes down, through a sea that grows: the pull by equations
+    of its own, solved by scipy's DOP853, to the tension tolerance; 0.04 N of 9890 apart.
     """
     speed, length, ea, tau, rise = 0.4, 30.0, 6e6, 0.05, 6.0
     heights, thick = np.linspace(-1.75, 1.75, 8), 0.5
     volume, added, c = 0.4 / 8, 900.0 / 8, 500.0 / 8
-    cells = [
-        cell((0, 0, h), height=thick, volume=volume, added=(0, 0, added), quadratic=(0, 0, c))
-        for h in heights
-    ]
+    column = lattice(
+        (0, 0, heights[0]),
+        height=thick,
+        layers=8,
+        volume=8 * volume,
+        added=(0, 0, 8 * added),
+        quadratic=(0, 0, 8 * c),
+    )
     start, begun = 4.0, 2.0
     waves = ((0.9, 0.6, 0.0, 0.4), (1.4, 0.25, 0.0, 2.0))
 
@@ -245,7 +249,7 @@ def test_through_the_splash_zone() -> None:
     hung = rope("fall", length, [end("hook"), end("load")], ea, tau)
     load = body("load", slider(position=first[0]), MASS)
     system = document(
-        [upper, load], ropes=[hung], forces=[submerged("load", *cells)], sea=sea(*waves, rise_time=rise)
+        [upper, load], ropes=[hung], forces=[submerged("load", column)], sea=sea(*waves, rise_time=rise)
     )
     ramp = {"at": 0.0, "duration": begun, "velocity": -speed, "shape": "linear"}
     system["drives"] = [{"name": "hoist", "ramps": [ramp]}]
@@ -255,13 +259,13 @@ def test_through_the_splash_zone() -> None:
 
 
 def test_a_crest_is_felt_though_nothing_moves() -> None:
-    """A body at rest 1.55 m above still water, under crests of 1.5 m: no motion makes steps short, and what the
-    crest wets is s(1.5 m − z) of it, at the height where it hangs then.
+    """A body at rest 1.55 m above still water, under crests of 1.5 m: no motion makes steps short, and what
+    the crest wets is s(1.5 m − z) of it, at the height where it hangs then.
     """
     at, ea, length = 1.6, 6e6, 30.0
     hung = rope("fall", length, [end(None, (0, 0, at + length)), end("load")], ea, 0.05)
     start = {"position": at - MASS * G * length / ea}
-    force = submerged("load", cell(height=0.25, volume=0.4, added=(0, 0, ADDED)))
+    force = submerged("load", lattice(height=0.25, volume=0.4, added=(0, 0, ADDED)))
     system = falling(force, start, ropes=[hung], sea=sea((0.9, 1.5, 0.0, 0.3), rise_time=20.0))
     known, found = (
         adaptive(system, 60.0, tension_tolerance=tension, position_tolerance=position)
@@ -274,3 +278,24 @@ def test_a_crest_is_felt_though_nothing_moves() -> None:
     # The tolerance of tension by default, a thousandth of the weight.
     assert found.tension("fall").min() == pytest.approx(known.tension("fall").min(), abs=1e-3 * MASS * G)
     assert known.tension("fall").min() < 0.95 * MASS * G
+
+
+@pytest.mark.parametrize("under", [1.0, 2.0, 3.0, 9.0])
+def test_weighs_less_by_what_it_displaces(under: float) -> None:
+    """At rest in still water the hook holds what weighs, less ρ g of what of the box is below the water
+    (Archimedes); layers side by side add up to that between the first and the last.
+    """
+    statics = gantline.Statics("splash_zone")
+    # It begins 6 m above the water, goes after 40 s, 0.2 m/s fast after 2 s lost with the acceleration.
+    found = statics.equilibrium(time=42.0 + (6.0 + under) / 0.2)
+    recording = found.recording
+    weight = (60e3 + 4 * 9 * 9.42 + 8 * 16) * G
+    body = list(recording.coordinates["body"]).index("manifold")
+    height = float(recording["body_position"].values[-1, body, 2])
+    # Shackles and slings on the lugs at 4 m raise the centre of gravity.
+    lumped = 4 * 16 + 4 * 4.5 * 9.424
+    bottom = height - (60e3 * 1.8 + lumped * 4.0) / (60e3 + lumped)
+    wet = min(1.0, -bottom / 4.0) * 7.6
+    assert recording["displaced_volume"].values[-1, 0] == pytest.approx(wet, rel=1e-4)
+    load = float(recording.column("hook_load", "crane")[-1])
+    assert load == pytest.approx(weight - RHO * G * wet, rel=2e-5)

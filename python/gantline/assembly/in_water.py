@@ -53,7 +53,7 @@ def add_in_water(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoa
             "type": "submerged",
             "name": in_water_name(load.name),
             "body": load.name,
-            "cells": list(_cells(given, load, box, lifted.centre, water.density)),
+            "lattices": list(_lattices(given, load, box, lifted.centre, water.density)),
             "density": water.density,
             "level": water.level,
             "stream": [0.0, 0.0, 0.0] if current is None else list(current.velocity),
@@ -67,7 +67,7 @@ def _volume(given: InWater, load: Load) -> float:
     return load.weight.simulated / STEEL if given.displaced_volume is None else given.displaced_volume
 
 
-def _cells(given: InWater, load: Load, box: Array, centre: Array, density: float) -> Iterator[Json]:
+def _lattices(given: InWater, load: Load, box: Array, centre: Array, density: float) -> Iterator[Json]:
     """Its cells, from its centre of gravity: layers of four, and where it slams others with what slams.
 
     Args:
@@ -83,28 +83,32 @@ def _cells(given: InWater, load: Load, box: Array, centre: Array, density: float
     added = np.array(given.added_mass)
     depth = given.slamming_depth(float(sides[2]), density)
     slamming = np.zeros(3) if depth is None else added * [0.0, 0.0, 1.0]
-    yield from _layers(box, centre, height, _volume(given, load), added - slamming, drag)
+    yield _lattice(box - centre, height, _volume(given, load), added - slamming, drag)
     if depth is not None:
-        yield from _layers(box, centre, depth, 0.0, slamming, np.zeros(3))
+        yield _lattice(box - centre, depth, 0.0, slamming, np.zeros(3))
 
 
-def _layers(
-    box: Array, centre: Array, height: float, volume: float, added: Array, drag: Array
-) -> Iterator[Json]:
-    """Cells that share out volume [m^3], added mass [kg] and drag [N s^2/m^2] of a height over a bottom [m]."""
-    middle, half = box.mean(axis=0), np.ptp(box, axis=0) / 2
+def _lattice(box: Array, height: float, volume: float, added: Array, drag: Array) -> Json:
+    """Cells that share out what a load has, in layers over a height above its underside.
+
+    Args:
+        box: Its least and largest x, y, z (2, 3) [m].
+        height: Of all layers [m].
+        volume: That it displaces [m^3].
+        added: Added mass along x, y, z (3,) [kg].
+        drag: Force over speed squared along them (3,) [N s^2/m^2].
+    """
     thick, count = height / _LAYERS, 4 * _LAYERS
-    for layer in range(_LAYERS):
-        for x, y in ((-1, -1), (-1, 1), (1, -1), (1, 1)):
-            at = middle + np.array([x, y, 0.0]) * _GAUSS * half
-            at[2] = box[0, 2] + (layer + 0.5) * thick
-            yield {
-                "at": (at - centre).tolist(),
-                "height": float(thick),
-                "volume": volume / count,
-                "added_mass": (added / count).tolist(),
-                "quadratic": (drag / count).tolist(),
-            }
+    middle = box.mean(axis=0)
+    return {
+        "at": [float(middle[0]), float(middle[1]), float(box[0, 2] + thick / 2)],
+        "half": (_GAUSS * np.ptp(box, axis=0)[:2] / 2).tolist(),
+        "height": float(thick),
+        "layers": _LAYERS,
+        "volume": volume / count,
+        "added_mass": (added / count).tolist(),
+        "quadratic": (drag / count).tolist(),
+    }
 
 
 def _floats(given: InWater, load: Load, density: float) -> Iterator[Doubt]:

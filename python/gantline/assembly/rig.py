@@ -12,6 +12,7 @@ from gantline.assembly.checked import bends, limits_and_rules, rating_charts, ra
 from gantline.assembly.crawler import crawler_rig
 from gantline.assembly.goliath import crane_rig
 from gantline.assembly.gusts import wind_rig
+from gantline.assembly.in_water import in_water_name
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.lifting import lifting_by_mechanics
 from gantline.assembly.moorings import mooring_rig
@@ -155,6 +156,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "design_mass": load.weight.design,
         "other_ropes": _other_ropes(scenario, load.name),
         "contact_group": load.name if contacts else None,
+        "in_water": None if load.in_water is None else in_water_name(load.name),
         "contacts": contacts,
         **({"meets": met} if (met := parts.met_by(load.name)) else {}),
         "lugs": {name: _lug(scenario, lug, lifted.lugs[name]) for name, lug in load.lugs.items()},

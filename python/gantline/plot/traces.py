@@ -215,12 +215,14 @@ def motion(recording: Recording) -> Figure | None:
 
 
 def hook_load(recording: Recording) -> Figure | None:
-    """Hook load of every hook, and how much of every load is transferred; None without hooks."""
+    """Hook loads, and how much of every load is transferred and under water; None without hooks."""
     hooks = recording.rig.hooks
     if not hooks:
         return None
     loads = recording.rig.loads
-    figure, panels = time_figure(recording, "Hook load", [2.6, 1.2] if loads else [1.0], 4.6)
+    wet = [load for load in loads if load.in_water is not None]
+    heights = [2.6, *([1.2] if loads else []), *([1.2] if wet else [])]
+    figure, panels = time_figure(recording, "Hook load", heights, 3.4 + 1.2 * max(1, len(heights) - 1))
     forces = {hook.name: recording.column("hook_load", hook.name) for hook in hooks}
     name = list(forces)[first_peak([float(force.max()) for force in forces.values()])]
     force = forces[name]
@@ -237,7 +239,13 @@ def hook_load(recording: Recording) -> Figure | None:
         panels[1].set_ylim(-4.0, 108.0)
         panels[1].set_yticks([0, 25, 50, 75, 100])
         panels[1].set_ylabel("Load trans-\nferred [%]")
-        figure.align_ylabels(panels)
+    for index, load in enumerate(loads):
+        if load.in_water is not None:
+            displaced = recording.column("displaced_volume", load.in_water)
+            panels[2].plot(recording.time, displaced, color=colour(index), label=load.name)
+            panels[2].set_ylim(bottom=-0.04 * float(displaced.max(initial=1.0)))
+            panels[2].set_ylabel("Displaced\nwater [m³]")
+    figure.align_ylabels(panels)
     return figure
 
 

@@ -93,7 +93,7 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
         "displaced_volume",
         ("time", "hull"),
         "m^3",
-        "volume of a hull below the water",
+        "volume of a hull, or of what a load displaces, below the water",
     ),
     "clearance_point": (
         "clearance_point",

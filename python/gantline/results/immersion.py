@@ -14,10 +14,12 @@ from gantline.results.surroundings import SIGNS, ground_in, is_cut
 from gantline.results.variable import Columns, FloatArray, Names
 from gantline.units import format_by_size
 
-__all__ = ["dry_areas", "dry_hulls", "feels_water", "immersion_warnings"]
+__all__ = ["askew_in_water", "dry_areas", "dry_hulls", "feels_water", "immersion_warnings"]
 
 #: How deep a load may dip, and an area come out, without a word [m]: contact and slings give that much.
 _DIPS = 0.01
+#: How far from upright a load's layers still lie about level [rad].
+_ASKEW = np.radians(45.0)
 #: What is between body and area in the name of a force.
 _CURRENT = ".current_areas."
 #: What water does to a body wherever it is, by the end of the name of its force.
@@ -87,6 +89,32 @@ def immersion_warnings(
 def feels_water(document: Mapping[str, Any], body: str) -> bool:
     """Whether water acts on a body by how far it is wet."""
     return any(one["type"] == "submerged" and one["body"] == body for one in document.get("forces", ()))
+
+
+def askew_in_water(document: Mapping[str, Any], columns: Columns, names: Names) -> list[str]:
+    """A sentence for each load that gets wet so far from upright that its layers are none of the water's.
+
+    Args:
+        document: What has been assembled of the lift.
+        columns: Columns of the core by name.
+        names: Names along their dimensions.
+    """
+    warnings = []
+    for force in (one for one in document.get("forces", ()) if one["type"] == "submerged"):
+        at = list(names["body"]).index(force["body"])
+        wet = columns["displaced_volume"][:, list(names["hull"]).index(force["name"])]
+        whole = sum(4 * lattice["layers"] * lattice["volume"] for lattice in force["lattices"])
+        surfacing = (wet > 0.0) & (wet < (1.0 - 1e-9) * whole)
+        tilt = np.arccos(np.clip(axes(columns["body_orientation"][:, at])[:, 2, 2], -1.0, 1.0))
+        askew = np.flatnonzero(surfacing & (tilt > _ASKEW))
+        if askew.size:
+            when = (
+                f"first at {columns['time'][askew[0]]:.2f} s, up to {np.degrees(tilt[askew].max()):.0f} deg"
+            )
+            sentence = f"{force['body']} is at the surface of the water far from upright, {when}"
+            without = "it gets wet there in two steps, one for each row of its cells, and not evenly"
+            warnings.append(f"{sentence}: {without}")
+    return warnings
 
 
 def dry_areas(document: Mapping[str, Any], columns: Columns, names: Names, level: float) -> list[str]:

@@ -47,6 +47,7 @@ class Load(HasLugs):
         lugs: Lugs by name.
         other_ropes: Ropes that are no slings and end at it or run over it.
         centre_envelope: How far its centre of gravity may be elsewhere, plus and minus along its axes [m].
+        in_water: Name of what it displaces among the hulls; None where no water acts on it.
     """
 
     name: str
@@ -62,6 +63,7 @@ class Load(HasLugs):
     lugs: Mapping[str, Lug] = field(default_factory=dict)
     other_ropes: Sequence[str] = ()
     centre_envelope: Vector = (0.0, 0.0, 0.0)
+    in_water: str | None = None
 
 
 @dataclass(frozen=True)

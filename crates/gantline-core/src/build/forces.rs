@@ -133,12 +133,12 @@ fn build_force(
         ForceSpec::AddedMass { body, at, matrix, .. } => {
             AnyForce::AddedMass(build_added_mass(name, find(body)?, *at, matrix)?)
         }
-        ForceSpec::Submerged { body, cells, density, level, stream, .. } => {
+        ForceSpec::Submerged { body, lattices, density, level, stream, .. } => {
             let water = (*density, *level, *stream);
             AnyForce::Submerged(Box::new(build_submerged(
                 name,
                 find(body)?,
-                cells,
+                lattices,
                 water,
                 sea,
                 tree.gravity,

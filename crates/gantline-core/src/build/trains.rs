@@ -28,7 +28,8 @@ pub(super) fn build_trains(name: &str, given: Option<&TrainsSpec>) -> Result<Arc
         let [x, y] = wave.wave_number;
         finite(name, "a wave number, amplitude or phase", &[x, y, wave.amplitude, wave.phase])?;
         let (wave_number, frequency) = (DVec2::new(x, y), wave.frequency);
-        components.push(Component { frequency, wave_number, amplitude: wave.amplitude, phase: wave.phase });
+        let (number, amplitude, phase) = (wave_number.length(), wave.amplitude, wave.phase);
+        components.push(Component { frequency, wave_number, number, amplitude, phase });
     }
     if let Some(depth) = given.depth {
         positive(name, "the depth of its water", depth)?;

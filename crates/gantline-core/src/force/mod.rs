@@ -11,8 +11,10 @@
 pub mod added_mass;
 pub mod axes;
 pub mod buoyancy;
+mod cell;
 pub mod damping;
 pub mod drag;
+pub mod lattice;
 pub mod level_mass;
 pub mod mean_drift;
 pub mod memory;
@@ -24,6 +26,8 @@ pub mod submerged;
 pub mod tank;
 pub mod trains;
 pub mod wave;
+
+use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -269,6 +273,15 @@ pub fn follow(tree: &Tree, kinematics: &mut Kinematics, (v, time): (&[f64], f64)
         wave.slow.follow((&kinematics.pose[wave.body], &twist), time, past);
     }
     kinematics.past.copy_from_slice(past);
+}
+
+/// Lets loads be in still water, as statics has it at any time.
+pub fn calm(tree: &mut Tree) {
+    for force in &mut tree.forces {
+        if let AnyForce::Submerged(load) = force {
+            load.sea = Arc::default();
+        }
+    }
 }
 
 /// True where wind, current or, on the whole, waves push a body that has not moved yet.

@@ -7,139 +7,134 @@
 //! C = cosh κ(ζ + d)/sinh κd        S = sinh κ(ζ + d)/sinh κd        in deep water both e^{κζ}
 //! ```
 //!
-//! Above the still surface the water moves as at it, which linear theory leaves open, and below the bed as there. What the growth g of the waves adds to u̇ is
-//! left out.
+//! Above the still surface the water moves as at it, which linear theory leaves open, and below the bed as there. What the growth
+//! g of the waves adds to u̇ is left out.
 
 use glam::{DMat3, DVec2, DVec3};
 
+use super::lattice::{CELLS, Grid};
 use super::square::outer;
 use super::trains::Trains;
 
-/// The water at a place and a time.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Orbital {
-    /// u [m/s].
-    pub velocity: DVec3,
-    /// u̇ [m/s²].
-    pub acceleration: DVec3,
-}
-
-/// How it changes.
+/// The water at a place and a time, and the surface above it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OrbitalChange {
-    /// ∂/∂x of velocity and acceleration.
-    pub gradient: [DMat3; 2],
-    /// ∂/∂t of both at the place.
-    pub rate: [DVec3; 2],
-}
-
-/// The surface above a place at a time.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Surface {
+pub struct Water {
     /// η above the still surface [m].
     pub height: f64,
     /// ∂η/∂x.
     pub slope: DVec2,
     /// ∂η/∂t.
     pub rate: f64,
+    /// u [m/s].
+    pub velocity: DVec3,
+    /// u̇ [m/s²].
+    pub acceleration: DVec3,
+}
+
+impl Water {
+    /// Water that stands.
+    pub const STILL: Self =
+        Self { height: 0.0, slope: DVec2::ZERO, rate: 0.0, velocity: DVec3::ZERO, acceleration: DVec3::ZERO };
+}
+
+/// How that changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WaterChange {
     /// ∂²η/∂x²: xx, xy, yy.
     pub bend: [f64; 3],
     /// ∂²η/∂x∂t.
     pub slope_rate: DVec2,
     /// ∂²η/∂t².
     pub rate_rate: f64,
+    /// ∂/∂x of u and u̇.
+    pub gradient: [DMat3; 2],
+    /// ∂/∂t of both at the place.
+    pub pace: [DVec3; 2],
+}
+
+impl WaterChange {
+    /// That of water that stands.
+    pub const NONE: Self = Self {
+        bend: [0.0; 3],
+        slope_rate: DVec2::ZERO,
+        rate_rate: 0.0,
+        gradient: [DMat3::ZERO; 2],
+        pace: [DVec3::ZERO; 2],
+    };
 }
 
 impl Trains {
-    /// The surface above a place [m] at `time` [s].
-    pub fn surface(&self, place: DVec2, time: f64) -> Surface {
-        let mut sum = Surface::default();
+    /// Sets `out` to the water at every cell at `time` [s]; `up` is ẑ, and `heights` are those of the cells above the still
+    /// surface [m].
+    pub fn water(&self, grid: &Grid, time: f64, (up, heights): (DVec3, &[f64]), out: &mut [Water]) {
+        out.fill(Water::STILL);
+        let mut decays = [[0.0; 2]; CELLS];
         for wave in &self.components {
-            let (k, w, a) = (wave.wave_number, wave.frequency, wave.amplitude);
-            let (sin, cos) = wave.turned(place, time);
-            let (up, ahead) = (a * cos, a * sin);
-            sum.height += up;
-            sum.slope -= k * ahead;
-            sum.rate += w * ahead;
-            for (bend, product) in sum.bend.iter_mut().zip([k.x * k.x, k.x * k.y, k.y * k.y]) {
-                *bend -= product * up;
-            }
-            sum.slope_rate += k * (w * up);
-            sum.rate_rate -= w * w * up;
+            grid.decays(self, wave, (up, heights), &mut decays);
+            let (k, w) = (wave.wave_number, wave.frequency);
+            let along = (k / wave.number).extend(0.0);
+            grid.phases(wave, time, |cell, (sin, cos)| {
+                let (sum, [c, s]) = (&mut out[cell], decays[cell]);
+                let (crest, ahead) = (wave.amplitude * cos, wave.amplitude * sin);
+                sum.height += crest;
+                sum.slope -= k * ahead;
+                sum.rate += w * ahead;
+                sum.velocity += along * (w * c * crest) + up * (w * s * ahead);
+                sum.acceleration += along * (w * w * c * ahead) - up * (w * w * s * crest);
+            });
         }
-        let ((g, slope), bend) = (self.growth(time), self.growth_bend(time));
-        Surface {
-            height: g * sum.height,
-            slope: sum.slope * g,
-            rate: g * sum.rate + slope * sum.height,
-            bend: sum.bend.map(|bend| g * bend),
-            slope_rate: sum.slope_rate * g + sum.slope * slope,
-            rate_rate: g * sum.rate_rate + 2.0 * slope * sum.rate + bend * sum.height,
+        let (g, growing) = self.growth(time);
+        for sum in out {
+            *sum = Water {
+                height: g * sum.height,
+                slope: sum.slope * g,
+                rate: g * sum.rate + growing * sum.height,
+                velocity: sum.velocity * g,
+                acceleration: sum.acceleration * g,
+            };
         }
     }
 
-    /// The water at a place [m], its height above the still surface [m], at `time` [s]; `up` is ẑ.
-    pub fn orbital(&self, (place, height): (DVec2, f64), time: f64, up: DVec3) -> Orbital {
-        let mut sum = Orbital::default();
-        let (height, _) = self.inside(height);
-        for wave in &self.components {
-            let (sin, cos) = wave.turned(place, time);
-            let number = wave.wave_number.length();
-            let [c, s] = self.decay(number, height);
-            let (swing, along) = (wave.amplitude * wave.frequency, (wave.wave_number / number).extend(0.0));
-            sum.velocity += along * (swing * c * cos) + up * (swing * s * sin);
-            let pull = swing * wave.frequency;
-            sum.acceleration += along * (pull * c * sin) - up * (pull * s * cos);
-        }
-        let (g, _) = self.growth(time);
-        Orbital { velocity: sum.velocity * g, acceleration: sum.acceleration * g }
-    }
-
-    /// How that changes; `water` is what is there.
-    pub fn orbital_change(
+    /// Sets `out` to how that changes; `water` is what is there.
+    pub fn water_change(
         &self,
-        (place, height): (DVec2, f64),
+        grid: &Grid,
         time: f64,
-        up: DVec3,
-        water: &Orbital,
-    ) -> OrbitalChange {
-        let mut sum = OrbitalChange { gradient: [DMat3::ZERO; 2], rate: [DVec3::ZERO; 2] };
-        let (height, share) = self.inside(height);
-        for wave in &self.components {
-            let (k, number) = (wave.wave_number, wave.wave_number.length());
-            let (sin, cos) = wave.turned(place, time);
-            let [c, s] = self.decay(number, height);
-            let (c_slope, s_slope) = (share * number * s, share * number * c);
-            let (ahead, along) = (k.extend(0.0), (k / number).extend(0.0));
-            let swing = wave.amplitude * wave.frequency;
-            let pull = swing * wave.frequency;
-            sum.gradient[0] += outer(along * swing, up * (c_slope * cos) - ahead * (c * sin))
-                + outer(up * swing, up * (s_slope * sin) + ahead * (s * cos));
-            sum.gradient[1] += outer(along * pull, up * (c_slope * sin) + ahead * (c * cos))
-                - outer(up * pull, up * (s_slope * cos) - ahead * (s * sin));
-            let turn = pull * wave.frequency;
-            sum.rate[1] -= along * (turn * c * cos) + up * (turn * s * sin);
-        }
-        let (g, slope) = self.growth(time);
-        // What is there has grown by g already.
-        let growing = if g > 0.0 { slope / g } else { 0.0 };
-        let rate =
-            [water.acceleration + water.velocity * growing, sum.rate[1] * g + water.acceleration * growing];
-        OrbitalChange { gradient: sum.gradient.map(|gradient| gradient * g), rate }
-    }
-
-    /// A height between bed and still surface, and whether it is as it was, 1 or 0.
-    fn inside(&self, height: f64) -> (f64, f64) {
+        (up, heights): (DVec3, &[f64]),
+        water: &[Water],
+        out: &mut [WaterChange],
+    ) {
+        out.fill(WaterChange::NONE);
+        let ((g, growing), bending) = (self.growth(time), self.growth_bend(time));
         let bed = -self.depth.unwrap_or(f64::INFINITY);
-        (height.clamp(bed, 0.0), if height < 0.0 && height > bed { 1.0 } else { 0.0 })
-    }
-
-    /// C and S of a wave number at a height from the bed to the still surface.
-    fn decay(&self, number: f64, height: f64) -> [f64; 2] {
-        let Some(depth) = self.depth else { return [(number * height).exp(); 2] };
-        // By exponents that are never positive: the bed may be far below.
-        let (from_top, from_bed) = ((number * height).exp(), (-number * (height + 2.0 * depth)).exp());
-        let whole = -(-2.0 * number * depth).exp_m1();
-        [(from_top + from_bed) / whole, (from_top - from_bed) / whole]
+        let mut decays = [[0.0; 2]; CELLS];
+        for wave in &self.components {
+            grid.decays(self, wave, (up, heights), &mut decays);
+            let (k, w, number) = (wave.wave_number, wave.frequency, wave.number);
+            let (ahead, along) = (k.extend(0.0), (k / number).extend(0.0));
+            grid.phases(wave, time, |cell, (sin, cos)| {
+                let (sum, [c, s]) = (&mut out[cell], decays[cell]);
+                let is_inside = heights[cell] < 0.0 && heights[cell] > bed;
+                let [c_slope, s_slope] = if is_inside { [number * s, number * c] } else { [0.0; 2] };
+                let [high, swing, pull] = [1.0, w, w * w].map(|factor| g * wave.amplitude * factor);
+                for (bend, product) in sum.bend.iter_mut().zip([k.x * k.x, k.x * k.y, k.y * k.y]) {
+                    *bend -= product * high * cos;
+                }
+                sum.slope_rate += k * (swing * cos - growing * wave.amplitude * sin);
+                sum.rate_rate -=
+                    pull * cos - 2.0 * growing * wave.amplitude * w * sin - bending * wave.amplitude * cos;
+                sum.gradient[0] += outer(along * swing, up * (c_slope * cos) - ahead * (c * sin))
+                    + outer(up * swing, up * (s_slope * sin) + ahead * (s * cos));
+                sum.gradient[1] += outer(along * pull, up * (c_slope * sin) + ahead * (c * cos))
+                    - outer(up * pull, up * (s_slope * cos) - ahead * (s * sin));
+                sum.pace[1] -= along * (w * pull * c * cos) + up * (w * pull * s * sin);
+            });
+        }
+        // What is there has grown by g already.
+        let grows = if g > 0.0 { growing / g } else { 0.0 };
+        for (sum, here) in out.iter_mut().zip(water) {
+            sum.pace[0] = here.acceleration + here.velocity * grows;
+            sum.pace[1] += here.acceleration * grows;
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Water around a load that is lowered into it: pressure, water that is accelerated along, blows where it goes in, drag.
 //!
-//! The load is a lattice of cells, each with a share of its volume V, of the added mass A and of the drag c of its three axes. With
+//! The load is made of lattices of cells ([`super::lattice`]), each with a share of its volume V, of the added mass A and of the drag c of its three axes. With
 //! h the depth of a cell below the surface of the moment and s(h) the wet share of it,
 //!
 //! ```text
@@ -27,28 +27,15 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use super::orbital::{Orbital, OrbitalChange, Surface};
+use super::cell::{Share, Wet};
+use super::lattice::{CELLS, Grid, Lattice};
+use super::orbital::{Water, WaterChange};
 use super::square::{Square, outer};
 use super::trains::Trains;
 use super::{At, Force, Tangent};
 use crate::tree::bias::Wrench;
 use crate::tree::kinematics::{Kinematics, Twist};
 use crate::tree::pose::Pose;
-
-/// A part of a load in water.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cell {
-    /// Its middle [m], body frame.
-    pub at: DVec3,
-    /// H [m].
-    pub height: f64,
-    /// V [m³].
-    pub volume: f64,
-    /// A along the axes of the body [kg].
-    pub added: DVec3,
-    /// c along the axes of the body [N s²/m²].
-    pub drag: DVec3,
-}
 
 /// A load in water.
 #[derive(Debug, Clone)]
@@ -58,7 +45,7 @@ pub struct Submerged {
     /// Index of the body.
     pub body: usize,
     /// What it is made of.
-    pub cells: Vec<Cell>,
+    pub lattices: Vec<Lattice>,
     /// ρ [kg/m³].
     pub density: f64,
     /// ẑ, and ρ g [N/m³].
@@ -73,251 +60,125 @@ pub struct Submerged {
     pub sea: Arc<Trains>,
 }
 
-/// How wet a cell is: s, s′ [1/m], s″ [1/m²] and ∫ s dh [m], by its depth.
-#[derive(Debug, Clone, Copy, Default)]
-struct Share {
-    value: f64,
-    slope: f64,
-    bend: f64,
-    sum: f64,
-}
-
-impl Share {
-    fn at(depth: f64, height: f64) -> Self {
-        let t = depth / height;
-        if t <= -1.0 {
-            return Self::default();
-        }
-        if t >= 1.0 {
-            return Self { value: 1.0, slope: 0.0, bend: 0.0, sum: depth };
-        }
-        let (off, bend) = (1.0 - t.abs(), 1.0 / (height * height));
-        let (square, cube) = (0.5 * off * off, height * off * off * off / 6.0);
-        let (value, bend, sum) =
-            if t < 0.0 { (square, bend, cube) } else { (1.0 - square, -bend, depth + cube) };
-        Self { value, slope: off / height, bend, sum }
-    }
-}
-
-/// A cell that is wet, world axes.
-struct Wet<'a> {
-    cell: &'a Cell,
-    share: Share,
-    /// r, v, w and ω.
-    arm: DVec3,
-    velocity: DVec3,
-    relative: DVec3,
-    spin: DVec3,
-    /// A, and A w.
-    added: DMat3,
-    momentum: DVec3,
-    /// ∇h, and ḣ.
-    normal: DVec3,
-    pace: f64,
-    surface: Surface,
-    water: Orbital,
-    /// ẑ, ρ [kg/m³] and ρ g [N/m³].
-    up: DVec3,
-    density: f64,
-    weight: f64,
-    /// c |w| Rᵀw in world axes, and its derivative over w.
-    drag: DVec3,
-    drag_slope: DMat3,
-    /// W − I − D of what is wholly wet, see [`Wet::whole`].
-    whole: DVec3,
-}
-
-/// A small change of what a cell feels.
-#[derive(Debug, Clone, Copy, Default)]
-struct Change {
-    /// Of h, and of ḣ.
-    depth: f64,
-    pace: f64,
-    /// Of w, v̇ − u̇, u̇, ẑ and ω.
-    relative: DVec3,
-    rate: DVec3,
-    water: DVec3,
-    up: DVec3,
-    spin: DVec3,
-}
-
-impl Wet<'_> {
-    /// Rate of the momentum of what is wet, without s.
-    fn inertia(&self, rate: DVec3) -> DVec3 {
-        self.added * (rate - self.spin.cross(self.relative)) + self.spin.cross(self.momentum)
-    }
-
-    /// s′ḣ⁺.
-    fn entry(&self) -> f64 {
-        self.share.slope * self.pace.max(0.0)
-    }
-
-    fn wrench(&self) -> Wrench {
-        let force = self.whole * self.share.value - self.momentum * self.entry();
-        let moment = self.arm.cross(force) - self.relative.cross(self.momentum) * self.share.value;
-        Wrench { force, moment }
-    }
-
-    /// How the wrench changes.
-    fn change(&self, change: &Change) -> Wrench {
-        let Share { value, slope, bend, .. } = self.share;
-        let Change { depth, pace, relative, rate, water, up, spin } = *change;
-        let entering = if self.pace > 0.0 { bend * depth * self.pace + slope * pace } else { 0.0 };
-        let momentum = self.added * relative;
-        let pressure = (up * self.weight + water * self.density) * self.cell.volume;
-        let inertia = self.added * (rate - spin.cross(self.relative) - self.spin.cross(relative))
-            + spin.cross(self.momentum)
-            + self.spin.cross(momentum);
-        let whole = pressure - inertia - self.drag_slope * relative;
-        let force =
-            self.whole * (slope * depth) + whole * value - self.momentum * entering - momentum * self.entry();
-        let swept = self.relative.cross(self.momentum) * (slope * depth)
-            + (relative.cross(self.momentum) + self.relative.cross(momentum)) * value;
-        Wrench { force, moment: self.arm.cross(force) - swept }
-    }
-
-    /// That of a motion of the body as seen from there: water, surface and plumb turn the other way.
-    fn moved(&self, around: &OrbitalChange, shift: DVec3, turn: DVec3) -> Change {
-        let place = shift + turn.cross(self.arm);
-        let Surface { bend: [xx, xy, yy], slope_rate, .. } = self.surface;
-        let Self { velocity, normal, water, .. } = self;
-        let bent = DVec3::new(xx * velocity.x + xy * velocity.y, xy * velocity.x + yy * velocity.y, 0.0);
-        let pace = (bent + slope_rate.extend(0.0)).dot(place) + velocity.cross(*normal).dot(turn);
-        let fluid = *velocity - self.relative;
-        let relative = turn.cross(fluid) - around.gradient[0] * place;
-        let water = around.gradient[1] * place - turn.cross(water.acceleration);
-        Change {
-            depth: normal.dot(place),
-            pace,
-            relative,
-            rate: -water,
-            water,
-            up: -turn.cross(self.up),
-            spin: DVec3::ZERO,
-        }
-    }
-
-    /// That of its velocity.
-    fn sped(&self, linear: DVec3, spin: DVec3) -> Change {
-        let relative = linear + spin.cross(self.arm);
-        let rate = spin.cross(self.spin.cross(self.arm)) + self.spin.cross(spin.cross(self.arm));
-        Change { pace: self.normal.dot(relative), relative, rate, spin, ..Change::default() }
-    }
-
-    /// That of time alone.
-    fn later(&self, around: &OrbitalChange) -> Change {
-        let Surface { rate, slope_rate, rate_rate, .. } = self.surface;
-        let [fluid, water] = around.rate;
-        Change {
-            depth: rate,
-            pace: rate_rate + slope_rate.extend(0.0).dot(self.velocity),
-            relative: -fluid,
-            rate: -water,
-            water,
-            ..Change::default()
-        }
-    }
-
-    /// Derivatives of the wrench over a motion, of which `change` says what the cell feels of it.
-    fn derivative(&self, change: impl Fn(DVec3, DVec3) -> Change) -> Square {
-        let by = |linear: DVec3, angular: DVec3| self.change(&change(linear, angular));
-        let linear = DVec3::AXES.map(|axis| by(axis, DVec3::ZERO));
-        let angular = DVec3::AXES.map(|axis| by(DVec3::ZERO, axis));
-        let columns = |of: [DVec3; 3]| DMat3::from_cols(of[0], of[1], of[2]);
-        Square {
-            linear: columns(linear.map(|wrench| wrench.force)),
-            cross: columns(angular.map(|wrench| wrench.force)),
-            back: columns(linear.map(|wrench| wrench.moment)),
-            angular: columns(angular.map(|wrench| wrench.moment)),
-        }
-    }
-
-    /// s c |w|³ + ½ |s′ḣ| w·A w.
-    fn loss(&self) -> f64 {
-        self.share.value * self.drag.dot(self.relative)
-            + 0.5 * (self.share.slope * self.pace).abs() * self.relative.dot(self.momentum)
-    }
-
-    /// d/dt ½ s v·A v while the velocity of the body stays.
-    fn gathered(&self) -> f64 {
-        let Self { velocity, spin, .. } = *self;
-        let moved = self.added * velocity;
-        let turned = spin.cross(moved) + self.added * spin.cross(spin.cross(self.arm));
-        0.5 * self.share.slope * self.pace * velocity.dot(moved) + self.share.value * velocity.dot(turned)
-    }
+/// Cells of a lattice, the water at them and how it changes.
+struct Cells {
+    grid: Grid,
+    /// Above the still surface [m].
+    heights: [f64; CELLS],
+    water: [Water; CELLS],
+    changes: [WaterChange; CELLS],
 }
 
 impl Submerged {
-    /// Cells that are wet where the body is at `pose`, with the places from its origin [m] and their surfaces and shares.
-    fn wet_at(&self, pose: &Pose, time: f64) -> impl Iterator<Item = (&Cell, DVec3, f64, Surface, Share)> {
-        let highest = self.sea.highest();
-        self.cells.iter().filter_map(move |cell| {
-            let arm = pose.rotation * cell.at;
-            let place = pose.position + arm;
-            let height = self.up.dot(place) - self.level;
-            if height > highest + cell.height {
-                return None;
+    /// Cells of a lattice with the water at `time` [s], and if asked for how it changes; none where all are dry.
+    fn cells(&self, lattice: &Lattice, pose: &Pose, time: f64, changing: bool) -> Option<Cells> {
+        let (grid, up, sea) = (lattice.grid(pose), self.up, &self.sea);
+        if grid.heights(up)[0] - self.level > sea.highest() + lattice.height {
+            return None;
+        }
+        let count = grid.count();
+        let mut cells = Cells {
+            grid,
+            heights: [0.0; CELLS],
+            water: [Water::STILL; CELLS],
+            changes: [WaterChange::NONE; CELLS],
+        };
+        let Cells { heights, water, changes, .. } = &mut cells;
+        for (cell, height) in heights[..count].iter_mut().enumerate() {
+            *height = up.dot(grid.place(cell)) - self.level;
+        }
+        if !sea.components.is_empty() {
+            sea.water(&grid, time, (up, heights), &mut water[..count]);
+            if changing {
+                sea.water_change(&grid, time, (up, heights), &water[..count], &mut changes[..count]);
             }
-            let surface = self.sea.surface(place.truncate(), time);
-            let share = Share::at(surface.height - height, cell.height);
-            (share.value > 0.0).then_some((cell, arm, height, surface, share))
-        })
+        }
+        Some(cells)
     }
 
-    fn wet<'a>(&'a self, at: &'a At) -> impl Iterator<Item = Wet<'a>> {
-        let (turn, up) = (at.pose.rotation, self.up);
-        self.wet_at(at.pose, at.time).map(move |(cell, arm, height, surface, share)| {
-            let place = (at.pose.position + arm).truncate();
-            let water = self.sea.orbital((place, height), at.time, up);
-            let spin = at.twist.angular;
-            let velocity = at.twist.at(arm);
-            let relative = velocity - water.velocity - self.stream;
+    /// Visits all wet cells; if asked for with how the water there changes.
+    fn each(&self, at: &At, changing: bool, mut visit: impl FnMut(&Wet)) {
+        let (turn, up, spin) = (at.pose.rotation, self.up, at.twist.angular);
+        for lattice in &self.lattices {
+            let Some(cells) = self.cells(lattice, at.pose, at.time, changing) else { continue };
             let own = |axes: DVec3| turn * DMat3::from_diagonal(axes) * turn.transpose();
-            let (added, resists) = (own(cell.added), own(cell.drag));
-            let normal = surface.slope.extend(0.0) - up;
-            let (speed, along) = (relative.length(), relative.normalize_or_zero());
-            let mut wet = Wet {
-                cell,
-                share,
-                arm,
-                velocity,
-                relative,
-                spin,
-                added,
-                momentum: added * relative,
-                normal,
-                pace: surface.rate + normal.dot(velocity),
-                surface,
-                water,
-                up,
-                density: self.density,
-                weight: self.weight,
-                drag: resists * relative * speed,
-                // ∂(|w| w)/∂w = |w| 1 + w wᵀ/|w|.
-                drag_slope: resists * (DMat3::from_diagonal(DVec3::splat(speed)) + outer(relative, along)),
-                whole: DVec3::ZERO,
-            };
-            let rate = at.rate.at(arm) + spin.cross(spin.cross(arm)) - water.acceleration;
-            let pressure = (up * self.weight + water.acceleration * self.density) * cell.volume;
-            wet.whole = pressure - wet.inertia(rate) - wet.drag;
-            wet
-        })
+            let (added, resists) = (own(lattice.added), own(lattice.drag));
+            for cell in 0..cells.grid.count() {
+                let water = cells.water[cell];
+                let share = Share::at(water.height - cells.heights[cell], lattice.height);
+                if share.value == 0.0 {
+                    continue;
+                }
+                let arm = cells.grid.place(cell) - at.pose.position;
+                let velocity = at.twist.at(arm);
+                let relative = velocity - water.velocity - self.stream;
+                let normal = water.slope.extend(0.0) - up;
+                let (speed, along) = (relative.length(), relative.normalize_or_zero());
+                let mut wet = Wet {
+                    volume: lattice.volume,
+                    share,
+                    arm,
+                    velocity,
+                    relative,
+                    spin,
+                    added,
+                    momentum: added * relative,
+                    normal,
+                    pace: water.rate + normal.dot(velocity),
+                    water,
+                    changes: cells.changes[cell],
+                    up,
+                    density: self.density,
+                    weight: self.weight,
+                    drag: resists * relative * speed,
+                    // ∂(|w| w)/∂w = |w| 1 + w wᵀ/|w|.
+                    drag_slope: resists
+                        * (DMat3::from_diagonal(DVec3::splat(speed)) + outer(relative, along)),
+                    whole: DVec3::ZERO,
+                };
+                let rate = at.rate.at(arm) + spin.cross(spin.cross(arm)) - water.acceleration;
+                let pressure = (up * self.weight + water.acceleration * self.density) * lattice.volume;
+                wet.whole = pressure - wet.inertia(rate) - wet.drag;
+                visit(&wet);
+            }
+        }
     }
 
-    /// How the water around a cell changes.
-    fn around(&self, wet: &Wet, at: &At) -> OrbitalChange {
-        let place = at.pose.position + wet.arm;
-        let height = self.up.dot(place) - self.level;
-        self.sea.orbital_change((place.truncate(), height), at.time, self.up, &wet.water)
+    /// Σ of what a wet cell has.
+    fn sum(&self, at: &At, of: impl Fn(&Wet) -> f64) -> f64 {
+        let mut sum = 0.0;
+        self.each(at, false, |wet| sum += of(wet));
+        sum
+    }
+
+    /// The same of wrenches.
+    fn sum_wrench(&self, at: &At, changing: bool, of: impl Fn(&Wet) -> Wrench) -> Wrench {
+        let mut sum = Wrench::default();
+        self.each(at, changing, |wet| {
+            let Wrench { force, moment } = of(wet);
+            sum.force += force;
+            sum.moment += moment;
+        });
+        sum
+    }
+
+    /// Lattices with the places of their cells from the body's origin and how wet these are in still water.
+    fn at_rest(&self, pose: &Pose) -> impl Iterator<Item = (&Lattice, DVec3, Share)> {
+        self.lattices.iter().flat_map(move |lattice| {
+            let grid = lattice.grid(pose);
+            (0..grid.count()).map(move |cell| {
+                let place = grid.place(cell);
+                let share = Share::at(self.level - self.up.dot(place), lattice.height);
+                (lattice, place - pose.position, share)
+            })
+        })
     }
 
     /// What still water presses the body with, the wrench that has the energy U.
     fn still(&self, pose: &Pose) -> Wrench {
         let mut sum = Wrench::default();
-        for cell in &self.cells {
-            let arm = pose.rotation * cell.at;
-            let share = Share::at(self.level - self.up.dot(pose.position + arm), cell.height);
-            let force = self.up * (self.weight * cell.volume * share.value);
+        for (lattice, arm, share) in self.at_rest(pose) {
+            let force = self.up * (self.weight * lattice.volume * share.value);
             sum.force += force;
             sum.moment += arm.cross(force);
         }
@@ -332,22 +193,38 @@ impl Submerged {
 
     /// How fast the energy of the water that is accelerated along would grow if the body's velocity stayed [W].
     pub fn gathered(&self, at: &At) -> f64 {
-        self.wet(at).map(|wet| wet.gathered()).sum()
+        self.sum(at, Wet::gathered)
     }
 
     /// True where the surface of the waves may pass one of its cells.
     pub fn may_be_passed(&self, pose: &Pose) -> bool {
         let highest = self.sea.highest();
-        highest > 0.0
-            && self.cells.iter().any(|cell| {
-                let height = self.up.dot(pose.point(cell.at)) - self.level;
-                height.abs() < highest + cell.height
-            })
+        let near = |lattice: &Lattice| {
+            let (reach, [lowest, top]) = (highest + lattice.height, lattice.grid(pose).heights(self.up));
+            lowest - self.level < reach && top - self.level > -reach
+        };
+        highest > 0.0 && self.lattices.iter().any(near)
     }
 
     /// Volume that is wet [m³].
     pub fn displaced(&self, pose: &Pose, time: f64) -> f64 {
-        self.wet_at(pose, time).map(|(cell, _, _, _, share)| share.value * cell.volume).sum()
+        let mut sum = 0.0;
+        self.shares(pose, time, |lattice, _, share| sum += share * lattice.volume);
+        sum
+    }
+
+    /// Visits all cells that are wet with their places from the body's origin [m] and shares.
+    fn shares(&self, pose: &Pose, time: f64, mut visit: impl FnMut(&Lattice, DVec3, f64)) {
+        for lattice in &self.lattices {
+            let Some(cells) = self.cells(lattice, pose, time, false) else { continue };
+            for cell in 0..cells.grid.count() {
+                let depth = cells.water[cell].height - cells.heights[cell];
+                let share = Share::at(depth, lattice.height).value;
+                if share > 0.0 {
+                    visit(lattice, cells.grid.place(cell) - pose.position, share);
+                }
+            }
+        }
     }
 }
 
@@ -361,33 +238,22 @@ impl Force for Submerged {
     }
 
     fn wrench(&self, at: &At) -> Wrench {
-        let mut sum = Wrench::default();
-        for wet in self.wet(at) {
-            let Wrench { force, moment } = wet.wrench();
-            sum.force += force;
-            sum.moment += moment;
-        }
-        sum
+        self.sum_wrench(at, false, Wet::wrench)
     }
 
     fn tangent(&self, at: &At) -> Tangent {
         let mut sum = Tangent::NONE;
-        for wet in self.wet(at) {
-            let around = self.around(&wet, at);
-            sum.place.add(1.0, &wet.derivative(|shift, turn| wet.moved(&around, shift, turn)));
+        self.each(at, true, |wet| {
+            sum.place.add(1.0, &wet.derivative(|shift, turn| wet.moved(shift, turn)));
             sum.velocity.add(1.0, &wet.derivative(|linear, spin| wet.sped(linear, spin)));
             let added = Square { linear: wet.added, ..Square::ZERO };
             sum.acceleration.add(-wet.share.value, &added.about(wet.arm));
-        }
+        });
         sum
     }
 
     fn energy(&self, pose: &Pose, _gravity: DVec3, _q: &[f64]) -> f64 {
-        let of_cell = |cell: &Cell| {
-            let depth = self.level - self.up.dot(pose.position + pose.rotation * cell.at);
-            cell.volume * Share::at(depth, cell.height).sum
-        };
-        self.weight * self.cells.iter().map(of_cell).sum::<f64>()
+        self.weight * self.at_rest(pose).map(|(lattice, _, share)| lattice.volume * share.sum).sum::<f64>()
     }
 
     fn energy_rate(&self, at: &At) -> f64 {
@@ -395,20 +261,12 @@ impl Force for Submerged {
     }
 
     fn over_time(&self, at: &At) -> Option<Wrench> {
-        if self.sea.components.is_empty() {
-            return None;
-        }
-        let mut sum = Wrench::default();
-        for wet in self.wet(at) {
-            let Wrench { force, moment } = wet.change(&wet.later(&self.around(&wet, at)));
-            sum.force += force;
-            sum.moment += moment;
-        }
-        Some(sum)
+        let has_waves = !self.sea.components.is_empty();
+        has_waves.then(|| self.sum_wrench(at, true, |wet| wet.change(&wet.later())))
     }
 
     fn loss(&self, at: &At) -> f64 {
-        self.wet(at).map(|wet| wet.loss()).sum()
+        self.sum(at, Wet::loss)
     }
 
     fn work(&self, at: &At) -> f64 {
@@ -417,19 +275,18 @@ impl Force for Submerged {
         }
         // The wrench and the energy of what is accelerated along are alike in v̇.
         let steady = At { rate: Twist::default(), ..*at };
-        let of_cell = |wet: Wet| wet.wrench().power(&at.twist) + wet.gathered() + wet.loss();
-        self.wet(&steady).map(of_cell).sum::<f64>() + self.energy_rate(at)
+        let of_cell = |wet: &Wet| wet.wrench().power(&at.twist) + wet.gathered() + wet.loss();
+        self.sum(&steady, of_cell) + self.energy_rate(at)
     }
 
     fn inertia(&self, kinematics: &Kinematics) -> Option<Square> {
         let pose = &kinematics.pose[self.body];
         let turn = pose.rotation;
         let mut sum = Square::ZERO;
-        for (cell, arm, _, _, share) in self.wet_at(pose, kinematics.time) {
-            let added = turn * DMat3::from_diagonal(cell.added) * turn.transpose();
-            let part = Square { linear: added, ..Square::ZERO };
-            sum.add(share.value, &part.about(arm));
-        }
+        self.shares(pose, kinematics.time, |lattice, arm, share| {
+            let added = turn * DMat3::from_diagonal(lattice.added) * turn.transpose();
+            sum.add(share, &Square { linear: added, ..Square::ZERO }.about(arm));
+        });
         Some(sum)
     }
 }

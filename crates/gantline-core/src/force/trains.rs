@@ -22,6 +22,8 @@ pub struct Component {
     pub frequency: f64,
     /// k [rad/m], world axes.
     pub wave_number: DVec2,
+    /// |k| [rad/m].
+    pub number: f64,
     /// a [m, of gusts m/s].
     pub amplitude: f64,
     /// ε [rad].

@@ -110,7 +110,7 @@ pub enum ForceSpec {
         /// Body that is lowered into it.
         body: String,
         /// What it is made of.
-        cells: Vec<CellSpec>,
+        lattices: Vec<LatticeSpec>,
         /// Density of the water [kg/m³].
         density: f64,
         /// Height of the still surface [m].
@@ -137,15 +137,19 @@ pub enum ForceSpec {
     },
 }
 
-/// A part of a load in water.
+/// Cells of a load in water, all alike, in layers of four: at ± `half` along x and y of the body.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct CellSpec {
-    /// Its middle [m], body frame.
+pub struct LatticeSpec {
+    /// Middle of the lowest layer [m], body frame.
     pub at: [f64; 3],
-    /// Half of the depth over which it gets wet [m].
+    /// See there [m].
+    pub half: [f64; 2],
+    /// From layer to layer along z of the body, and half of the depth over which a cell gets wet [m].
     pub height: f64,
-    /// Volume of water that it displaces [m³].
+    /// How many layers.
+    pub layers: usize,
+    /// Of one cell: volume of water that it displaces [m³].
     pub volume: f64,
     /// Added mass along the axes of the body [kg].
     pub added_mass: [f64; 3],

@@ -13,6 +13,7 @@ use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{Event, EventKind, EventLog};
+use crate::force;
 use crate::plan::Switching;
 use crate::record::Samples;
 use crate::record::columns::Columns;
@@ -56,7 +57,8 @@ impl StaticLift {
     /// [`SetupError`] says what is wrong with it.
     pub fn new(document: &str) -> Result<Self, SetupError> {
         let spec: SystemSpec = serde_json::from_str(document)?;
-        let (system, first) = build(&spec)?;
+        let (mut system, first) = build(&spec)?;
+        force::calm(&mut system.tree);
         if let Some(adjuster) = system.adjusters.first() {
             let name = &adjuster.name;
             let problem = format!("{name} adjusts lengths step by step, which statics does not know");

@@ -3,8 +3,8 @@
 use gantline_core::build::build;
 use gantline_core::force::AnyForce;
 use gantline_core::spec::{
-    BodySpec, CellSpec, ComponentSpec, DriveSpec, ForceSpec, MooringSpec, PhasorSpec, PumpedSpec, SystemSpec,
-    TrainsSpec,
+    BodySpec, ComponentSpec, DriveSpec, ForceSpec, LatticeSpec, MooringSpec, PhasorSpec, PumpedSpec,
+    SystemSpec, TrainsSpec,
 };
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
@@ -152,17 +152,19 @@ pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
             stream: [0.0; 3],
             gusty: false,
         };
-        let cell = |draw: &mut Draw| CellSpec {
+        let lattice = |draw: &mut Draw, layers: usize| LatticeSpec {
             at: at(draw),
-            height: 1.5 + draw.number(),
-            volume: draw.number().abs(),
-            added_mass: std::array::from_fn(|_| 10.0 * draw.number().abs()),
-            quadratic: std::array::from_fn(|_| 10.0 * draw.number().abs()),
+            half: [draw.number(), draw.number()],
+            height: 0.8 + 0.5 * draw.number(),
+            layers,
+            volume: 0.3 * draw.number().abs(),
+            added_mass: std::array::from_fn(|_| 3.0 * draw.number().abs()),
+            quadratic: std::array::from_fn(|_| 3.0 * draw.number().abs()),
         };
         let submerged = ForceSpec::Submerged {
             name: named("submerged", k),
             body: body(&mut draw),
-            cells: (0..4).map(|_| cell(&mut draw)).collect(),
+            lattices: vec![lattice(&mut draw, 1), lattice(&mut draw, 3)],
             density: 60.0,
             level: draw.number(),
             stream: if k == 0 { [0.0; 3] } else { draw.scaled(2.0) },
