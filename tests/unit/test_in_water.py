@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from gantline import simulate
 from gantline.assembly import assemble
 from gantline.cad.assumptions import STEEL
 from gantline.scenario import Scenario, ScenarioError, load_scenario, parse_scenario
@@ -107,3 +108,20 @@ def test_current_pushes_a_load_in_water() -> None:
     assert not any("pushes nothing" in doubt for doubt in assembly.warnings)
     (force,) = (force for force in assembly.document["forces"] if force["type"] == "submerged")
     assert force["stream"] == pytest.approx([0.0, 0.5, 0.0], abs=1e-12)
+
+
+def test_static_is_what_hangs_in_the_air() -> None:
+    """Where the load goes down without a hold, the mean over the time before the water reaches it, in place
+    of that at the end, which is ρ g V less.
+    """
+    plan = [
+        {"step": "lower", "lower": "crane", "speed": "12 m/min", "by": "14 m"},
+        {"step": "hold below", "hold": "until_end"},
+    ]
+    lift = load_scenario("splash_zone").changed(
+        {"plan": plan, "duration": "120 s", "waves.sea.significant_height": "20 cm"}
+    )
+    metrics = simulate(lift).metrics()
+    weight = (60e3 + 4 * 9 * 9.424 + 8 * 16) * 9.81
+    # Setting out at 0.2 m/s within 25 s in the air takes 0.2/(25 g) = 8e-4 of the mean.
+    assert metrics["static_hook_load"] == pytest.approx(weight, rel=1e-3)

@@ -9,8 +9,9 @@
   end. Where the loads do not end clear it is the last earlier time that they hung still: clear, all drives
   but tuggers and winches that slip at rest, for 5 s or more. In waves it takes three of their longest
   periods in place of 5 s, if that is more, in gusts 20 s. The mean is weighted by sin^2, zero at both
-  ends, so that a load that rings to and fro does not lift or lower it. The window of an equilibrium is its
-  last sample, whether the loads are clear or not.
+  ends, so that a load that rings to and fro does not lift or lower it. Where the loads hung still in water
+  alone, which bears a part of them, the longest time that they hung in the air counts too, moving or not.
+  The window of an equilibrium is its last sample, whether the loads are clear or not.
 - *quiet windows*: that, and all earlier times that the loads hung still.
 """
 
@@ -125,6 +126,24 @@ def _found_quiet(recording: Recording) -> list[BoolArray]:
     for time, kind, _ in recording.events():
         if kind in PARTING:
             clear[np.searchsorted(recording.time, time) :][:1] = False
+    found, wet = _hung_still(recording, clear), is_wet(recording)
+    if any(not (one & wet).any() for one in found) or not wet.any():
+        return found
+    in_air = [one for one in stretches(clear & ~wet) if _lasts(recording, one)]
+    return [max(in_air, key=np.count_nonzero), *found] if in_air else found
+
+
+def is_wet(recording: Recording) -> BoolArray:
+    """Samples at which water bears a part of any load, shape (time,)."""
+    wet = _no_sample(recording)
+    for load in recording.rig.loads:
+        if load.in_water is not None:
+            wet |= recording.column("displaced_volume", load.in_water) > 0.0
+    return wet
+
+
+def _hung_still(recording: Recording, clear: BoolArray) -> list[BoolArray]:
+    """Times that the loads hung still, given the samples at which they are clear."""
     last = trailing(clear)
     earlier = []
     if "energy" in recording and "drive_work" in recording.coordinates["energy_kind"]:
