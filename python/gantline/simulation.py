@@ -29,6 +29,7 @@ from gantline.results.immersion import (
     dry_hulls,
     feels_water,
     immersion_warnings,
+    loads_in_bed,
 )
 from gantline.results.longer_falls import longer_falls
 from gantline.results.metrics import energy_bound
@@ -356,6 +357,7 @@ class Simulation:
         water = self.scenario.water or Water()
         dry = {load: body for load, body in loads.items() if not feels_water(self.assembly.document, body)}
         warnings += immersion_warnings(columns, names, self.assembly.scene, dry, water.density, rig.sea)
+        warnings += loads_in_bed(columns, names, self.assembly.scene, loads, water.depth)
         warnings += askew_in_water(self.assembly.document, columns, names)
         warnings += dry_areas(self.assembly.document, columns, names, water.level)
         warnings += dry_hulls(self.assembly.document, columns, names)

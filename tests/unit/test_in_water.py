@@ -101,6 +101,14 @@ def test_a_load_that_floats_is_doubtful() -> None:
     assert any("the load floats: it weighs 60 t and displaces 71.75 t" in doubt for doubt in doubts)
 
 
+def test_added_mass_that_no_load_of_this_size_has_is_doubtful() -> None:
+    """1.025 t/m^3 (8 · 6 · 4 m^3 + (8 · 6 m^2)^1.5) = 538 t along z."""
+    sentence = "are more than the water in the load's box and about it, 538 t; a unit has slipped"
+    for along_z, is_doubtful in (("530 t", False), ("540 t", True)):
+        doubts = assemble(manifold(added_mass=["30 t", "40 t", along_z], slamming_coefficient="20")).warnings
+        assert any(f"540 t along z {sentence}" in doubt for doubt in doubts) is is_doubtful
+
+
 def test_current_pushes_a_load_in_water() -> None:
     """It is not told to push nothing, as where no body has `current_areas`."""
     current = {"current": {"speed": "0.5 m/s", "direction": "90 deg"}}

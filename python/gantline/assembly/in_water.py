@@ -60,6 +60,7 @@ def add_in_water(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoa
         }
     )
     parts.doubts += _floats(given, load, water.density)
+    parts.doubts += _too_much(given, box, water.density)
 
 
 def _volume(given: InWater, load: Load) -> float:
@@ -118,3 +119,19 @@ def _floats(given: InWater, load: Load, density: float) -> Iterator[Doubt]:
         carried, weighs = (format_by_size(mass, "mass", 4) for mass in (displaced, weight))
         sentence = f"the load floats: it weighs {weighs} and displaces {carried} of water"
         yield Doubt(("load", "in_water"), f"{sentence}; ropes go slack where it has sunk in so far")
+
+
+def _too_much(given: InWater, box: Array, density: float) -> Iterator[Doubt]:
+    """Of added mass beyond the water in the load's box and that of a plate as large as its side.
+
+    That of a round plate is 8/3 density radius^3, 0.48 density side^1.5 (Lamb, Hydrodynamics, 102); of
+    others of that area it is less. Twice as much leaves room for what surface and bed make of it.
+    """
+    lengths = np.ptp(box, axis=0)
+    for axis, mass in enumerate(given.added_mass):
+        side = float(np.prod(np.delete(lengths, axis)))
+        most = density * (float(np.prod(lengths)) + side**1.5)
+        if mass > most:
+            shown, room = (format_by_size(one, "mass", 3) for one in (mass, most))
+            sentence = f"{shown} along {'xyz'[axis]} are more than the water in the load's box and about it"
+            yield Doubt(("load", "in_water", "added_mass"), f"{sentence}, {room}; a unit has slipped")

@@ -14,7 +14,7 @@ from gantline.results.surroundings import SIGNS, ground_in, is_cut
 from gantline.results.variable import Columns, FloatArray, Names
 from gantline.units import format_by_size
 
-__all__ = ["askew_in_water", "dry_areas", "dry_hulls", "feels_water", "immersion_warnings"]
+__all__ = ["askew_in_water", "dry_areas", "dry_hulls", "feels_water", "immersion_warnings", "loads_in_bed"]
 
 #: How deep a load may dip, and an area come out, without a word [m]: contact and slings give that much.
 _DIPS = 0.01
@@ -54,14 +54,11 @@ def immersion_warnings(
     drawn = {body["name"]: body for body in scene.get("bodies") or ()}
     warnings = []
     for load, body in loads.items():
-        skin = skin_of(drawn.get(body))
-        if not len(skin):
+        box = _box(drawn.get(body))
+        if box is None:
             continue
-        # A load from CAD by the box about it: thousands of points at every sample are too many.
-        least, most = skin.min(axis=(0, 1)), skin.max(axis=(0, 1))
+        (least, most), (place, turn) = box, _course(columns, names, body)
         middle, half = (least + most) / 2, (most - least) / 2
-        at = list(names["body"]).index(body)
-        place, turn = columns["body_position"][:, at], axes(columns["body_orientation"][:, at])
         # Heights of its corners over its centre of gravity.
         heights = turn[:, 2] @ (middle + SIGNS * half).T
         deep = float(water["level"]) - (place[:, 2] + heights.min(axis=1))
@@ -83,6 +80,43 @@ def immersion_warnings(
                 since = f"at {columns['time'][reached[0]]:.2f} s"
                 high = f"up to {crests.max():.2f} m above its lowest point"
                 warnings.append(f"waves reach {load} {since}, {high}; {without}")
+    return warnings
+
+
+def loads_in_bed(
+    columns: Columns, names: Names, scene: Mapping[str, Any], loads: Mapping[str, str], depth: float | None
+) -> list[str]:
+    """A sentence for each load of which part goes under the bed of the water, where no ground meets it.
+
+    Args:
+        columns: Columns of the core by name.
+        names: Names along their dimensions.
+        scene: What is drawn, with the level of the water where there is some, and the ground.
+        loads: Their bodies by name.
+        depth: Of the water [m]; None if not known.
+    """
+    water, ground = scene.get("water"), ground_in(scene)
+    if not water or depth is None or not len(columns["time"]):
+        return []
+    bed = float(water["level"]) - depth
+    drawn = {body["name"]: body for body in scene.get("bodies") or ()}
+    warnings = []
+    for load, body in loads.items():
+        box = _box(drawn.get(body))
+        if box is None:
+            continue
+        (least, most), (place, turn) = box, _course(columns, names, body)
+        corners = turn[:, 2] @ ((least + most) / 2 + SIGNS * (most - least) / 2).T
+        under = bed - (place[:, 2] + corners.min(axis=1))
+        if ground is not None:
+            # Ground at the bed, or a structure on it, gives as much as the load sinks in.
+            under = np.where(ground.under(place) >= bed - _DIPS, 0.0, under)
+        reached = np.flatnonzero(under > _DIPS)
+        if reached.size:
+            when = f"at {columns['time'][reached[0]]:.2f} s, up to {under.max():.2f} m deep"
+            bottom = f"'ground: {{level: {bed:g} m}}'"
+            sentence = f"{load} goes into the bed of the water {when}: nothing holds it there"
+            warnings.append(f"{sentence}; {bottom} would, or see the 'depth' of the 'water'")
     return warnings
 
 
@@ -168,6 +202,21 @@ def dry_hulls(document: Mapping[str, Any], columns: Columns, names: Names) -> li
             slow = "so that it swings and bounces otherwise than in air"
             warnings.append(f"the hull of {body} is out of the water, {first}: {acts}, {slow}")
     return warnings
+
+
+def _box(body: Mapping[str, Any] | None) -> tuple[FloatArray, FloatArray] | None:
+    """Least and largest x, y, z of a drawn body from its centre of gravity [m]; None of one without a solid.
+
+    A load from CAD by the box about it: thousands of points at every sample are too many.
+    """
+    skin = skin_of(body)
+    return (skin.min(axis=(0, 1)), skin.max(axis=(0, 1))) if len(skin) else None
+
+
+def _course(columns: Columns, names: Names, body: str) -> tuple[FloatArray, FloatArray]:
+    """Places of a body's centre of gravity (time, 3) [m], and its axes (time, 3, 3)."""
+    at = list(names["body"]).index(body)
+    return columns["body_position"][:, at], axes(columns["body_orientation"][:, at])
 
 
 def _highest(sea: Sea) -> float:

@@ -21,13 +21,18 @@ _ELSEWHERE = {
 }
 #: Keys by other words, which are not written like them; the first that may stand there is meant.
 _MEANT = {
+    "buoyancy": ("displaced_volume",),
+    "ca": ("added_mass",),
     "capacity": ("rated_capacity", "working_load_limit"),
+    "cd": ("drag_coefficients",),
     "cog": ("centre_of_gravity",),
+    "cs": ("slamming_coefficient",),
     "dimensions": ("shape",),
     "disconnect": ("detach",),
     "distance": ("by",),
     "connect": ("attach",),
     "daf": ("dynamic_amplification_factor",),
+    "drag": ("drag_coefficients",),
     "during": ("from_step",),
     "ea": ("axial_stiffness",),
     "gamma": ("peak_enhancement",),
@@ -47,6 +52,7 @@ _MEANT = {
     "size": ("shape",),
     "skl": ("skew_load_factor",),
     "slack": ("slings",),
+    "slamming": ("slamming_coefficient",),
     "steps": ("plan",),
     "stiffness": ("axial_stiffness", "stops"),
     "take_off": ("detach",),
@@ -54,6 +60,7 @@ _MEANT = {
     "tilt": ("load_tilt",),
     "tp": ("peak_period",),
     "unhook": ("detach",),
+    "volume": ("displaced_volume",),
     "weight": ("mass",),
     "wll": ("working_load_limit", "rated_capacity", "capacity"),
     # <!-- words: off -->
@@ -75,7 +82,20 @@ _INSTEAD = {
         "along"
     },
     "the load": dict.fromkeys(
-        ("added_mass", "buoyancy", "drag", "drag_coefficient", "hull", "volume", "water_damping"), _WET
+        (
+            "added_mass",
+            "buoyancy",
+            "displaced_volume",
+            "drag",
+            "drag_coefficient",
+            "drag_coefficients",
+            "hull",
+            "slamming",
+            "slamming_coefficient",
+            "volume",
+            "water_damping",
+        ),
+        _WET,
     ),
     "a hoist": dict.fromkeys(("ahc", "active_heave_compensation", "heave_compensation"), _HEAVE),
 }

@@ -143,6 +143,11 @@ pub trait Force {
         0.0
     }
 
+    /// Both, for one whose looks at the water are dear.
+    fn powers(&self, at: &At) -> [f64; 2] {
+        [self.loss(at), self.work(at)]
+    }
+
     /// Degree of freedom of a flow that it depends on as well and acts on: line that a winch has paid out [m], or what
     /// has been pumped into a tank [kg]. The flow hangs on the body.
     fn flow(&self) -> Option<usize> {
@@ -317,11 +322,7 @@ pub fn turning_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
 
 /// What waves and current put into loads in the water, beside [`turning_work`] [W].
 pub fn submerged_work(tree: &Tree, kinematics: &Kinematics, v: &[f64]) -> f64 {
-    let power = |load: &Submerged| {
-        let at = under(tree, kinematics, load.body, v);
-        load.resisting(&at).power(&at.twist) + load.loss(&at)
-    };
-    submerged(tree).map(power).sum()
+    submerged(tree).map(|load| load.pushed(&under(tree, kinematics, load.body, v))).sum()
 }
 
 /// The same of waves, whose forces are those under the velocity coordinates `felt`.

@@ -95,17 +95,27 @@ impl Trains {
         }
     }
 
-    /// Sets `out` to how that changes; `water` is what is there.
-    pub fn water_change(
+    /// Sets `out` to the height of the surface over every cell at `time` [s], that of [`Trains::water`] [m].
+    pub fn surface(&self, grid: &Grid, time: f64, out: &mut [f64]) {
+        out.fill(0.0);
+        for wave in &self.components {
+            grid.phases(wave, time, |cell, (_, cos)| out[cell] += wave.amplitude * cos);
+        }
+        let (g, _) = self.growth(time);
+        for height in out {
+            *height *= g;
+        }
+    }
+
+    /// Sets in `out` how that changes with the place.
+    pub fn over_place(
         &self,
         grid: &Grid,
         time: f64,
         (up, heights): (DVec3, &[f64]),
-        water: &[Water],
         out: &mut [WaterChange],
     ) {
-        out.fill(WaterChange::NONE);
-        let ((g, growing), bending) = (self.growth(time), self.growth_bend(time));
+        let (g, growing) = self.growth(time);
         let bed = -self.depth.unwrap_or(f64::INFINITY);
         let mut decays = [[0.0; 2]; CELLS];
         for wave in &self.components {
@@ -121,12 +131,34 @@ impl Trains {
                     *bend -= product * high * cos;
                 }
                 sum.slope_rate += k * (swing * cos - growing * wave.amplitude * sin);
-                sum.rate_rate -=
-                    pull * cos - 2.0 * growing * wave.amplitude * w * sin - bending * wave.amplitude * cos;
                 sum.gradient[0] += outer(along * swing, up * (c_slope * cos) - ahead * (c * sin))
                     + outer(up * swing, up * (s_slope * sin) + ahead * (s * cos));
                 sum.gradient[1] += outer(along * pull, up * (c_slope * sin) + ahead * (c * cos))
                     - outer(up * pull, up * (s_slope * cos) - ahead * (s * sin));
+            });
+        }
+    }
+
+    /// Sets in `out` how it changes as time goes on; `water` is what is there.
+    pub fn over_time(
+        &self,
+        grid: &Grid,
+        time: f64,
+        (up, heights, water): (DVec3, &[f64], &[Water]),
+        out: &mut [WaterChange],
+    ) {
+        let ((g, growing), bending) = (self.growth(time), self.growth_bend(time));
+        let mut decays = [[0.0; 2]; CELLS];
+        for wave in &self.components {
+            grid.decays(self, wave, (up, heights), &mut decays);
+            let (k, w) = (wave.wave_number, wave.frequency);
+            let along = (k / wave.number).extend(0.0);
+            grid.phases(wave, time, |cell, (sin, cos)| {
+                let (sum, [c, s]) = (&mut out[cell], decays[cell]);
+                let [swing, pull] = [w, w * w].map(|factor| g * wave.amplitude * factor);
+                sum.slope_rate += k * (swing * cos - growing * wave.amplitude * sin);
+                sum.rate_rate -=
+                    pull * cos - 2.0 * growing * wave.amplitude * w * sin - bending * wave.amplitude * cos;
                 sum.pace[1] -= along * (w * pull * c * cos) + up * (w * pull * s * sin);
             });
         }

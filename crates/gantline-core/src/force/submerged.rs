@@ -69,11 +69,19 @@ struct Cells {
     changes: [WaterChange; CELLS],
 }
 
+/// Over what changes of the water are asked for.
+#[derive(Debug, Clone, Copy)]
+enum Over {
+    Nothing,
+    Place,
+    Time,
+}
+
 impl Submerged {
-    /// Cells of a lattice with the water at `time` [s], and if asked for how it changes; none where all are dry.
-    fn cells(&self, lattice: &Lattice, pose: &Pose, time: f64, changing: bool) -> Option<Cells> {
+    /// Cells of a lattice with the water at `time` [s] and how it changes; none where all are dry.
+    fn cells(&self, lattice: &Lattice, pose: &Pose, time: f64, over: Over) -> Option<Cells> {
         let (grid, up, sea) = (lattice.grid(pose), self.up, &self.sea);
-        if grid.heights(up)[0] - self.level > sea.highest() + lattice.height {
+        if self.is_above_waves(lattice, &grid) {
             return None;
         }
         let count = grid.count();
@@ -89,18 +97,31 @@ impl Submerged {
         }
         if !sea.components.is_empty() {
             sea.water(&grid, time, (up, heights), &mut water[..count]);
-            if changing {
-                sea.water_change(&grid, time, (up, heights), &water[..count], &mut changes[..count]);
+            let (water, changes) = (&water[..count], &mut changes[..count]);
+            match over {
+                Over::Nothing => {}
+                Over::Place => sea.over_place(&grid, time, (up, heights), changes),
+                Over::Time => sea.over_time(&grid, time, (up, heights, water), changes),
             }
         }
         Some(cells)
     }
 
-    /// Visits all wet cells; if asked for with how the water there changes.
-    fn each(&self, at: &At, changing: bool, mut visit: impl FnMut(&Wet)) {
+    /// True where no crest gets to a cell.
+    fn is_above_waves(&self, lattice: &Lattice, grid: &Grid) -> bool {
+        grid.heights(self.up)[0] - self.level > self.sea.highest() + lattice.height
+    }
+
+    /// True where no trough gets to a cell, so that all are wholly wet.
+    fn is_below_waves(&self, lattice: &Lattice, grid: &Grid) -> bool {
+        grid.heights(self.up)[1] - self.level < -(self.sea.highest() + lattice.height)
+    }
+
+    /// Visits all wet cells, with how the water there changes.
+    fn each(&self, at: &At, over: Over, mut visit: impl FnMut(&Wet)) {
         let (turn, up, spin) = (at.pose.rotation, self.up, at.twist.angular);
         for lattice in &self.lattices {
-            let Some(cells) = self.cells(lattice, at.pose, at.time, changing) else { continue };
+            let Some(cells) = self.cells(lattice, at.pose, at.time, over) else { continue };
             let own = |axes: DVec3| turn * DMat3::from_diagonal(axes) * turn.transpose();
             let (added, resists) = (own(lattice.added), own(lattice.drag));
             for cell in 0..cells.grid.count() {
@@ -147,14 +168,14 @@ impl Submerged {
     /// Σ of what a wet cell has.
     fn sum(&self, at: &At, of: impl Fn(&Wet) -> f64) -> f64 {
         let mut sum = 0.0;
-        self.each(at, false, |wet| sum += of(wet));
+        self.each(at, Over::Nothing, |wet| sum += of(wet));
         sum
     }
 
     /// The same of wrenches.
-    fn sum_wrench(&self, at: &At, changing: bool, of: impl Fn(&Wet) -> Wrench) -> Wrench {
+    fn sum_wrench(&self, at: &At, over: Over, of: impl Fn(&Wet) -> Wrench) -> Wrench {
         let mut sum = Wrench::default();
-        self.each(at, changing, |wet| {
+        self.each(at, over, |wet| {
             let Wrench { force, moment } = of(wet);
             sum.force += force;
             sum.moment += moment;
@@ -191,6 +212,11 @@ impl Submerged {
         Wrench { force: whole.force - still.force, moment: whole.moment - still.moment }
     }
 
+    /// What waves and current put in beside [`Submerged::gathered`] under a velocity alone [W].
+    pub fn pushed(&self, at: &At) -> f64 {
+        self.sum(at, |wet| wet.wrench().power(&at.twist) + wet.loss()) + self.energy_rate(at)
+    }
+
     /// How fast the energy of the water that is accelerated along would grow if the body's velocity stayed [W].
     pub fn gathered(&self, at: &At) -> f64 {
         self.sum(at, Wet::gathered)
@@ -198,12 +224,11 @@ impl Submerged {
 
     /// True where the surface of the waves may pass one of its cells.
     pub fn may_be_passed(&self, pose: &Pose) -> bool {
-        let highest = self.sea.highest();
         let near = |lattice: &Lattice| {
-            let (reach, [lowest, top]) = (highest + lattice.height, lattice.grid(pose).heights(self.up));
-            lowest - self.level < reach && top - self.level > -reach
+            let grid = lattice.grid(pose);
+            !self.is_above_waves(lattice, &grid) && !self.is_below_waves(lattice, &grid)
         };
-        highest > 0.0 && self.lattices.iter().any(near)
+        !self.sea.components.is_empty() && self.lattices.iter().any(near)
     }
 
     /// Volume that is wet [m³].
@@ -216,12 +241,20 @@ impl Submerged {
     /// Visits all cells that are wet with their places from the body's origin [m] and shares.
     fn shares(&self, pose: &Pose, time: f64, mut visit: impl FnMut(&Lattice, DVec3, f64)) {
         for lattice in &self.lattices {
-            let Some(cells) = self.cells(lattice, pose, time, false) else { continue };
-            for cell in 0..cells.grid.count() {
-                let depth = cells.water[cell].height - cells.heights[cell];
-                let share = Share::at(depth, lattice.height).value;
+            let grid = lattice.grid(pose);
+            if self.is_above_waves(lattice, &grid) {
+                continue;
+            }
+            let mut surface = [0.0; CELLS];
+            // Below the waves all is wholly wet under still water too.
+            if !self.is_below_waves(lattice, &grid) {
+                self.sea.surface(&grid, time, &mut surface[..grid.count()]);
+            }
+            for (cell, height) in surface.iter().enumerate().take(grid.count()) {
+                let place = grid.place(cell);
+                let share = Share::at(height - (self.up.dot(place) - self.level), lattice.height).value;
                 if share > 0.0 {
-                    visit(lattice, cells.grid.place(cell) - pose.position, share);
+                    visit(lattice, place - pose.position, share);
                 }
             }
         }
@@ -238,12 +271,12 @@ impl Force for Submerged {
     }
 
     fn wrench(&self, at: &At) -> Wrench {
-        self.sum_wrench(at, false, Wet::wrench)
+        self.sum_wrench(at, Over::Nothing, Wet::wrench)
     }
 
     fn tangent(&self, at: &At) -> Tangent {
         let mut sum = Tangent::NONE;
-        self.each(at, true, |wet| {
+        self.each(at, Over::Place, |wet| {
             sum.place.add(1.0, &wet.derivative(|shift, turn| wet.moved(shift, turn)));
             sum.velocity.add(1.0, &wet.derivative(|linear, spin| wet.sped(linear, spin)));
             let added = Square { linear: wet.added, ..Square::ZERO };
@@ -262,7 +295,7 @@ impl Force for Submerged {
 
     fn over_time(&self, at: &At) -> Option<Wrench> {
         let has_waves = !self.sea.components.is_empty();
-        has_waves.then(|| self.sum_wrench(at, true, |wet| wet.change(&wet.later())))
+        has_waves.then(|| self.sum_wrench(at, Over::Time, |wet| wet.change(&wet.later())))
     }
 
     fn loss(&self, at: &At) -> f64 {
@@ -270,13 +303,23 @@ impl Force for Submerged {
     }
 
     fn work(&self, at: &At) -> f64 {
+        let [_, work] = self.powers(at);
+        work
+    }
+
+    fn powers(&self, at: &At) -> [f64; 2] {
         if self.sea.components.is_empty() && self.stream == DVec3::ZERO {
-            return 0.0;
+            return [self.loss(at), 0.0];
         }
         // The wrench and the energy of what is accelerated along are alike in v̇.
         let steady = At { rate: Twist::default(), ..*at };
-        let of_cell = |wet: &Wet| wet.wrench().power(&at.twist) + wet.gathered() + wet.loss();
-        self.sum(&steady, of_cell) + self.energy_rate(at)
+        let (mut lost, mut given) = (0.0, 0.0);
+        self.each(&steady, Over::Nothing, |wet| {
+            let loss = wet.loss();
+            lost += loss;
+            given += wet.wrench().power(&at.twist) + wet.gathered() + loss;
+        });
+        [lost, given + self.energy_rate(at)]
     }
 
     fn inertia(&self, kinematics: &Kinematics) -> Option<Square> {

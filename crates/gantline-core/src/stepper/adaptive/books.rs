@@ -151,13 +151,13 @@ impl Adaptive {
         }
         for force in &system.tree.forces {
             let at = probe.dynamics.at(&system.tree, &probe.frame.kinematics, force.body());
-            let lost = duration * force.loss(&at);
+            let [lost, given] = force.powers(&at).map(|power| duration * power);
             if matches!(force, AnyForce::Mooring(_)) {
                 ledger.rope_damping += lost;
             } else {
                 ledger.drag += lost;
             }
-            ledger.fluid_work += duration * force.work(&at);
+            ledger.fluid_work += given;
         }
     }
 
