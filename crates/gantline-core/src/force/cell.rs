@@ -57,7 +57,7 @@ pub(super) struct Wet {
     /// c |w| Rᵀw in world axes, and its derivative over w.
     pub(super) drag: DVec3,
     pub(super) drag_slope: DMat3,
-    /// W − I − D of what is wholly wet, see [`Wet::whole`].
+    /// Pressure less inertia and drag of all of it, without s.
     pub(super) whole: DVec3,
 }
 
