@@ -33,6 +33,13 @@ def test_it_is_told_where_nothing_holds_it() -> None:
     assert float(found.split("up to ")[1].split(" m")[0]) == pytest.approx(DEEP - 12.0, abs=0.01)
 
 
+def test_statics_tells_it_too() -> None:
+    """At rest at the end of the plan."""
+    statics = gantline.Statics(load_scenario("splash_zone").changed({"water.depth": "12 m"}))
+    warnings = statics.equilibrium().recording.attributes["warnings"]
+    assert any("manifold goes into the bed of the water" in one for one in warnings)
+
+
 @pytest.mark.parametrize("changes", [{}, {"water.depth": "12 m", "ground": {"level": "-12 m"}}])
 def test_nothing_is_told_where_the_water_is_deep_or_ground_holds_it(changes: dict[str, Any]) -> None:
     """40 m of water, and ground at the bed on which it is set down."""

@@ -18,7 +18,7 @@ from gantline.assembly import assemble
 from gantline.assembly.origin import FALLS, refused, with_advice
 from gantline.overrides import is_number
 from gantline.results.derive import recording_of
-from gantline.results.immersion import dry_hulls
+from gantline.results.immersion import dry_hulls, loads_in_bed
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, at_rest
 from gantline.scenario import Scenario, load_scenario
@@ -442,6 +442,10 @@ class Statics:
     def _recording(self, status: str) -> Recording:
         # Freeboard is not against a wave that passes at that time of the plan, nor wind a gust.
         columns, names = self._core.columns(), self._core.names()
+        loads = {load.name: load.body for load in self.rig.loads}
+        depth = None if self.scenario.water is None else self.scenario.water.depth
+        warnings = [*self.assembly.warnings, *dry_hulls(self.assembly.document, columns, names)]
+        warnings += loads_in_bed(columns, names, self.assembly.scene, loads, depth)
         return recording_of(
             columns,
             names,
@@ -451,7 +455,7 @@ class Statics:
             scenario=self.scenario.text,
             settings=self.assembly.settings,
             axial_stiffness=self._stiffness(),
-            warnings=[*self.assembly.warnings, *dry_hulls(self.assembly.document, columns, names)],
+            warnings=warnings,
             scene=self.assembly.scene,
             counters={},
             status=status,
