@@ -25,11 +25,11 @@ from gantline.results.flows import drum_warnings
 from gantline.results.grounding import grounding_warnings
 from gantline.results.immersion import (
     askew_in_water,
-    dry_areas,
     dry_hulls,
     feels_water,
     immersion_warnings,
     loads_in_bed,
+    misplaced_areas,
 )
 from gantline.results.longer_falls import longer_falls
 from gantline.results.metrics import energy_bound
@@ -359,7 +359,7 @@ class Simulation:
         warnings += immersion_warnings(columns, names, self.assembly.scene, dry, water.density, rig.sea)
         warnings += loads_in_bed(columns, names, self.assembly.scene, loads, water.depth)
         warnings += askew_in_water(self.assembly.document, columns, names)
-        warnings += dry_areas(self.assembly.document, columns, names, water.level)
+        warnings += misplaced_areas(self.assembly.document, columns, names, water.level)
         warnings += dry_hulls(self.assembly.document, columns, names)
         if len(columns["time"]):
             at_start, turned = (

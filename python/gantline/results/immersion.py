@@ -14,14 +14,21 @@ from gantline.results.surroundings import SIGNS, ground_in, is_cut
 from gantline.results.variable import Columns, FloatArray, Names
 from gantline.units import format_by_size
 
-__all__ = ["askew_in_water", "dry_areas", "dry_hulls", "feels_water", "immersion_warnings", "loads_in_bed"]
+__all__ = [
+    "askew_in_water",
+    "dry_hulls",
+    "feels_water",
+    "immersion_warnings",
+    "loads_in_bed",
+    "misplaced_areas",
+]
 
 #: How deep a load may dip, and an area come out, without a word [m]: contact and slings give that much.
 _DIPS = 0.01
 #: How far from upright a load's layers still lie about level [rad].
 _ASKEW = np.radians(45.0)
 #: What is between body and area in the name of a force.
-_CURRENT = ".current_areas."
+_CURRENT, _WIND = ".current_areas.", ".wind_areas."
 #: What water does to a body wherever it is, by the end of the name of its force.
 _OF_WATER = {"added_mass": "added mass", "water_damping": "water damping", "radiation": "memory of the water"}
 #: Points of a box of twice the size 1 at which waves are looked at: corners, middles of sides and edges.
@@ -151,8 +158,8 @@ def askew_in_water(document: Mapping[str, Any], columns: Columns, names: Names) 
     return warnings
 
 
-def dry_areas(document: Mapping[str, Any], columns: Columns, names: Names, level: float) -> list[str]:
-    """A sentence for each current area that comes out of still water.
+def misplaced_areas(document: Mapping[str, Any], columns: Columns, names: Names, level: float) -> list[str]:
+    """A sentence for each current area that comes out of still water, and each wind area that goes into it.
 
     Args:
         document: What has been assembled of the lift.
@@ -165,18 +172,23 @@ def dry_areas(document: Mapping[str, Any], columns: Columns, names: Names, level
     bodies = {body["name"]: body for body in document.get("bodies", ())}
     warnings = []
     for force in document.get("forces", ()):
-        body, _, area = str(force["name"]).partition(_CURRENT)
-        if not area:
+        kind = next((kind for kind in (_CURRENT, _WIND) if kind in str(force["name"])), None)
+        if kind is None:
             continue
+        body, _, area = str(force["name"]).partition(kind)
         arm = np.asarray(force["at"]) - bodies[body].get("centre_of_gravity", (0.0, 0.0, 0.0))
-        at = list(names["body"]).index(body)
-        up = axes(columns["body_orientation"][:, at])[:, 2]
-        height = columns["body_position"][:, at, 2] + up @ arm - level
-        if height.max() > _DIPS:
-            first = columns["time"][np.argmax(height > _DIPS)]
-            where = f"up to {height.max():.2f} m above the water, first at {first:.2f} s"
-            as_in = "it resists and is pushed there as in water, which damps motion as air does not"
-            warnings.append(f"the current area {area} of {body} is {where}: {as_in}")
+        place, turn = _course(columns, names, body)
+        height = place[:, 2] + turn[:, 2] @ arm - level
+        off = height if kind == _CURRENT else -height
+        if off.max() > _DIPS:
+            first = columns["time"][np.argmax(off > _DIPS)]
+            beyond = "above" if kind == _CURRENT else "under"
+            where = f"up to {off.max():.2f} m {beyond} the water, first at {first:.2f} s"
+            if kind == _CURRENT:
+                as_if = "it resists and is pushed there as in water, which damps motion as air does not"
+                warnings.append(f"the current area {area} of {body} is {where}: {as_if}")
+            else:
+                warnings.append(f"the wind area {area} of {body} is {where}: wind pushes it there as in air")
     return warnings
 
 
