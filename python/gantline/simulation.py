@@ -359,7 +359,8 @@ class Simulation:
         warnings += immersion_warnings(columns, names, self.assembly.scene, dry, water.density, rig.sea)
         warnings += loads_in_bed(columns, names, self.assembly.scene, loads, water.depth)
         warnings += askew_in_water(self.assembly.document, columns, names)
-        warnings += misplaced_areas(self.assembly.document, columns, names, water.level)
+        has_water = self.assembly.scene.get("water") is not None
+        warnings += misplaced_areas(self.assembly.document, columns, names, water.level, has_water=has_water)
         warnings += dry_hulls(self.assembly.document, columns, names)
         if len(columns["time"]):
             at_start, turned = (

@@ -31,3 +31,16 @@ def test_it_is_told_once_it_goes_under(duration: str, is_told: bool) -> None:
     if found:
         assert "m under the water, first at" in found[0]
         assert float(found[0].split("up to ")[1].split(" m")[0]) == pytest.approx(6.11, abs=0.02)
+
+
+def test_nothing_is_told_where_there_is_no_water() -> None:
+    """What is below the zero of a yard, as in a dry dock, is in the air: 9 m below a load that is at 0."""
+    lift = load_scenario("spreader_bar").changed(
+        {
+            "wind": {"speed": "8 m/s", "direction": "90 deg"},
+            "load.wind_areas": {"side": {**AREA, "at": ["0 m", "0 m", "-9 m"]}},
+            "duration": "20 s",
+        }
+    )
+    recording = gantline.simulate(lift)
+    assert not [one for one in recording.attributes["warnings"] if "under the water" in one]

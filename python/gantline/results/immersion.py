@@ -158,7 +158,9 @@ def askew_in_water(document: Mapping[str, Any], columns: Columns, names: Names) 
     return warnings
 
 
-def misplaced_areas(document: Mapping[str, Any], columns: Columns, names: Names, level: float) -> list[str]:
+def misplaced_areas(
+    document: Mapping[str, Any], columns: Columns, names: Names, level: float, *, has_water: bool
+) -> list[str]:
     """A sentence for each current area that comes out of still water, and each wind area that goes into it.
 
     Args:
@@ -166,13 +168,15 @@ def misplaced_areas(document: Mapping[str, Any], columns: Columns, names: Names,
         columns: Columns of the core by name.
         names: Names along their dimensions.
         level: Of the water [m].
+        has_water: Whether there is any: wind pushes in a dry dock as well.
     """
     if not len(columns["time"]):
         return []
+    kinds = (_CURRENT, _WIND) if has_water else (_CURRENT,)
     bodies = {body["name"]: body for body in document.get("bodies", ())}
     warnings = []
     for force in document.get("forces", ()):
-        kind = next((kind for kind in (_CURRENT, _WIND) if kind in str(force["name"])), None)
+        kind = next((kind for kind in kinds if kind in str(force["name"])), None)
         if kind is None:
             continue
         body, _, area = str(force["name"]).partition(kind)
