@@ -286,7 +286,7 @@ def test_a_folder_in_place_of_a_recording(tmp_path: Path) -> None:
 def test_what_is_no_recording_is_refused(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match="no such file"):
         gantline.open_recording(tmp_path / "none.nc")
-    with pytest.raises(FileNotFoundError, match="no such file"):
+    with pytest.raises(FileNotFoundError, match="is a folder without a recording"):
         gantline.open_recording(tmp_path)
     text = tmp_path / "text.nc"
     text.write_text("not a recording")
