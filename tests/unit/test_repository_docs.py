@@ -21,6 +21,31 @@ def page(path: str) -> str:
     return (ROOT / "docs" / path).read_text(encoding="utf-8")
 
 
+def pages_left_out(folder: Path) -> list[str]:
+    """Pages [path without suffix] that no list of contents leads to, which a reader would not find."""
+    listed: set[Path] = set()
+    for path in folder.rglob("*.md"):
+        for block in re.findall(r"```\{toctree\}\n(.*?)```", path.read_text(encoding="utf-8"), re.DOTALL):
+            entries = [
+                line.strip() for line in block.splitlines() if line.strip() and not line.startswith(":")
+            ]
+            listed |= {(path.parent / entry.split("<")[-1].rstrip(">")).resolve() for entry in entries}
+    pages = {path.resolve().with_suffix("") for path in folder.rglob("*.md")}
+    return sorted(
+        str(path.relative_to(folder.resolve())) for path in pages - listed - {folder.resolve() / "index"}
+    )
+
+
+def test_every_page_is_in_a_list_of_contents(tmp_path: Path) -> None:
+    assert pages_left_out(ROOT / "docs") == []
+    (tmp_path / "index.md").write_text(
+        "# All\n\n```{toctree}\n:maxdepth: 1\n\nfound\n```\n", encoding="utf-8"
+    )
+    for name in ("found", "forgotten"):
+        (tmp_path / f"{name}.md").write_text(f"# {name}\n", encoding="utf-8")
+    assert pages_left_out(tmp_path) == ["forgotten"]
+
+
 def test_every_verb_and_option_is_documented() -> None:
     text = page("reference/command_line.md")
     group = typer.main.get_command(app)
