@@ -11,6 +11,7 @@ import numpy.typing as npt
 from gantline.assembly.databases import from_database
 from gantline.assembly.mean_drift import mean_drift
 from gantline.assembly.parts import Json, Parts
+from gantline.assembly.steepness import doubts_of_steepness, refuse_breaking
 from gantline.assembly.trains import Train
 from gantline.assembly.vessels import vessel_hull
 from gantline.hydro.database import AXES, DatabaseError, ForcesAround, HydrodynamicDatabase
@@ -27,17 +28,12 @@ __all__ = ["add_waves"]
 Complex = npt.NDArray[np.complex128]
 Array = npt.NDArray[np.float64]
 
-#: Height over length at which a regular wave breaks in deep water: Michell 1893.
-_BREAKS = 0.142
 #: Waves grow over so many of their longest period.
 _PERIODS_TO_GROW = 3.0
 #: Share of the energy of a sea that may be of waves shorter than a database knows.
 _MOST_UNKNOWN = 0.2
 #: The same that goes without saying.
 _SILENT = 0.05
-#: A sea is no steeper, height over length in deep water by the peak, linear between these peaks [s]:
-#: DNV-RP-C205, 3.5.4.
-_STEEPEST = ((8.0, 15.0), (1.0 / 15.0, 1.0 / 25.0))
 #: Added mass and damping of another period than the waves' by more than this share are doubtful.
 _OTHER_PERIOD = 0.25
 #: Share of motions that may be by waves that a file has none close to, without saying.
@@ -54,8 +50,7 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     """
     if not scenario.waves:
         return
-    for name, waves in scenario.waves.items():
-        _refuse_breaking(scenario, name, waves)
+    refuse_breaking(scenario)
     trains = {name: _train(scenario, name, waves) for name, waves in scenario.waves.items()}
     listed = [wave for train in trains.values() for wave in train.document]
     rise_time = _PERIODS_TO_GROW * max(train.main_period for train in scenario.waves.values())
@@ -66,7 +61,7 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
         parts.forces += [force, *mean]
         parts.doubts += _other_period(scenario, name, vessel)
         parts.doubts += _drifting(scenario, name, vessel, drifts=bool(force["drifts"]))
-    parts.doubts += _idle(scenario, moved) + _steep(scenario)
+    parts.doubts += _idle(scenario, moved) + doubts_of_steepness(scenario)
 
 
 def _train(scenario: Scenario, name: str, given: WaveTrain) -> Train:
@@ -226,20 +221,6 @@ def _sparse(
     return [f"{sentence} and shorter, {shown}; forces between them may be a tenth and more off"]
 
 
-def _refuse_breaking(scenario: Scenario, name: str, train: WaveTrain) -> None:
-    """No wave is higher than 0.142 λ tanh κd: Michell 1893 in deep water, Miche 1944."""
-    depth = (scenario.water or Water()).depth
-    frequency = np.array([2 * math.pi / train.main_period])
-    number = float(wave_number(frequency, scenario.simulation.gravity, depth)[0])
-    most = _BREAKS * 2 * math.pi / number * (1.0 if depth is None else math.tanh(number * depth))
-    height = train.main_height
-    if height > most:
-        key = "height" if train.is_regular else "significant_height"
-        where = "in deep water" if depth is None else f"in a depth of {depth:g} m"
-        found = f"{height:g} m every {train.main_period:g} s break {where}"
-        raise scenario.error(("waves", name, key), f"{found}; less than {most:.3g} m stand")
-
-
 def _unknown(train: Components, forces: Complex) -> float:
     """Share of the energy of a sea in waves that push nothing, being shorter than the database knows."""
     energy = train.amplitude**2
@@ -309,17 +290,3 @@ def _idle(scenario: Scenario, moved: dict[str, Vessel]) -> list[Doubt]:
         return []
     sentence = f"the waves {names} pass under {', '.join(still)} without a trace: no 'wave_forces'"
     return [Doubt(("vessels", still[0]), sentence)]
-
-
-def _steep(scenario: Scenario) -> list[Doubt]:
-    found = list[Doubt]()
-    for name, train in (scenario.waves or {}).items():
-        length = scenario.simulation.gravity * train.main_period**2 / (2 * math.pi)
-        steepest = float(np.interp(train.main_period, *_STEEPEST))
-        if train.significant_height is not None and train.significant_height > steepest * length:
-            sentence = (
-                f"{name} is steeper than seas are: {train.significant_height:g} m at a peak of "
-                f"{train.main_period:g} s, more than 1/{1 / steepest:.3g} of its length (DNV-RP-C205, 3.5.4)"
-            )
-            found.append(Doubt(("waves", name, "significant_height"), sentence))
-    return found

@@ -11,12 +11,12 @@ import typer
 
 from gantline.cli.lift import quantity_of, refuse_to_replace, unit_of
 from gantline.cli.messages import DONE, stop, warn, writing
+from gantline.cli.spans import values_of_option
 from gantline.replacing import replaced
 
 if TYPE_CHECKING:
     from gantline.hydro import Hull, Hydrostatics, RightingArms
 
-_MOST = 1000
 #: Axes of a file that may point up.
 _AXES: dict[str, Literal["y", "z"]] = {"y": "y", "z": "z"}
 #: Drafts and angles where none are asked for.
@@ -117,13 +117,13 @@ def hydro(
             "--output": output,
         }
         refused = [name for name, value in given.items() if value is not None]
-        show_database(Path(hull), body, _values("--waves", waves, "angle") or [], as_json, refused)
+        show_database(Path(hull), body, values_of_option("--waves", waves, "angle") or [], as_json, refused)
     for name, value in (("--body", body), ("--waves", waves)):
         if value is not None:
             stop(f"{name}: is for a hydrodynamic database; this is a hull")
     water = quantity_of("--density", density, "density")
     height, tilt = quantity_of("--kg", kg, "length"), quantity_of("--trim", trim, "angle")
-    angles = _values("--heel", heel, "angle")
+    angles = values_of_option("--heel", heel, "angle")
     _refuse_angles(angles, height)
     from gantline.scenario.water import HEAVIEST_WATER, LIGHTEST_WATER
 
@@ -141,7 +141,7 @@ def hydro(
     except HullError as problem:
         stop(str(problem))
     low, high = found.box
-    wanted = _values("--drafts", drafts, "length") or _usual(float(low[2]), float(high[2]))
+    wanted = values_of_option("--drafts", drafts, "length") or _usual(float(low[2]), float(high[2]))
     middle = float(low[0] + high[0]) / 2
     rows = [hydrostatics(found, Attitude(draft, 0.0, tilt or 0.0, middle), water) for draft in wanted]
     _refuse_drafts(found, rows)
@@ -192,20 +192,6 @@ def _refuse_drafts(hull: Hull, rows: list[Hydrostatics]) -> None:
                 f"--drafts: at {row.attitude.draft:g} m {hull.name} {where}; "
                 f"it reaches from {low:g} to {high:g} m"
             )
-
-
-def _values(option: str, text: str | None, dimension: str) -> list[float] | None:
-    """SI values of a list or a span of quantities; None where the option was not given."""
-    if text is None:
-        return None
-    span, slash, number = (word.strip() for word in text.rpartition("/"))
-    first, dots, last = (word.strip() for word in span.partition(".."))
-    if not (slash and dots):
-        return [quantity_of(option, part.strip(), dimension) for part in text.split(",")]
-    if not (number.isascii() and number.isdecimal() and 2 <= int(number[:9]) <= _MOST):
-        stop(f"{option}: '{number}' is no number of values; a whole number from 2 to {_MOST} is right")
-    begin, end = quantity_of(option, first, dimension), quantity_of(option, last, dimension)
-    return [begin + (end - begin) * k / (int(number) - 1) for k in range(int(number))]
 
 
 def _usual(low: float, high: float) -> list[float]:

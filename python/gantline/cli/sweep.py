@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, NoReturn
 import typer
 
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, NO_VERDICT, scenario_errors, stop
+from gantline.cli.spans import count_of
 
 if TYPE_CHECKING:
     from gantline.study.state import State
     from gantline.study.sweep import SweepError, SweepPoint
 
 _WRITTEN = "a sweep is written like 'cranes.hook.at.z=36 m..37 m/5', five values from 36 m to 37 m"
-_MOST = 1000
 
 
 def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -> NoReturn:
@@ -83,9 +83,7 @@ def _read(text: str) -> tuple[str, str, str, int]:
     first, dots, last = (word.strip() for word in span.partition(".."))
     if not (path and equals and slash and dots and first and last):
         stop(f"--sweep: '{text}' is no sweep; {_WRITTEN}")
-    if not (number.isascii() and number.isdecimal() and 2 <= int(number[:9]) <= _MOST):
-        stop(f"--sweep: '{number}' is no number of values; a whole number from 2 to {_MOST} is right")
-    return path, first, last, int(number)
+    return path, first, last, count_of("--sweep", number)
 
 
 def _lines(path: str, points: Sequence[SweepPoint], width: int) -> list[str]:

@@ -1,0 +1,74 @@
+"""How high waves of a period get: regular ones before they break, seas before crests topple."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from gantline.hydro.waves import wave_number
+from gantline.scenario import Scenario
+from gantline.scenario.errors import Doubt
+from gantline.scenario.water import Water
+from gantline.scenario.waves import WaveTrain
+
+__all__ = ["doubts_of_steepness", "highest_sea", "refuse_breaking"]
+
+#: Height over length at which a regular wave breaks in deep water: Michell 1893.
+_BREAKS = 0.142
+#: A sea is no steeper, height over length in deep water by the peak, linear between these peaks [s]:
+#: DNV-RP-C205, 3.5.4.
+_STEEPEST = ((8.0, 15.0), (1.0 / 15.0, 1.0 / 25.0))
+
+
+def refuse_breaking(scenario: Scenario) -> None:
+    """Refuse waves that cannot stand.
+
+    Raises:
+        ScenarioError: if waves break.
+    """
+    depth = (scenario.water or Water()).depth
+    where = "in deep water" if depth is None else f"in a depth of {depth:g} m"
+    for name, train in (scenario.waves or {}).items():
+        most = _breaks_from(train, scenario)
+        height = train.main_height
+        if height > most:
+            key = "height" if train.is_regular else "significant_height"
+            found = f"{height:g} m every {train.main_period:g} s break {where}"
+            raise scenario.error(("waves", name, key), f"{found}; less than {most:.3g} m stand")
+
+
+def doubts_of_steepness(scenario: Scenario) -> list[Doubt]:
+    """Seas that are steeper than seas are."""
+    found = list[Doubt]()
+    for name, train in (scenario.waves or {}).items():
+        if train.is_regular or train.main_height <= _steepest(train, scenario):
+            continue
+        share = float(np.interp(train.main_period, *_STEEPEST))
+        sentence = (
+            f"{name} is steeper than seas are: {train.main_height:g} m at a peak of "
+            f"{train.main_period:g} s, more than 1/{1 / share:.3g} of its length (DNV-RP-C205, 3.5.4)"
+        )
+        found.append(Doubt(("waves", name, "significant_height"), sentence))
+    return found
+
+
+def highest_sea(scenario: Scenario, name: str) -> float:
+    """Height beyond which waves of a lift would be steeper than any are, at their period [m]."""
+    train = (scenario.waves or {})[name]
+    most = _breaks_from(train, scenario)
+    return most if train.is_regular else min(most, _steepest(train, scenario))
+
+
+def _breaks_from(train: WaveTrain, scenario: Scenario) -> float:
+    """No wave is higher than 0.142 λ tanh κd [m]: Michell 1893 in deep water, Miche 1944."""
+    depth = (scenario.water or Water()).depth
+    frequency = np.array([2 * math.pi / train.main_period])
+    number = float(wave_number(frequency, scenario.simulation.gravity, depth)[0])
+    return _BREAKS * 2 * math.pi / number * (1.0 if depth is None else math.tanh(number * depth))
+
+
+def _steepest(train: WaveTrain, scenario: Scenario) -> float:
+    """Significant height of the steepest sea with this peak [m]."""
+    length = scenario.simulation.gravity * train.main_period**2 / (2 * math.pi)
+    return float(np.interp(train.main_period, *_STEEPEST)) * length
