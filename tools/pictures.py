@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 from collections.abc import Iterable, Mapping
 from itertools import chain
 from pathlib import Path
@@ -16,9 +17,11 @@ from gantline.cad.ship_block import ShipBlockSizes, ship_block
 from gantline.cli.cad_picture import model_picture
 from gantline.cli.lost_load import figures_of
 from gantline.plot import comparison_figures, figures
+from gantline.plot.seas import seas_picture
 from gantline.plot.style import RC
+from gantline.results.saved_seas import SavedSeas
 from gantline.scenario import load_scenario
-from gantline.study import lose_load
+from gantline.study import lose_load, run_seas
 
 ROOT = Path(__file__).resolve().parents[1]
 #: Name of the picture in the documentation by the name of the plot.
@@ -68,12 +71,25 @@ def main() -> None:
     blown = load_scenario(ROOT / "scenarios" / "spreader_bar").changed(IN_GUSTS)
     keep(figures(gantline.simulate(blown)), {"attitude": "gusts"}, folder)
     keep(lost_load_figures(), {"barge": "lost_load"}, folder)
+    keep([("seas", seas_figure())], {"seas": "seas"}, folder)
 
 
 def lost_load_figures() -> list[tuple[str, Figure]]:
     """What becomes of the vessel of `floating_crane` whose load is lost."""
     question = gantline.Statics("floating_crane")
     return figures_of(lose_load(question, question.equilibrium(), "load"))
+
+
+def seas_figure() -> Figure:
+    """In which swell `crane_barge_in_swell` may be done: the table of `docs/concepts/seas.md`."""
+    found = run_seas(
+        "crane_barge_in_swell",
+        heights=[0.4, 0.8, 1.2, 1.6],
+        periods=[6.0, 8.0, 10.0],
+        directions=[math.radians(angle) for angle in (180, 135, 90)],
+        records=3,
+    )
+    return seas_picture(SavedSeas.from_json(found.to_json()))
 
 
 def keep(pictures: Iterable[tuple[str, Figure]], names: Mapping[str, str], folder: Path) -> None:

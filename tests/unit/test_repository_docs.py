@@ -25,9 +25,13 @@ def pages_left_out(folder: Path) -> list[str]:
     """Pages [path without suffix] that no list of contents leads to, which a reader would not find."""
     listed: set[Path] = set()
     for path in folder.rglob("*.md"):
-        for block in re.findall(r"```\{toctree\}\n(.*?)```", path.read_text(encoding="utf-8"), re.DOTALL):
+        for listed_pages in re.findall(
+            r"```\{toctree\}\n(.*?)```", path.read_text(encoding="utf-8"), re.DOTALL
+        ):
             entries = [
-                line.strip() for line in block.splitlines() if line.strip() and not line.startswith(":")
+                line.strip()
+                for line in listed_pages.splitlines()
+                if line.strip() and not line.startswith(":")
             ]
             listed |= {(path.parent / entry.split("<")[-1].rstrip(">")).resolve() for entry in entries}
     pages = {path.resolve().with_suffix("") for path in folder.rglob("*.md")}

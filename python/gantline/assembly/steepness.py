@@ -10,7 +10,6 @@ from gantline.hydro.waves import wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.water import Water
-from gantline.scenario.waves import WaveTrain
 
 __all__ = ["doubts_of_steepness", "highest_sea", "refuse_breaking"]
 
@@ -30,7 +29,7 @@ def refuse_breaking(scenario: Scenario) -> None:
     depth = (scenario.water or Water()).depth
     where = "in deep water" if depth is None else f"in a depth of {depth:g} m"
     for name, train in (scenario.waves or {}).items():
-        most = _breaks_from(train, scenario)
+        most = _breaks_from(train.main_period, scenario)
         height = train.main_height
         if height > most:
             key = "height" if train.is_regular else "significant_height"
@@ -42,7 +41,7 @@ def doubts_of_steepness(scenario: Scenario) -> list[Doubt]:
     """Seas that are steeper than seas are."""
     found = list[Doubt]()
     for name, train in (scenario.waves or {}).items():
-        if train.is_regular or train.main_height <= _steepest(train, scenario):
+        if train.is_regular or train.main_height <= _steepest(train.main_period, scenario):
             continue
         share = float(np.interp(train.main_period, *_STEEPEST))
         sentence = (
@@ -53,22 +52,22 @@ def doubts_of_steepness(scenario: Scenario) -> list[Doubt]:
     return found
 
 
-def highest_sea(scenario: Scenario, name: str) -> float:
-    """Height beyond which waves of a lift would be steeper than any are, at their period [m]."""
-    train = (scenario.waves or {})[name]
-    most = _breaks_from(train, scenario)
-    return most if train.is_regular else min(most, _steepest(train, scenario))
+def highest_sea(scenario: Scenario, name: str, period: float) -> float:
+    """Height beyond which waves of a lift would be steeper than any are, with another period [s] too [m]."""
+    most = _breaks_from(period, scenario)
+    is_regular = (scenario.waves or {})[name].is_regular
+    return most if is_regular else min(most, _steepest(period, scenario))
 
 
-def _breaks_from(train: WaveTrain, scenario: Scenario) -> float:
+def _breaks_from(period: float, scenario: Scenario) -> float:
     """No wave is higher than 0.142 λ tanh κd [m]: Michell 1893 in deep water, Miche 1944."""
     depth = (scenario.water or Water()).depth
-    frequency = np.array([2 * math.pi / train.main_period])
+    frequency = np.array([2 * math.pi / period])
     number = float(wave_number(frequency, scenario.simulation.gravity, depth)[0])
     return _BREAKS * 2 * math.pi / number * (1.0 if depth is None else math.tanh(number * depth))
 
 
-def _steepest(train: WaveTrain, scenario: Scenario) -> float:
+def _steepest(period: float, scenario: Scenario) -> float:
     """Significant height of the steepest sea with this peak [m]."""
-    length = scenario.simulation.gravity * train.main_period**2 / (2 * math.pi)
-    return float(np.interp(train.main_period, *_STEEPEST)) * length
+    length = scenario.simulation.gravity * period**2 / (2 * math.pi)
+    return float(np.interp(period, *_STEEPEST)) * length

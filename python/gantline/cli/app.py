@@ -23,6 +23,7 @@ from gantline.cli.new import NamesLifts, new
 from gantline.cli.report import report
 from gantline.cli.run import run
 from gantline.cli.schema import schema
+from gantline.cli.seas import seas
 from gantline.cli.statics import statics
 from gantline.cli.view import view
 
@@ -62,6 +63,7 @@ _VERBS = (
     (run, "Simulate a lift, write its report."),
     (statics, "How it hangs, without simulating."),
     (cases, "The worst of what may differ."),
+    (seas, "In which seas it may be done."),
     (compare, "Two lifts side by side."),
     (check, "Check a file or a result."),
     (hydro, "Hydrostatics of a hull."),

@@ -23,6 +23,16 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
         ("gantline cases goliath", "all cases of the lift file, and the worst of each element"),
         ("gantline cases mylift -o results/mylift", "for the report in that folder"),
     ),
+    "seas": (
+        (
+            "gantline seas crane_barge_in_swell --height '0.6 m, 1 m' --period '6 s, 8 s' -o results/seas",
+            "up to which height of swell, for two periods",
+        ),
+        (
+            "gantline seas mylift --height '0.5 m..2.5 m/5' --direction '180 deg, 150 deg' --records 5",
+            "and from where, five records of each sea",
+        ),
+    ),
     "compare": (
         ("gantline compare mechanisms mechanisms", "a lift with itself: no difference"),
         ("gantline compare before.nc after.nc", "two recordings"),

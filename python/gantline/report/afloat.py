@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.report.seas import allowed_seas
 from gantline.report.subject import ABSENT, Subject, number, share, show
 from gantline.results import series
 from gantline.results.alike import first_peak
@@ -198,7 +199,8 @@ def _sea(subject: Subject) -> list[tuple[str, str]]:
         waves = recording.column("vessel_wave_elevation", vessel.name)
         ends = f"{show(float(waves.min()), 'm', 2)} to {show(float(waves.max()), 'm', 2)} amidships"
         rows.append((f"waves at {vessel.name}", ", ".join([*dict.fromkeys(sides), ends])))
-    return rows
+    seas = subject.beside.seas
+    return rows if seas is None else [*rows, (f"{seas.waves} up to", allowed_seas(seas))]
 
 
 def _moorings(subject: Subject) -> list[tuple[str, str]]:

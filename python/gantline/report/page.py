@@ -16,6 +16,7 @@ from gantline.report.first_page import FirstPage
 from gantline.report.holds import HoldPoints
 from gantline.report.plots import Attitude, Clearances, HookLoads, Player, Tensions, Vessels
 from gantline.report.rest import Cases, Modes, Rest
+from gantline.report.seas import Seas
 from gantline.report.section import Section
 from gantline.report.steps import StepsContinued
 from gantline.report.subject import Subject
@@ -42,6 +43,7 @@ SECTIONS: tuple[Section, ...] = (
     Rest(),
     Modes(),
     Cases(),
+    Seas(),
     Events(),
     Energy(),
     LiftFile(),
@@ -61,7 +63,7 @@ def render_report(recording: Recording, *, beside: Beside | None = None, reload_
 
     Args:
         recording: Any recording.
-        beside: Equilibrium and cases of the same lift, where they are known.
+        beside: Equilibrium, cases and seas of the same lift, where they are known.
         reload_from: Where a served page asks whether the recording has changed; empty for a file.
 
     Returns:
@@ -126,7 +128,7 @@ def write_report(recording: Recording, path: str | Path, *, beside: Beside | Non
     Args:
         recording: Any recording.
         path: File to write; an existing one is replaced, and only once the new one is complete.
-        beside: Equilibrium and cases of the same lift; what lies in the folder of the file if not given.
+        beside: Equilibrium, cases and seas of the same lift; by default what lies in the folder of the file.
 
     Returns:
         The path written.

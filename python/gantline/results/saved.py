@@ -1,7 +1,8 @@
-"""What was asked of a lift beside its recording: its cases, its equilibrium with its motions, a lost load.
+"""What was asked of a lift beside its recording: cases, seas, its equilibrium with its motions, a lost load.
 
-`gantline cases LIFT -o DIR` writes `cases.json`, `gantline statics LIFT -o DIR` writes `equilibrium.nc` and
-with `--lost LOAD` `lost_load.json`; a report in the same folder shows them. Each names the lift file that it
+`gantline cases LIFT -o DIR` writes `cases.json`, `gantline seas LIFT -o DIR` `seas.json`, and
+`gantline statics LIFT -o DIR` writes `equilibrium.nc` and with `--lost LOAD` `lost_load.json`; a report in
+the same folder shows them. Each names the lift file that it
 was made from, so that one of another lift, or of an older file, is told apart.
 """
 
@@ -9,16 +10,17 @@ from __future__ import annotations
 
 import hashlib
 import json
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
 from gantline.results.recording import Recording, open_recording
+from gantline.results.saved_json import list_in, number_in, object_of, text_in
+from gantline.results.saved_seas import SavedSeas
 
 _T = TypeVar("_T")
-_J = TypeVar("_J", "SavedCases", "SavedLostLoad")
+_J = TypeVar("_J", "SavedCases", "SavedLostLoad", SavedSeas)
 
 __all__ = [
     "CASES",
@@ -27,6 +29,7 @@ __all__ = [
     "LOSSES",
     "LOST_LOAD",
     "QUANTITIES",
+    "SEAS",
     "WORST_OF_LOSSES",
     "Beside",
     "SavedCase",
@@ -42,7 +45,8 @@ __all__ = [
 CASES = "cases.json"
 EQUILIBRIUM = "equilibrium.nc"
 LOST_LOAD = "lost_load.json"
-FILES_BESIDE = (CASES, EQUILIBRIUM, LOST_LOAD)
+SEAS = "seas.json"
+FILES_BESIDE = (CASES, EQUILIBRIUM, LOST_LOAD, SEAS)
 
 #: Quantities of a lift at rest, each with the unit and decimals in which people read it.
 QUANTITIES: dict[str, tuple[str, int]] = {
@@ -135,12 +139,12 @@ class SavedCases:
         Raises:
             ValueError: If it is something else.
         """
-        whole = _object(document)
+        whole = object_of(document)
         return cls(
-            _text(whole, "scenario_sha256"),
+            text_in(whole, "scenario_sha256"),
             whole.get("sound") is True,
-            [_case(_object(one)) for one in _list(whole, "cases")],
-            [_worst(_object(one)) for one in _list(whole, "worst")],
+            [_case(object_of(one)) for one in list_in(whole, "cases")],
+            [_worst(object_of(one)) for one in list_in(whole, "worst")],
         )
 
     def worst_of(self, quantity: str) -> SavedWorst | None:
@@ -197,15 +201,15 @@ class SavedLostLoad:
         Raises:
             ValueError: If it is something else.
         """
-        whole = _object(document)
+        whole = object_of(document)
         return cls(
-            _text(whole, "scenario_sha256"),
+            text_in(whole, "scenario_sha256"),
             whole.get("sound") is True,
-            _text(whole, "load"),
-            _number(whole, "time"),
-            [_swing(_object(one)) for one in _list(whole, "swings")],
+            text_in(whole, "load"),
+            number_in(whole, "time"),
+            [_swing(object_of(one)) for one in list_in(whole, "swings")],
             # Files from before there was the word say nothing of it.
-            [str(one) for one in _list(whole, "flooded")] if "flooded" in whole else [],
+            [str(one) for one in list_in(whole, "flooded")] if "flooded" in whole else [],
         )
 
 
@@ -217,12 +221,14 @@ class Beside:
         equilibrium: The lift at rest, with the attributes `statics` and `modes`; None where there is none.
         cases: Its cases; None where there are none.
         lost_load: A load that it loses; None where nobody asked.
+        seas: The seas in which it was simulated; None where nobody asked.
         left_out: Why a file that is there is not shown, a sentence each.
     """
 
     equilibrium: Recording | None = None
     cases: SavedCases | None = None
     lost_load: SavedLostLoad | None = None
+    seas: SavedSeas | None = None
     left_out: Sequence[str] = ()
 
 
@@ -260,7 +266,8 @@ def read_beside(folder: Path, recording: Recording) -> Beside:
         lambda found: digest_of(str(found.attributes.get("scenario", ""))),
     )
     lost = of_json(LOST_LOAD, "gantline statics --lost", SavedLostLoad)
-    return Beside(equilibrium, cases, lost, left_out)
+    seas = of_json(SEAS, "gantline seas", SavedSeas)
+    return Beside(equilibrium, cases, lost, seas, left_out)
 
 
 def _reader(read: Callable[[Any], _T], command: str) -> Callable[[Path], _T]:
@@ -285,76 +292,49 @@ def _read_equilibrium(path: Path) -> Recording:
     return found
 
 
-def _object(given: Any) -> Mapping[str, Any]:
-    if not isinstance(given, dict):
-        raise ValueError("an object was expected")
-    return given
-
-
-def _list(given: Mapping[str, Any], name: str) -> list[Any]:
-    found = given.get(name)
-    if not isinstance(found, list):
-        raise ValueError(f"'{name}' is no list")
-    return found
-
-
-def _text(given: Mapping[str, Any], name: str) -> str:
-    found = given.get(name)
-    if not isinstance(found, str):
-        raise ValueError(f"'{name}' is no text")
-    return found
-
-
-def _number(given: Mapping[str, Any], name: str) -> float:
-    found = given.get(name)
-    if isinstance(found, bool) or not isinstance(found, int | float) or not math.isfinite(found):
-        raise ValueError(f"'{name}' is no number")
-    return float(found)
-
-
 def _swing(given: Mapping[str, Any]) -> SavedSwing:
     farthest, freeboard = (
-        None if given.get(name) is None else _number(given, name) for name in ("farthest", "freeboard")
+        None if given.get(name) is None else number_in(given, name) for name in ("farthest", "freeboard")
     )
     return SavedSwing(
-        _text(given, "vessel"), _text(given, "towards"), farthest, freeboard, _number(given, "ratio")
+        text_in(given, "vessel"), text_in(given, "towards"), farthest, freeboard, number_in(given, "ratio")
     )
 
 
 def _case(given: Mapping[str, Any]) -> SavedCase:
-    states = [_object(one) for one in _list(given, "states")]
+    states = [object_of(one) for one in list_in(given, "states")]
     troubles: list[str] = []
     remarks: list[str] = []
     for state in states:
         # Files from before there was the word say nothing of it.
-        vain = _list(state, "in_vain") if "in_vain" in state else []
+        vain = list_in(state, "in_vain") if "in_vain" in state else []
         remarks += [f"nothing is cut: {one}" for one in vain if isinstance(one, str)]
         if state.get("equilibrium") is not True:
             # Of files from before there was the word, every state could start.
             what = "cannot start" if state.get("starts") is False else "no equilibrium"
-            troubles.append(f"{what}: {_text(state, 'cause')}")
+            troubles.append(f"{what}: {text_in(state, 'cause')}")
         elif state.get("stable") is not True:
             troubles.append("unstable")
-        standing = _list(state, "stands") if "stands" in state else []
+        standing = list_in(state, "stands") if "stands" in state else []
         troubles += [f"{load} stands" for load in standing if isinstance(load, str)]
-        troubles += [f"{name} failed" for name in _list(state, "failed") if isinstance(name, str)]
+        troubles += [f"{name} failed" for name in list_in(state, "failed") if isinstance(name, str)]
     if states and all(state.get("changes_nothing") is True for state in states):
         remarks.append("changes nothing")
     told, said = (tuple(dict.fromkeys(each)) for each in (troubles, remarks))
     has_losses = any(state.get("losses") != "none" for state in states)
-    return SavedCase(_text(given, "case"), len(states), told, said, has_losses)
+    return SavedCase(text_in(given, "case"), len(states), told, said, has_losses)
 
 
 def _worst(given: Mapping[str, Any]) -> SavedWorst:
-    quantity = _text(given, "quantity")
+    quantity = text_in(given, "quantity")
     if quantity not in QUANTITIES:
         raise ValueError(f"'{quantity}' is no quantity of cases")
-    label = [_text(given, "variant"), LOSSES.get(_text(given, "losses"), "")]
+    label = [text_in(given, "variant"), LOSSES.get(text_in(given, "losses"), "")]
     return SavedWorst(
         quantity,
-        _text(given, "element"),
-        None if given.get("given") is None else _number(given, "given"),
-        _number(given, "value"),
-        _text(given, "case"),
+        text_in(given, "element"),
+        None if given.get("given") is None else number_in(given, "given"),
+        number_in(given, "value"),
+        text_in(given, "case"),
         ", ".join(part for part in label if part),
     )

@@ -1,4 +1,4 @@
-"""Many answers about one lift: cases, how it hangs over a quantity, hanging as wanted, a finer run."""
+"""Many answers about one lift: cases, seas, how it hangs over a quantity, hanging as wanted, a finer run."""
 
 from gantline.study.afloat import VesselAttitude
 from gantline.study.ballast import BallastAnswer, solve_ballast
@@ -8,6 +8,7 @@ from gantline.study.lost_load import LostLoad, Swing, lose_load
 from gantline.study.newton import AdjustError, CannotBeError
 from gantline.study.plumb import HookAnswer, plumb_hooks
 from gantline.study.refinement import finer_simulation, refined
+from gantline.study.seas import Sea, SeaRecord, SeasResult, run_seas
 from gantline.study.state import State, Worst, values_of, worst_of
 from gantline.study.steps import StepAtRest, run_steps
 from gantline.study.sweep import SweepPoint, run_sweep
@@ -22,6 +23,9 @@ __all__ = [
     "LengthAnswer",
     "LostLoad",
     "Margin",
+    "Sea",
+    "SeaRecord",
+    "SeasResult",
     "State",
     "StepAtRest",
     "SweepPoint",
@@ -37,6 +41,7 @@ __all__ = [
     "plumb_hooks",
     "refined",
     "run_cases",
+    "run_seas",
     "run_steps",
     "run_sweep",
     "solve_ballast",

@@ -1,4 +1,4 @@
-"""Equilibria that are looked for side by side."""
+"""Equilibria that are looked for, and runs that go on, side by side."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ __all__ = ["SideBySide"]
 
 
 class SideBySide(ThreadPoolExecutor):
-    """Threads that look for equilibria. Threads do: the core does so without holding the interpreter.
+    """Threads that look for equilibria, or simulate: the core does both without holding the interpreter.
 
-    What is still looked for as its `with` ends, by an error or by Ctrl-C, is given up.
+    What is still worked on as its `with` ends, by an error or by Ctrl-C, is given up.
 
     Args:
         workers: How many at a time; None for as many as there are processors.
@@ -32,7 +32,16 @@ class SideBySide(ThreadPoolExecutor):
         Raises:
             ScenarioError: As of `Statics`.
         """
-        return Statics(scenario, goes_on=lambda: not self._stopped.is_set())
+        return Statics(scenario, goes_on=self.goes_on)
+
+    def goes_on(self) -> bool:
+        """False once all is given up; what a thread works on asks for it now and then."""
+        return not self._stopped.is_set()
+
+    def give_up(self) -> None:
+        """Let go of what is still worked on."""
+        self._stopped.set()
+        self.shutdown(cancel_futures=True)
 
     def __exit__(
         self,
@@ -40,5 +49,4 @@ class SideBySide(ThreadPoolExecutor):
         error: BaseException | None,
         traceback: TracebackType | None,
     ) -> None:
-        self._stopped.set()
-        self.shutdown(cancel_futures=True)
+        self.give_up()

@@ -1,0 +1,97 @@
+"""The lift in the seas of a grid as a table for people: a field for each direction."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator
+
+from gantline.cli.table import ABSENT, table, tables
+from gantline.results.saved_seas import SavedSeas, degrees
+
+__all__ = ["seas_table"]
+
+_INDENT, _FURTHER = "  ", "    "
+#: Warnings that are told; of more the rest is counted.
+_MOST_WARNINGS = 5
+
+
+def seas_table(found: SavedSeas, width: int) -> list[str]:
+    """Lines of all tables, with what stops the lift and what to know of them below."""
+    kind = "height over period" if found.is_regular else "significant height over peak period"
+    each = "" if found.is_regular and found.records == 1 else f", {_records(found.records)} of each sea"
+    head = f"Waves '{found.waves}', {kind}{each}, {found.duration:g} s; share of the limit that is used most"
+    lines = [found.title, *textwrap.wrap(head, max(width, 60), subsequent_indent=_INDENT), ""]
+    for direction in found.directions:
+        lines += [*_field(found, direction, width), ""]
+    lines += _stops(found, width)
+    for note in _notes(found):
+        lines += textwrap.wrap(note, max(width, 60), initial_indent=_INDENT, subsequent_indent=_FURTHER)
+    return lines
+
+
+def _field(found: SavedSeas, direction: float, width: int) -> list[str]:
+    """Seas of one direction, the highest on top, and the height that is allowed."""
+    heights = found.heights[::-1]
+    columns = []
+    for period in found.periods:
+        seas = found.of(direction, period)[::-1]
+        cells = [" ".join(filter(None, (sea.share, sea.told))) for sea in seas]
+        allowed = found.allowed[direction, period]
+        columns.append([f"{period:g} s", *cells, "none" if allowed is None else f"{allowed:g} m"])
+    first = [f"Towards {degrees(direction)}", *(f"{height:g} m" for height in heights), "allowed"]
+    return [line for part in tables(first, columns, width=width) for line in part]
+
+
+def _stops(found: SavedSeas, width: int) -> list[str]:
+    """What the lift fails by in the first sea in which it is no go, a row for each direction and period."""
+    rows = []
+    reasons: list[str] = []
+    for direction in found.directions:
+        for period in found.periods:
+            sea = found.stopper(direction, period)
+            if sea is None:
+                continue
+            why = " ".join(filter(None, (sea.check, sea.element)))
+            reason = sea.cause or ("" if sea.has_verdict else sea.verdict)
+            if reason:
+                reasons += [] if reason in reasons else [reason]
+                why = f"[{reasons.index(reason) + 1}]"
+            shown = (
+                degrees(direction),
+                f"{period:g} s",
+                f"{sea.height:g} m",
+                sea.share or ABSENT,
+                str(sea.record),
+            )
+            rows.append((*shown, why))
+    if not rows:
+        return []
+    lines = table(("Not allowed", "period", "height", "used", "record", "by"), rows, "lrrrrl")
+    for number, reason in enumerate(reasons, 1):
+        head = f"{_INDENT}[{number}] "
+        lines += textwrap.wrap(reason, max(width, 60), initial_indent=head, subsequent_indent=" " * len(head))
+    return [*lines, ""]
+
+
+def _notes(found: SavedSeas) -> Iterator[str]:
+    """What to know of the tables."""
+    if any(not sea.is_run and not sea.is_too_steep for sea in found.seas):
+        yield "not run: higher than a sea in which the lift is no go; --every runs these, too"
+    if any(sea.is_too_steep for sea in found.seas):
+        limit = "they would break" if found.is_regular else "DNV-RP-C205, 3.5.4"
+        yield f"too steep: there are no such waves ({limit})"
+    if any(sea.is_run and not sea.has_verdict for sea in found.seas):
+        yield "no verdict: the checks cannot show that the lift is a go"
+    if not found.is_regular:
+        yield (
+            f"by {_records(found.records)} of each sea: the chance that one more is worse than the worst of "
+            f"them is 1 in {found.records + 1}; --records asks for more"
+        )
+    for warning in found.warnings[:_MOST_WARNINGS]:
+        yield f"warning: {warning}"
+    if len(found.warnings) > _MOST_WARNINGS:
+        yield f"and {len(found.warnings) - _MOST_WARNINGS} more warnings, which --json has"
+
+
+def _records(count: int) -> str:
+    return f"{count} record{'' if count == 1 else 's'}"

@@ -1,0 +1,86 @@
+"""Section of the seas in which the lift was simulated, as `gantline seas` found it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gantline.report.section import Section
+from gantline.report.subject import ABSENT, Subject, show
+from gantline.results.saved_seas import SavedSea, SavedSeas, degrees
+
+
+class Seas(Section):
+    """Up to which height of waves the lift keeps its limits, by their period and direction."""
+
+    anchor = "seas"
+    title = "Seas"
+    template = "seas.html"
+
+    def content(self, subject: Subject) -> dict[str, Any] | None:
+        """What the template is given."""
+        found = subject.beside.seas
+        if found is None:
+            return None
+        kinds = ((direction, period) for direction in found.directions for period in found.periods)
+        stoppers = [sea for kind in kinds if (sea := found.stopper(*kind)) is not None]
+        return {
+            "waves": found.waves,
+            "is_regular": found.is_regular,
+            "records": found.records,
+            "duration": show(found.duration, "s", 0),
+            "fields": [_field(found, direction) for direction in found.directions],
+            "stops": [_stop(sea) for sea in stoppers if not _reason(sea)],
+            "reasons": list(dict.fromkeys(reason for sea in stoppers if (reason := _reason(sea)))),
+        }
+
+
+def allowed_seas(found: SavedSeas) -> str:
+    """Heights that are allowed, from the lowest to the highest of all periods and directions."""
+    heights = [0.0 if height is None else height for height in found.allowed.values()]
+    low, high = (f"{height:g} m" if height else "none" for height in (min(heights), max(heights)))
+    if low == high:
+        return low
+    return f"{low} to {high}, by period and direction"
+
+
+def _field(found: SavedSeas, direction: float) -> dict[str, Any]:
+    """Seas of one direction, the highest first."""
+    by_period = {period: found.of(direction, period)[::-1] for period in found.periods}
+    return {
+        "towards": degrees(direction),
+        "periods": [f"{period:g} s" for period in found.periods],
+        "rows": [
+            {"height": f"{height:g} m", "cells": [_cell(seas[row]) for seas in by_period.values()]}
+            for row, height in enumerate(found.heights[::-1])
+        ],
+        "allowed": [
+            "none" if (height := found.allowed[direction, period]) is None else f"{height:g} m"
+            for period in found.periods
+        ],
+    }
+
+
+def _cell(sea: SavedSea) -> dict[str, str]:
+    tone = "good" if sea.is_allowed else "bad" if sea.has_verdict and sea.starts else "warn"
+    told = sea.told.lower()
+    if not sea.is_run:
+        return {"tone": "", "text": told}
+    return {"tone": tone, "text": sea.share or told or "go"}
+
+
+def _reason(sea: SavedSea) -> str:
+    """Why a sea has no verdict, in a sentence; empty of one in which a check failed."""
+    if sea.cause:
+        return f"{sea.told.lower()}: {sea.cause}"
+    return "" if sea.has_verdict else sea.verdict
+
+
+def _stop(sea: SavedSea) -> dict[str, str]:
+    return {
+        "towards": degrees(sea.direction),
+        "period": f"{sea.period:g} s",
+        "height": f"{sea.height:g} m",
+        "used": sea.share or ABSENT,
+        "record": str(sea.record),
+        "by": " ".join(part for part in (sea.check, sea.element) if part),
+    }

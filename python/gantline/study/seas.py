@@ -1,0 +1,439 @@
+"""In which seas a lift may be done: its plan, simulated in sea after sea and held against its limits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Future
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from gantline.assembly.steepness import highest_sea
+from gantline.checks import Check, Outcome, Verdict, check_recording, governing, outcome_of, verdict_of
+from gantline.results.alike import first_largest
+from gantline.results.saved import digest_of
+from gantline.scenario import Scenario, ScenarioError, load_scenario
+from gantline.simulation import Simulation, SimulationError
+from gantline.study.side_by_side import SideBySide
+from gantline.units import si_text
+
+__all__ = ["NoSeaError", "Sea", "SeaRecord", "SeasResult", "run_seas"]
+
+#: From the worst to the best: a sea is as good as its worst record.
+_WORST_FIRST = (Outcome.NO_GO, Outcome.NO_VERDICT, Outcome.GO_WITH_WARNINGS, Outcome.GO)
+
+
+class NoSeaError(ValueError):
+    """A lift has no such seas, or waves cannot have such a value.
+
+    Attributes:
+        name: The argument of `run_seas` that asks for it.
+        sentence: What is wrong.
+    """
+
+    def __init__(self, name: str, sentence: str) -> None:
+        super().__init__(f"{name}: {sentence}")
+        self.name, self.sentence = name, sentence
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle: an error of a process that works for another one arrives there whole."""
+        return type(self), (self.name, self.sentence)
+
+
+@dataclass(frozen=True)
+class SeaRecord:
+    """The lift in one record of a sea.
+
+    Attributes:
+        number: Which one, from 1; record 1 has the seeds of the lift file, each further one those after.
+        time: Simulated time that it got to [s].
+        checks: Its checks.
+        warnings: Of lift file and run, sentences.
+        cause: Why it could not start or not go on, in one sentence; empty where it did.
+        starts: Whether it could start.
+    """
+
+    number: int
+    time: float = 0.0
+    checks: Sequence[Check] = ()
+    warnings: Sequence[str] = ()
+    cause: str = ""
+    starts: bool = True
+
+    @property
+    def outcome(self) -> Outcome:
+        """Go or no-go; a lift that cannot start or go on is none."""
+        return Outcome.NO_GO if self.cause else outcome_of(self.checks)
+
+    @property
+    def governing(self) -> Check | None:
+        """The check that uses most of its limit; None where there is none with a limit."""
+        return governing(self.checks)
+
+    @property
+    def failed(self) -> tuple[str, ...]:
+        """Names of the checks that failed."""
+        return tuple(dict.fromkeys(one.name for one in self.checks if one.verdict is Verdict.FAILED))
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it as a JSON object, SI units."""
+        check = self.governing
+        return {
+            "record": self.number,
+            "outcome": self.outcome.value,
+            "time": self.time,
+            "starts": self.starts,
+            "cause": self.cause,
+            "failed": list(self.failed),
+            "governing": None
+            if check is None
+            else {"check": check.name, "element": check.element, "utilisation": check.utilisation},
+            "verdict": "" if self.cause else verdict_of(self.checks),
+            "warnings": list(self.warnings),
+            "checks": [one.to_json() for one in self.checks],
+        }
+
+
+@dataclass(frozen=True)
+class Sea:
+    """One sea, or waves that are all alike, and the lift in it.
+
+    Attributes:
+        height: Significant height, or height of waves that are all alike [m].
+        period: Peak period, or period [s].
+        direction: In which they run [rad].
+        highest: Height beyond which no such waves are, for their steepness [m].
+        records: The lift in each of its records; none where it is too steep, or was not run.
+    """
+
+    height: float
+    period: float
+    direction: float
+    highest: float
+    records: Sequence[SeaRecord] = field(default=())
+
+    @property
+    def is_too_steep(self) -> bool:
+        """Whether there are no such waves."""
+        return self.height > self.highest
+
+    @property
+    def outcome(self) -> Outcome | None:
+        """That of its worst record; None where it was not run."""
+        outcomes = [record.outcome for record in self.records]
+        return min(outcomes, key=_WORST_FIRST.index, default=None)
+
+    @property
+    def is_allowed(self) -> bool:
+        """Whether the lift is a go in every record, with warnings or without."""
+        return self.outcome in (Outcome.GO, Outcome.GO_WITH_WARNINGS)
+
+    @property
+    def worst(self) -> SeaRecord | None:
+        """Of the records with its outcome the one that uses most of a limit; None where it was not run."""
+        worst = [record for record in self.records if record.outcome is self.outcome]
+        return first_largest(worst, _used)
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it as a JSON object, SI units."""
+        outcome, worst = self.outcome, self.worst
+        return {
+            "height": self.height,
+            "period": self.period,
+            "direction": self.direction,
+            "too_steep": self.is_too_steep,
+            "outcome": None if outcome is None else outcome.value,
+            "allowed": self.is_allowed,
+            "worst_record": None if worst is None else worst.number,
+            "records": [record.to_json() for record in self.records],
+        }
+
+
+@dataclass(frozen=True)
+class SeasResult:
+    """A lift in the seas of a grid.
+
+    Attributes:
+        title: Title of the lift.
+        scenario: Text of its lift file.
+        waves: Name of the waves in it that were varied.
+        is_regular: Whether these are all alike.
+        records: Records of each sea that were asked for.
+        seas: All seas of the grid, by direction, period and height.
+        interrupted: Whether Ctrl-C ended it before all were run.
+    """
+
+    title: str
+    scenario: str
+    waves: str
+    is_regular: bool
+    records: int
+    seas: Sequence[Sea]
+    interrupted: bool = False
+
+    def __repr__(self) -> str:
+        run = sum(bool(sea.records) for sea in self.seas)
+        return f"<SeasResult {self.title!r}: {len(self.seas)} seas of {self.waves!r}, {run} of them run>"
+
+    @property
+    def directions(self) -> tuple[float, ...]:
+        """Directions of the grid [rad]."""
+        return tuple(dict.fromkeys(sea.direction for sea in self.seas))
+
+    @property
+    def periods(self) -> tuple[float, ...]:
+        """Periods of the grid [s]."""
+        return tuple(dict.fromkeys(sea.period for sea in self.seas))
+
+    @property
+    def heights(self) -> tuple[float, ...]:
+        """Heights of the grid, the smallest first [m]."""
+        return tuple(dict.fromkeys(sea.height for sea in self.seas))
+
+    def of(self, direction: float, period: float) -> list[Sea]:
+        """Seas of a direction [rad] and a period [s] of the grid, the lowest first.
+
+        Raises:
+            KeyError: If there are none.
+        """
+        found = [sea for sea in self.seas if (sea.direction, sea.period) == (direction, period)]
+        if not found:
+            raise KeyError(
+                f"there is no sea with a direction of {direction!r} rad and a period of {period!r} s"
+            )
+        return found
+
+    def allowed_height(self, direction: float, period: float) -> float | None:
+        """Largest height of the grid up to which the lift is a go, with warnings or without [m].
+
+        None where it is none in the lowest sea. A sea that was not run, or that is too steep, shows nothing.
+
+        Raises:
+            KeyError: If the grid has no such sea.
+        """
+        allowed = None
+        for sea in self.of(direction, period):
+            if not sea.is_allowed:
+                break
+            allowed = sea.height
+        return allowed
+
+    @property
+    def is_allowed(self) -> bool:
+        """Whether the lift is a go in every sea that there is; in those that were not run it is not."""
+        return all(sea.is_allowed or sea.is_too_steep for sea in self.seas)
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it as a JSON object, SI units."""
+        return {
+            "title": self.title,
+            "scenario_sha256": digest_of(self.scenario),
+            "waves": self.waves,
+            "regular": self.is_regular,
+            "records": self.records,
+            "interrupted": self.interrupted,
+            "allowed": [
+                {
+                    "direction": direction,
+                    "period": period,
+                    "height": self.allowed_height(direction, period),
+                }
+                for direction in self.directions
+                for period in self.periods
+            ],
+            "seas": [sea.to_json() for sea in self.seas],
+        }
+
+
+def run_seas(
+    lift: str | Path | Scenario,
+    *,
+    waves: str | None = None,
+    heights: Sequence[float] | None = None,
+    periods: Sequence[float] | None = None,
+    directions: Sequence[float] | None = None,
+    records: int = 1,
+    all_heights: bool = False,
+    workers: int | None = None,
+    on_progress: Callable[[str], None] | None = None,
+    **overrides: Any,
+) -> SeasResult:
+    """Simulate a lift in each sea of a grid, and hold each run against its limits.
+
+    Of each direction and period the lowest sea comes first, and no higher one than the first in which the
+    lift is no go, unless `all_heights`. Seas that are steeper than any are left out. Runs go on side by side;
+    what is found does not depend on how many. Ctrl-C ends it with what there is.
+
+    Args:
+        lift: A lift file, its folder, or a loaded scenario.
+        waves: Name of the waves that are varied; may be left out where the lift has one.
+        heights: Significant heights, of waves that are all alike their heights [m]; that of the file if None.
+        periods: Peak periods, or periods [s]; that of the file if None.
+        directions: Directions in which they run [rad]; that of the file if None.
+        records: How many records of each sea: the seeds of all seas and gusts of the file, and those after.
+        all_heights: Whether higher seas are run, too.
+        workers: Runs at a time; None for as many as there are processors.
+        on_progress: Is told in words how far it is.
+        overrides: Settings of `simulate`, such as `duration` [s].
+
+    Raises:
+        ScenarioError: If the lift file is not right.
+        SettingError: If an override is not right.
+        NoSeaError: If the lift has no such waves, nothing that differs from record to record, or a value is
+            none that waves can have; a ValueError.
+    """
+    tell = on_progress or (lambda _: None)
+    scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
+    name = _name_of(scenario, waves)
+    train = (scenario.waves or {})[name]
+    if records < 1:
+        raise NoSeaError("records", f"{records} are none")
+    if records > 1 and not _seeds(scenario):
+        sentence = "waves that are all alike, without gusts, are the same in every record; one is right"
+        raise NoSeaError("records", sentence)
+    grid = _grid(
+        scenario,
+        name,
+        _values("directions", directions, train.direction, least=-math.inf),
+        _values("periods", periods, train.main_period),
+        sorted(_values("heights", heights, train.main_height)),
+    )
+    Simulation(
+        scenario, **overrides
+    )  # what is wrong with the lift as such, or a setting, is no matter of a sea
+    found = dict(enumerate(grid))
+    interrupted = False
+    done = 0
+    with SideBySide(workers) as pool:
+        try:
+            for level in _levels(grid):
+                ended = {
+                    (grid[place].direction, grid[place].period)
+                    for place, sea in found.items()
+                    if sea.outcome is Outcome.NO_GO
+                }
+                asked = [
+                    place
+                    for place in level
+                    if not grid[place].is_too_steep
+                    and (all_heights or (grid[place].direction, grid[place].period) not in ended)
+                ]
+                pending = [
+                    (place, _submit(pool, scenario, name, grid[place], number, overrides))
+                    for place in asked
+                    for number in range(1, records + 1)
+                ]
+                for place, future in pending:
+                    tell(f"{done} runs done, height {grid[place].height:g} m")
+                    found[place] = replace(found[place], records=(*found[place].records, future.result()))
+                    done += 1
+        except KeyboardInterrupt:
+            interrupted = True
+            # A sea of which some records are missing has not been run.
+            found = {
+                place: sea if len(sea.records) == records else grid[place] for place, sea in found.items()
+            }
+            pool.give_up()
+    return SeasResult(
+        scenario.lift.title,
+        scenario.text,
+        name,
+        train.is_regular,
+        records,
+        [found[place] for place in range(len(grid))],
+        interrupted,
+    )
+
+
+def _used(record: SeaRecord) -> float:
+    """Largest share of a limit that is used [1]; infinite of what failed without a number."""
+    check = record.governing
+    if record.cause or (check is not None and check.utilisation is None):
+        return math.inf
+    return 0.0 if check is None or check.utilisation is None else check.utilisation
+
+
+def _name_of(scenario: Scenario, wanted: str | None) -> str:
+    """The waves that are meant."""
+    names = list(scenario.waves or {})
+    if not names:
+        right = "waves: {sea: {significant_height: 1.5 m, peak_period: 8 s, direction: 180 deg}}"
+        raise NoSeaError("waves", f"there are none in this lift; some are written like '{right}'")
+    if wanted is None and len(names) > 1:
+        raise NoSeaError("waves", f"the lift has {', '.join(names)}; name one of them")
+    if wanted is not None and wanted not in names:
+        raise NoSeaError("waves", f"the lift has no '{wanted}'; it has {', '.join(names)}")
+    return names[0] if wanted is None else wanted
+
+
+def _values(name: str, given: Sequence[float] | None, own: float, least: float = 0.0) -> list[float]:
+    """Values of one axis, each once."""
+    values = [own] if given is None else list(dict.fromkeys(float(value) for value in given))
+    if not values:
+        raise NoSeaError(name, "there are none")
+    for value in values:
+        if not (math.isfinite(value) and value > least):
+            raise NoSeaError(name, f"{value:g} is none that waves can have")
+    return values
+
+
+def _grid(
+    scenario: Scenario,
+    name: str,
+    directions: Sequence[float],
+    periods: Sequence[float],
+    heights: Sequence[float],
+) -> list[Sea]:
+    """All seas, none of them run."""
+    return [
+        Sea(height, period, direction, highest_sea(scenario, name, period))
+        for direction in directions
+        for period in periods
+        for height in heights
+    ]
+
+
+def _levels(grid: Sequence[Sea]) -> Iterator[list[int]]:
+    """Places of the seas of each height, the lowest first."""
+    for height in dict.fromkeys(sea.height for sea in grid):
+        yield [place for place, sea in enumerate(grid) if sea.height == height]
+
+
+def _seeds(scenario: Scenario) -> dict[str, int]:
+    """Seeds of all that differs from record to record, by their paths."""
+    seeds = {
+        f"waves.{name}.seed": train.seed
+        for name, train in (scenario.waves or {}).items()
+        if not train.is_regular
+    }
+    gusts = getattr(scenario.wind, "gusts", None)
+    return seeds if gusts is None else {**seeds, "wind.gusts.seed": gusts.seed}
+
+
+def _submit(
+    pool: SideBySide, scenario: Scenario, name: str, sea: Sea, number: int, overrides: Mapping[str, Any]
+) -> Future[SeaRecord]:
+    train = (scenario.waves or {})[name]
+    height, period = ("height", "period") if train.is_regular else ("significant_height", "peak_period")
+    changes: dict[str, Any] = {
+        f"waves.{name}.{height}": si_text(sea.height, "length"),
+        f"waves.{name}.{period}": si_text(sea.period, "time"),
+        f"waves.{name}.direction": si_text(sea.direction, "angle"),
+    }
+    if number > 1:
+        changes |= {path: seed + number - 1 for path, seed in _seeds(scenario).items()}
+
+    def work() -> SeaRecord:
+        try:
+            simulation = Simulation(scenario.changed(changes), **overrides)
+            recording = simulation.run(on_progress=lambda _: pool.goes_on())
+        except ScenarioError as error:
+            problem = error.problems[0]
+            return SeaRecord(number, cause=f"{problem.path}: {problem.sentence}", starts=False)
+        except SimulationError as stop:
+            return SeaRecord(number, stop.time, check_recording(stop.recording), cause=str(stop))
+        warnings = tuple(str(one) for one in recording.attributes.get("warnings") or ())
+        return SeaRecord(number, float(recording.time[-1]), check_recording(recording), warnings)
+
+    return pool.submit(work)
