@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -58,29 +58,22 @@ def immersion_warnings(
     water = scene.get("water")
     if not water or not len(columns["time"]):
         return []
-    drawn = {body["name"]: body for body in scene.get("bodies") or ()}
     warnings = []
-    for load, body in loads.items():
-        box = _box(drawn.get(body))
-        if box is None:
-            continue
-        (least, most), (place, turn) = box, _course(columns, names, body)
-        middle, half = (least + most) / 2, (most - least) / 2
-        # Heights of its corners over its centre of gravity.
-        heights = turn[:, 2] @ (middle + SIGNS * half).T
-        deep = float(water["level"]) - (place[:, 2] + heights.min(axis=1))
+    for load, box in _boxes(columns, names, scene, loads):
+        deep = float(water["level"]) - box.lowest
         under = np.flatnonzero(deep > _DIPS)
         without = "no buoyancy, slamming, drag or added mass acts on it without 'in_water'"
         if under.size:
             worst = int(np.argmax(deep))
-            share = min(1.0, float(deep[worst] / np.ptp(heights[worst])))
-            carried = density * share * float(np.prod(most - least))
+            share = min(1.0, float(deep[worst] / np.ptp(box.corners[worst])))
+            carried = density * share * float(np.prod(2 * box.half))
             since = f"at {columns['time'][under[0]]:.2f} s"
             when = f"{load} goes into the water {since}, up to {deep[worst]:.2f} m deep"
             closed = f"if its box were closed, water would carry up to {format_by_size(carried, 'mass')}"
             warnings.append(f"{when}; {without}, and {closed}")
         elif sea is not None and deep.max() + _highest(sea) > _DIPS:
-            points = place[:, None] + (middle + _POINTS * half) @ turn.transpose(0, 2, 1)
+            within = box.middle + _POINTS * box.half
+            points = box.place[:, None] + within @ box.turn.transpose(0, 2, 1)
             crests = _crests(columns["time"], points, float(water["level"]), scene, sea)
             reached = np.flatnonzero(crests > _DIPS)
             if reached.size:
@@ -106,18 +99,12 @@ def loads_in_bed(
     if not water or depth is None or not len(columns["time"]):
         return []
     bed = float(water["level"]) - depth
-    drawn = {body["name"]: body for body in scene.get("bodies") or ()}
     warnings = []
-    for load, body in loads.items():
-        box = _box(drawn.get(body))
-        if box is None:
-            continue
-        (least, most), (place, turn) = box, _course(columns, names, body)
-        corners = turn[:, 2] @ ((least + most) / 2 + SIGNS * (most - least) / 2).T
-        under = bed - (place[:, 2] + corners.min(axis=1))
+    for load, box in _boxes(columns, names, scene, loads):
+        under = bed - box.lowest
         if ground is not None:
             # Ground at the bed, or a structure on it, gives as much as the load sinks in.
-            under = np.where(ground.under(place) >= bed - _DIPS, 0.0, under)
+            under = np.where(ground.under(box.place) >= bed - _DIPS, 0.0, under)
         reached = np.flatnonzero(under > _DIPS)
         if reached.size:
             when = f"at {columns['time'][reached[0]]:.2f} s, up to {under.max():.2f} m deep"
@@ -220,13 +207,45 @@ def dry_hulls(document: Mapping[str, Any], columns: Columns, names: Names) -> li
     return warnings
 
 
-def _box(body: Mapping[str, Any] | None) -> tuple[FloatArray, FloatArray] | None:
-    """Least and largest x, y, z of a drawn body from its centre of gravity [m]; None of one without a solid.
+class _Box(NamedTuple):
+    """The box about a load on its way.
 
-    A load from CAD by the box about it: thousands of points at every sample are too many.
+    A load from CAD by that, too: thousands of points at every sample are too many.
+
+    Attributes:
+        middle: Of the box, from the centre of gravity (3,) [m].
+        half: Half its sides (3,) [m].
+        place: Of the centre of gravity (time, 3) [m].
+        turn: Axes of the load (time, 3, 3).
+        corners: Heights of corners over the centre of gravity (time, 8) [m].
     """
-    skin = skin_of(body)
-    return (skin.min(axis=(0, 1)), skin.max(axis=(0, 1))) if len(skin) else None
+
+    middle: FloatArray
+    half: FloatArray
+    place: FloatArray
+    turn: FloatArray
+    corners: FloatArray
+
+    @property
+    def lowest(self) -> FloatArray:
+        """Height of its lowest corner (time,) [m]."""
+        found: FloatArray = self.place[:, 2] + self.corners.min(axis=1)
+        return found
+
+
+def _boxes(
+    columns: Columns, names: Names, scene: Mapping[str, Any], loads: Mapping[str, str]
+) -> Iterator[tuple[str, _Box]]:
+    """Boxes about loads, by name; those that are drawn without a solid have none."""
+    drawn = {body["name"]: body for body in scene.get("bodies") or ()}
+    for load, body in loads.items():
+        skin = skin_of(drawn.get(body))
+        if not len(skin):
+            continue
+        least, most = skin.min(axis=(0, 1)), skin.max(axis=(0, 1))
+        middle, half = (least + most) / 2, (most - least) / 2
+        place, turn = _course(columns, names, body)
+        yield load, _Box(middle, half, place, turn, turn[:, 2] @ (middle + SIGNS * half).T)
 
 
 def _course(columns: Columns, names: Names, body: str) -> tuple[FloatArray, FloatArray]:
