@@ -29,13 +29,15 @@ def test_a_radius_of_a_floating_crane_is_refused() -> None:
     assert HARBOUR_LIFT.count(_OUTREACH) == 1
     with pytest.raises(ScenarioError) as refused:
         parse_scenario(HARBOUR_LIFT.replace(_OUTREACH, "rating: {radius: ["))
-    assert "cranes.fc.rating.radius: a floating crane has no slewing axis" in str(refused.value)
+    assert "cranes.fc.rating.radius: this crane has no 'slewing_axis' from which a radius counts" in str(
+        refused.value
+    )
     assert "'outreach' is right, which counts from the bow" in str(refused.value)
 
 
 def test_an_outreach_of_a_crawler_crane_is_refused() -> None:
     text = crawler_lift(150e3).replace("rating: {radius: [", "rating: {outreach: [")
-    with pytest.raises(ScenarioError, match=r"cranes\.c1\.rating\.outreach: a crawler crane has no bow"):
+    with pytest.raises(ScenarioError, match=r"cranes\.c1\.rating\.outreach: a crane that slews has no bow"):
         parse_scenario(text)
 
 

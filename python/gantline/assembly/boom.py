@@ -11,6 +11,7 @@ from gantline.assembly.parts import Json, Parts, end, eye, material
 from gantline.assembly.reeving import hook_rig, mass_on
 from gantline.assembly.rope_weight import lump_rope
 from gantline.assembly.route import route_length
+from gantline.assembly.slewing import add_turned, add_upper
 from gantline.assembly.spatial import Array, about_axis
 from gantline.scenario import Scenario
 from gantline.scenario.boom import FloatingCrane, PlacedBoom
@@ -24,6 +25,8 @@ _UP = [0.0, -1.0, 0.0]
 #: Sizes that pictures have where the lift file names none: a boom over its length, a heel pin [m].
 _THICK = 0.03
 _PIN = 2.0
+#: Height of a pedestal in pictures, over that of the heel pins [1].
+_PEDESTAL = 0.3
 #: How far a stop gives way under the level boom where the lift file names no stiffness [rad].
 _STOP_GIVES = 1e-3
 #: Mass that moves with the rope of a drum whose motion is prescribed [kg].
@@ -34,14 +37,30 @@ def add_booms(parts: Parts, scenario: Scenario) -> None:
     """Add every boom, and what bears the heel pins of a floating crane; hooks come later."""
     for name, crane in (scenario.cranes or {}).items():
         if isinstance(crane, FloatingCrane):
-            place = crane.position or (0.0, 0.0, 0.0)
-            turned = about_axis((0.0, 0.0, 1.0), crane.heading)
-            fixed = {"type": "fixed"}
-            parts.add_body(name, fixed, parent=crane.vessel, position=place, orientation=turned)
+            _add_base(parts, name, crane)
     for placed in scenario.booms.values():
         _add_boom(parts, placed, scenario.simulation.gravity)
         if placed.tackles is not None:
             _add_tackles(parts, scenario, placed, placed.tackles)
+
+
+def _add_base(parts: Parts, name: str, crane: FloatingCrane) -> None:
+    """What bears the heel pins: fixed to the vessel or the ground, of one that slews an upper structure."""
+    place = crane.position or (0.0, 0.0, 0.0)
+    turned = about_axis((0.0, 0.0, 1.0), crane.heading)
+    parts.add_body(name, {"type": "fixed"}, parent=crane.vessel, position=place, orientation=turned)
+    if crane.slewing_axis is None:
+        return
+    x, y = crane.slewing_axis
+    lumps = [
+        (one.mass, (one.at[0] - x, one.at[1] - y, one.at[2])) for one in (crane.upper_masses or {}).values()
+    ]
+    slew = (crane.slew, crane.slewing)
+    add_upper(parts, name, name, (x, y, 0.0), lumps, slew)
+    _, axes = parts.pose(name)
+    heading = math.atan2(axes[1, 0], axes[0, 0])
+    above = [float(part) for part in parts.place(name, (x, y, 0.0))]
+    add_turned(parts, name, above, heading, slew)
 
 
 def _add_boom(parts: Parts, placed: PlacedBoom, gravity: float) -> None:
@@ -166,7 +185,7 @@ def boom_shape(scenario: Scenario, body: str) -> Json | None:
             x, y, z = placed.heel
             pins = [(x, y + side * placed.apart / 2, z) for side in (-1.0, 1.0)]
             boxes = [_box((_PIN, _PIN, _PIN), pin) for pin in pins]
-            return {"type": "boxes", "boxes": boxes + _a_frame(placed)}
+            return {"type": "boxes", "boxes": boxes + _platform(placed) + _a_frame(placed)}
     return None
 
 
@@ -179,6 +198,16 @@ def _boom(placed: PlacedBoom) -> Json:
         _box((thick, 2 * row + thick, thick), (length, 0.0, 0.0)),
     ]
     return {"type": "boxes", "boxes": boxes}
+
+
+def _platform(placed: PlacedBoom) -> list[Json]:
+    """A platform from the heel pins to as far behind the slewing axis, and the pedestal that it slews on."""
+    if placed.slew is None:
+        return []
+    x, y, z = placed.heel
+    behind, thick = max(abs(x), _PIN), _PIN
+    floor = _box((x + behind, placed.apart, thick), ((x - behind) / 2, y, z - thick))
+    return [floor, _box((behind, behind, _PEDESTAL * z), (0.0, 0.0, z - 1.5 * thick - _PEDESTAL * z / 2))]
 
 
 def _a_frame(placed: PlacedBoom) -> list[Json]:
@@ -208,6 +237,14 @@ def boom_rig(scenario: Scenario, parts: Parts) -> list[Json]:
             "reach_from": list(placed.reach_from),
             "base_from": [-value for value in parts.bodies[placed.base]["centre_of_gravity"]],
             "hooks": [hook_rig(parts, scenario.hooks[f"{placed.crane}.{hook}"]) for hook in placed.hooks],
+            **_slew_rig(placed),
         }
         for placed in scenario.booms.values()
     ]
+
+
+def _slew_rig(placed: PlacedBoom) -> Json:
+    """What results need to know of how a boom slews, of one that is on an upper structure."""
+    if placed.slew is None:
+        return {}
+    return {"slew": {"joint": placed.base, "at_start": placed.slew[0], "slews": placed.slew[1] is not None}}

@@ -12,14 +12,14 @@ import math
 
 import numpy as np
 
-from gantline.assembly.operations import along_drive, slew_drive, turned_drive
+from gantline.assembly.operations import along_drive
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import falls_on_upper_sheaves, reeved_hooks, upper_sheaves
 from gantline.assembly.resting import TipsOver, rest_on_ground
+from gantline.assembly.slewing import add_turned, add_upper
 from gantline.assembly.spatial import (
     about_axis,
     inertia_list,
-    point_inertia,
     rotation_matrix,
     rotation_vector,
     solid_box,
@@ -32,9 +32,8 @@ from gantline.scenario.crawler import (
     Tracks,
     along_body,
     tracks_body,
-    turned_body,
-    upper_body,
 )
+from gantline.scenario.slewing import upper_body
 
 __all__ = ["add_crawlers", "crawler_rig", "crawler_shape", "crawlers", "track_contact"]
 
@@ -63,7 +62,6 @@ def add_crawlers(parts: Parts, scenario: Scenario) -> None:
         _add_tracks(parts, scenario, name, crane)
         _add_corners(parts, scenario, name, crane.tracks)
         _add_upper(parts, name, crane)
-        _add_turned(parts, name, crane)
 
 
 def _add_tracks(parts: Parts, scenario: Scenario, name: str, crane: Crawler) -> None:
@@ -188,47 +186,14 @@ def _corners(tracks: Tracks) -> dict[str, tuple[float, float, float]]:
 
 def _add_upper(parts: Parts, name: str, crane: Crawler) -> None:
     """Machinery on the slewing axis and counterweight, a point mass each."""
-    turns: Json = _axis("hinge", (0.0, 0.0, 1.0), crane.slew)
-    if crane.slewing is None:
-        turns = {"type": "fixed"}
-    else:
-        drive = slew_drive(upper_body(name))
-        parts.add_drive(drive)
-        turns["drive"] = drive
     weight = crane.counterweight
     lumps = [
-        (crane.upper_mass, np.array((0.0, 0.0, crane.tracks.height))),
-        (weight.mass, np.array((-weight.behind, 0.0, weight.height))),
+        (crane.upper_mass, (0.0, 0.0, crane.tracks.height)),
+        (weight.mass, (-weight.behind, 0.0, weight.height)),
     ]
-    mass = math.fsum(lump for lump, _ in lumps)
-    centre = np.sum([lump * at for lump, at in lumps], axis=0) / mass
-    inertia = np.sum([point_inertia(lump, at - centre) for lump, at in lumps], axis=0)
-    parts.add_body(
-        upper_body(name),
-        turns,
-        parent=tracks_body(name),
-        orientation=(1.0, 0.0, 0.0, 0.0) if crane.slewing else about_axis((0.0, 0.0, 1.0), crane.slew),
-        mass=mass,
-        centre_of_gravity=[float(part) for part in centre],
-        inertia=inertia_list(inertia),
-    )
-
-
-def _add_turned(parts: Parts, name: str, crane: Crawler) -> None:
-    """What hook blocks are points under: it turns about the slewing axis as the upper structure is told to.
-
-    Hook blocks turn with the boom in their falls. Points under this do, and are as free as under the world.
-    """
-    place = (*crane.position, 0.0)
-    heading = about_axis((0.0, 0.0, 1.0), crane.heading)
-    turns: Json = _axis("hinge", (0.0, 0.0, 1.0), crane.slew)
-    if crane.slewing is None:
-        turns, heading = {"type": "fixed"}, about_axis((0.0, 0.0, 1.0), crane.heading + crane.slew)
-    else:
-        drive = turned_drive(upper_body(name))
-        parts.add_drive(drive)
-        turns["drive"] = drive
-    parts.add_body(turned_body(name), turns, position=place, orientation=heading)
+    slew = (crane.slew, crane.slewing)
+    add_upper(parts, name, tracks_body(name), (0.0, 0.0, 0.0), lumps, slew)
+    add_turned(parts, name, (*crane.position, 0.0), crane.heading, slew)
 
 
 def _axis(
@@ -286,8 +251,6 @@ def crawler_rig(scenario: Scenario, parts: Parts) -> list[Json]:
                 "name": name,
                 "tracks": tracks_body(name),
                 "upper": upper_body(name),
-                "slew_at_start": crane.slew,
-                "slews": crane.slewing is not None,
                 "length": tracks.length,
                 "width": tracks.width,
                 "gauge": tracks.gauge,

@@ -190,4 +190,4 @@ def _heading(scenario: Scenario, placed: PlacedBoom) -> float:
         return crane.heading + crane.slew
     assert isinstance(crane, FloatingCrane)  # no other crane has a boom
     vessel = (scenario.vessels or {}).get(crane.vessel or "")
-    return crane.heading if vessel is None else vessel.heading
+    return crane.slew + (crane.heading if vessel is None else vessel.heading)

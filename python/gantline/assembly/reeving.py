@@ -26,10 +26,10 @@ from gantline.assembly.route import route_length
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.spatial import about_axis, inertia_list, rotation_matrix, solid_box
 from gantline.scenario import Scenario
-from gantline.scenario.crawler import turned_body
 from gantline.scenario.hooks import Hook
 from gantline.scenario.reeving import HoistDrum, HookBlock, Reeving, hoist_drum, hoist_ropes
 from gantline.scenario.rope_weight import rope_weight
+from gantline.scenario.slewing import turned_body
 
 __all__ = [
     "ReevedHook",

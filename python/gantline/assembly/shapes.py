@@ -20,9 +20,10 @@ from gantline.assembly.parts import Json, Parts
 from gantline.assembly.supports import every_support, pad_shape, support_contact
 from gantline.assembly.vessels import vessel_shape
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.crawler import tracks_body, upper_body
+from gantline.scenario.crawler import tracks_body
 from gantline.scenario.errors import PathPart, nearest
 from gantline.scenario.ground import Ground
+from gantline.scenario.slewing import upper_body
 from gantline.scenario.structures import Dock, dock_of
 from gantline.scenario.watch import Watch
 

@@ -21,6 +21,21 @@ __all__ = ["Boom", "boom_state"]
 
 
 @dataclass(frozen=True)
+class Slew(FromJson):
+    """How a boom slews with the upper structure that bears it.
+
+    Attributes:
+        joint: By which that slews.
+        slews: Whether it can; the joint is fixed if not.
+        at_start: Its direction at the start, from ahead to the left [rad].
+    """
+
+    joint: str = ""
+    slews: bool = False
+    at_start: float = 0.0
+
+
+@dataclass(frozen=True)
 class Boom(FromJson):
     """A boom with the hooks at its head.
 
@@ -34,6 +49,7 @@ class Boom(FromJson):
         reach_from: From where outreach or radius counts, axes of the base from its origin [m].
         base_from: Origin of the base from its centre of gravity, its axes [m].
         hooks: Its hooks.
+        slew: How it slews; None of one that does not.
     """
 
     name: str
@@ -45,12 +61,15 @@ class Boom(FromJson):
     reach_from: Vector = (0.0, 0.0, 0.0)
     base_from: Vector = (0.0, 0.0, 0.0)
     hooks: Sequence[CraneHook] = ()
+    slew: Slew | None = None
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:
         """Make one from its JSON object."""
         hooks = tuple(CraneHook.from_json(one) for one in document.get("hooks", ()))
-        return super().from_json({**document, "hooks": hooks})
+        slew = document.get("slew")
+        given = {**document, "hooks": hooks, "slew": None if slew is None else Slew.from_json(slew)}
+        return super().from_json(given)
 
 
 def boom_state(columns: Columns, names: Names, booms: Sequence[Boom]) -> Derived:
@@ -102,10 +121,23 @@ def boom_state(columns: Columns, names: Names, booms: Sequence[Boom]) -> Derived
         found["luffing_pull"] = Variable(
             ("time", "boom"), np.stack(pulls, axis=1), "N", "pull of all parts of line of the luffing tackles"
         )
+    if any(boom.slew is not None for boom in booms):
+        angles = [_slew(columns, names, boom) for boom in booms]
+        found["slew_angle"] = Variable(
+            ("time", "boom"), np.stack(angles, axis=1), "rad", "angle of the boom from ahead, to the left"
+        )
     return found, {
         "boom": [boom.name for boom in booms],
         "boom_hook": [hook.name for boom in booms for hook in boom.hooks],
     }
+
+
+def _slew(columns: Columns, names: Names, boom: Boom) -> FloatArray:
+    """Angle by which its upper structure is slewed, shape (time,) [rad]; 0 of one that has none."""
+    if boom.slew is None or not boom.slew.slews:
+        return np.full(len(columns["time"]), 0.0 if boom.slew is None else boom.slew.at_start)
+    angle: FloatArray = columns["joint_position"][:, list(names["joint"]).index(boom.slew.joint)]
+    return angle
 
 
 def _pull(columns: Columns, names: Names, boom: Boom) -> FloatArray:

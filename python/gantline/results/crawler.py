@@ -1,4 +1,4 @@
-"""Crawler cranes in a recording: pressure under tracks and mats, nearness to tipping, slewing angle.
+"""Crawler cranes in a recording: pressure under tracks and mats, nearness to tipping.
 
 Sizes and weights come with the rig; docs/concepts/crawler.md has the equations.
 """
@@ -31,8 +31,6 @@ class Crawler(FromJson):
         name: Its name.
         tracks: Body that stands on the ground.
         upper: Body that slews, and the joint by which it does.
-        slews: Whether it can; its joint is fixed if not.
-        slew_at_start: Angle of the boom from the heading of the tracks at the start [rad].
         length: Of a track on the ground [m].
         width: Of a track [m].
         gauge: Distance of the tracks, middle to middle [m].
@@ -51,8 +49,6 @@ class Crawler(FromJson):
     name: str
     tracks: str = ""
     upper: str = ""
-    slews: bool = False
-    slew_at_start: float = 0.0
     length: float = 0.0
     width: float = 0.0
     gauge: float = 0.0
@@ -68,7 +64,7 @@ class Crawler(FromJson):
 
 
 def crawler_state(columns: Columns, names: Names, crawlers: Sequence[Crawler]) -> Derived:
-    """Pressures under the ends of tracks, utilisation against tipping, slewing angle.
+    """Pressures under the ends of tracks, utilisation against tipping.
 
     Args:
         columns: Columns of the core by name.
@@ -85,7 +81,6 @@ def crawler_state(columns: Columns, names: Names, crawlers: Sequence[Crawler]) -
     on_track = [one / crane.width for crane, one in zip(crawlers, line, strict=True)]
     on_ground = [one / (crane.mats or crane.width) for crane, one in zip(crawlers, line, strict=True)]
     tipping = [_tipping(columns, names, crane, one) for crane, one in zip(crawlers, forces, strict=True)]
-    slew = [_slew(columns, names, crane) for crane in crawlers]
     at_corners, of_crawlers = ("time", "track_corner"), ("time", "crawler")
     return {
         "track_pressure": Variable(
@@ -102,9 +97,6 @@ def crawler_state(columns: Columns, names: Names, crawlers: Sequence[Crawler]) -
             np.stack(tipping, axis=1),
             "1",
             "moment of what hangs over that of the crane's weight about its worst tipping line; it tips at 1",
-        ),
-        "slew_angle": Variable(
-            of_crawlers, np.stack(slew, axis=1), "rad", "angle of the boom from the heading of the tracks"
         ),
     }, {
         "track_corner": [corner for crane in crawlers for corner in crane.corners],
@@ -132,13 +124,6 @@ def _uneven(columns: Columns, names: Names, crane: Crawler) -> FloatArray:
             level[:, corner] -= columns["joint_position"][:, joints.index(foot)]
     rises: FloatArray = 6 * crane.stiffness * (level[:, 0::2] - level[:, 1::2]) / crane.length**2
     return rises
-
-
-def _slew(columns: Columns, names: Names, crane: Crawler) -> FloatArray:
-    if not crane.slews:
-        return np.full(len(columns["time"]), crane.slew_at_start)
-    angle: FloatArray = columns["joint_position"][:, list(names["joint"]).index(crane.upper)]
-    return angle
 
 
 def _tipping(columns: Columns, names: Names, crane: Crawler, forces: FloatArray) -> FloatArray:

@@ -40,9 +40,9 @@ _OVER: dict[tuple[str, ...], str] = {
     ("time", "hook"): "hook_load hoist_load",
     ("time", "crane_hook"): "hook_height falls_out_of_plumb",
     ("time", "corner"): "corner_load",
-    ("time", "boom"): "boom_angle luffing_pull crane_heel crane_trim",
+    ("time", "boom"): "boom_angle luffing_pull slew_angle crane_heel crane_trim",
     ("time", "boom_hook"): "crane_radius off_lead side_lead",
-    ("time", "crawler"): "tipping_utilisation slew_angle",
+    ("time", "crawler"): "tipping_utilisation",
     ("time", "track_corner"): "track_pressure ground_pressure",
     ("time", "vessel"): "vessel_draft vessel_draft_aft vessel_draft_forward vessel_heel vessel_trim "
     "vessel_freeboard vessel_displacement vessel_wave_elevation",

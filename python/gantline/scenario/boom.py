@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
@@ -21,6 +21,7 @@ from gantline.scenario.quantities import (
     Angle,
     Flag,
     Length,
+    ListOf,
     Mass,
     Name,
     Position,
@@ -28,11 +29,13 @@ from gantline.scenario.quantities import (
     PositiveInertia,
     PositiveLength,
     PositiveMass,
+    Quantity,
     Ratio,
     refuse,
 )
 from gantline.scenario.rating import Rating
-from gantline.scenario.vessel import Vessel
+from gantline.scenario.slewing import Slewing, outside_of_range, upper_body
+from gantline.scenario.vessel import Vessel, VesselMass
 
 __all__ = [
     "Boom",
@@ -44,6 +47,9 @@ __all__ = [
     "boom_name",
     "placed_boom",
 ]
+
+
+_Axis = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
 
 
 class HeelPins(Element):
@@ -108,7 +114,7 @@ class BoomHook(CarriedHook):
 
 
 class FloatingCrane(Element):
-    """A floating crane: a boom that luffs and does not slew, on a vessel."""
+    """A floating crane: a boom on a vessel that luffs, and slews if it has an axis to slew about."""
 
     what: ClassVar[str] = "a floating crane"
 
@@ -124,6 +130,17 @@ class FloatingCrane(Element):
         None,
         description="From which x of its axes outreach counts; from the bow of its vessel if not given, or "
         "from the heel pins without one.",
+    )
+    slewing_axis: _Axis | None = Field(
+        None,
+        description="Of a crane that slews: place of the slewing axis, x and y in the crane's axes. All "
+        "places of the crane are said as they are with the boom ahead, along x.",
+    )
+    slew: Angle = Field(0.0, description="Direction of the boom at the start, from ahead to port.")
+    slewing: Slewing | None = Field(None, description="What slews it; it keeps its angle if not given.")
+    upper_masses: Named[VesselMass] | None = Field(
+        None,
+        description="What slews with the boom beside it, by name: machinery, A-frame, counterweight.",
     )
     rated_capacity: PositiveMass | None = Field(None, description="Rated capacity of all hooks together.")
     rating_includes_hook_block: Flag = Field(
@@ -147,6 +164,20 @@ class FloatingCrane(Element):
             raise refuse("its vessel says where it points; leave 'heading' out", "heading")
         return self
 
+    @model_validator(mode="after")
+    def _slews_about_an_axis(self) -> FloatingCrane:
+        if self.slewing_axis is None:
+            for key in ("slew", "slewing", "upper_masses"):
+                if key in self.model_fields_set:
+                    right = "'slewing_axis: [60 m, 0 m]', say, in the axes of the vessel"
+                    raise refuse(f"a crane that slews needs the place of its axis: {right}", key)
+            return self
+        if self.outreach_from is not None:
+            sentence = "a crane that slews counts a radius from its 'slewing_axis'; leave this out"
+            raise refuse(sentence, "outreach_from")
+        outside_of_range(self.slew, self.slewing)
+        return self
+
 
 @dataclass(frozen=True)
 class PlacedBoom:
@@ -163,6 +194,8 @@ class PlacedBoom:
         hooks: hooks at its head by name.
         reach_from: from where outreach or radius counts, level and along the boom, axes of the base [m].
         path: where the lift file has the crane.
+        slew: its direction at the start [rad] and what slews it, of a boom on an upper structure, which is
+            its base then; None of another.
     """
 
     crane: str
@@ -175,6 +208,7 @@ class PlacedBoom:
     hooks: Mapping[str, BoomHook]
     reach_from: tuple[float, float, float]
     path: tuple[PathPart, ...]
+    slew: tuple[float, Slewing | None] | None = None
 
     @property
     def tackles(self) -> Tackles | None:
@@ -205,6 +239,8 @@ def placed_boom(name: str, crane: object, vessels: Mapping[str, Vessel]) -> Plac
     """The boom of a crane with what bears it; None of a crane without one."""
     if not isinstance(crane, FloatingCrane):
         return None
+    if crane.slewing_axis is not None:
+        return _slewing_boom(name, crane, crane.slewing_axis)
     pins = crane.boom.heel_pins
     vessel = vessels.get(crane.vessel or "")
     extent = None if vessel is None else vessel.hull.extent
@@ -224,4 +260,29 @@ def placed_boom(name: str, crane: object, vessels: Mapping[str, Vessel]) -> Plac
             pins.at[2],
         ),
         path=("cranes", name),
+    )
+
+
+def _slewing_boom(name: str, crane: FloatingCrane, axis: tuple[float, float]) -> PlacedBoom:
+    """The boom of a floating crane that slews; axes of its upper structure begin on the slewing axis."""
+    pins, luffing = crane.boom.heel_pins, crane.luffing
+
+    def from_axis(at: tuple[float, float, float]) -> tuple[float, float, float]:
+        return at[0] - axis[0], at[1] - axis[1], at[2]
+
+    if luffing is not None and luffing.tackles is not None:
+        moved = luffing.tackles.model_copy(update={"from_": from_axis(luffing.tackles.from_)})
+        luffing = luffing.model_copy(update={"tackles": moved})
+    return PlacedBoom(
+        crane=name,
+        name=boom_name(name),
+        base=upper_body(name),
+        boom=crane.boom,
+        heel=from_axis(pins.at),
+        apart=pins.apart,
+        luffing=luffing,
+        hooks=crane.hooks,
+        reach_from=(0.0, 0.0, 0.0),
+        path=("cranes", name),
+        slew=(crane.slew, crane.slewing),
     )

@@ -25,7 +25,7 @@ def check_booms(findings: Findings) -> None:
         if isinstance(crane, FloatingCrane) and crane.vessel is not None and crane.vessel not in vessels:
             sentence = f"'{crane.vessel}' is not a name of 'vessels'; {nearest(crane.vessel, vessels)}"
             findings.add(("cranes", name, "vessel"), sentence)
-        if not isinstance(crane, FloatingCrane) or crane.outreach_from is not None:
+        if not isinstance(crane, FloatingCrane) or crane.outreach_from is not None or crane.slewing_axis:
             continue
         vessel = vessels.get(crane.vessel or "")
         if vessel is not None and vessel.hull.extent is None:
@@ -58,16 +58,17 @@ def check_luffing(findings: Findings) -> None:
 
 def _check_chart(findings: Findings, path: Path, crane: object) -> None:
     """A chart counts from where its crane does: read from elsewhere it would rate another load."""
-    chart = crane.rating if isinstance(crane, FloatingCrane | Crawler) else None
-    if chart is None:
+    if not isinstance(crane, FloatingCrane | Crawler) or crane.rating is None:
         return
-    if isinstance(crane, FloatingCrane) and chart.over == "radius":
-        sentence = "a floating crane has no slewing axis from which a radius counts"
+    chart = crane.rating
+    if isinstance(crane, FloatingCrane) and crane.slewing_axis is None and chart.over == "radius":
+        sentence = "this crane has no 'slewing_axis' from which a radius counts"
         counts = "the heel pins" if crane.vessel is None else "the bow"
         right = f"'outreach' is right, which counts from {counts}, or from another x as 'outreach_from' says"
         findings.add((*path, "radius"), f"{sentence}; {right}")
-    if isinstance(crane, Crawler) and chart.over == "outreach":
-        sentence = "a crawler crane has no bow from which an outreach counts"
+    slews = isinstance(crane, Crawler) or crane.slewing_axis is not None
+    if slews and chart.over == "outreach":
+        sentence = "a crane that slews has no bow from which an outreach counts"
         findings.add((*path, "outreach"), f"{sentence}; 'radius' is right, from its slewing axis")
 
 

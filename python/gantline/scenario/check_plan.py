@@ -107,7 +107,7 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
         if name is None:
             sentence = f"'{text}' is not a {what}; {nearest(text, known)}"
             if step.kind == "upper" and isinstance((findings.scenario.cranes or {}).get(text), FloatingCrane):
-                sentence = f"the boom of '{text}' luffs and does not slew, as that of no floating crane does"
+                sentence = f"the boom of '{text}' does not slew: it has no 'slewing_axis' and 'slewing'"
                 sentence += "; 'haul' and 'veer' of mooring lines take its vessel along"
             findings.add(("plan", place, step.verb), sentence)
             continue

@@ -7,10 +7,11 @@ from collections.abc import Mapping
 from gantline.scenario.boom import FloatingCrane, boom_name
 from gantline.scenario.crane import FixedHook
 from gantline.scenario.crane_types import AnyCrane
-from gantline.scenario.crawler import Crawler, tracks_body, upper_body
+from gantline.scenario.crawler import Crawler, tracks_body
 from gantline.scenario.errors import PathPart
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import trolley_name
+from gantline.scenario.slewing import upper_body
 
 __all__ = ["crane_bodies", "crane_parts", "girder_body"]
 
@@ -43,6 +44,7 @@ def crane_parts(cranes: Mapping[str, AnyCrane]) -> list[tuple[str, str, _Path]]:
         elif isinstance(crane, FloatingCrane | Crawler):
             if isinstance(crane, Crawler):
                 found.append((tracks_body(name), "what a crane stands on", (*path, "tracks")))
+            if isinstance(crane, Crawler) or crane.slewing_axis is not None:
                 found.append((upper_body(name), "what slews of a crane", path))
             found.append((boom_name(name), "the boom of a crane", (*path, "boom")))
             found += [(f"{name}.{hook}", "a hook", (*path, "hooks", hook)) for hook in crane.hooks]

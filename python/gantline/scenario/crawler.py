@@ -14,7 +14,7 @@ from pydantic import Field, model_validator
 from gantline.scenario.base import Element, Named
 from gantline.scenario.boom import BoomHook, BoomParts, PlacedBoom, boom_name
 from gantline.scenario.goliath import Traverse
-from gantline.scenario.luffing import Luffing, TurningDrive
+from gantline.scenario.luffing import Luffing
 from gantline.scenario.quantities import (
     Angle,
     Damping,
@@ -34,6 +34,7 @@ from gantline.scenario.quantities import (
     refuse,
 )
 from gantline.scenario.rating import Rating
+from gantline.scenario.slewing import Slewing, outside_of_range, upper_body
 
 __all__ = [
     "TRACK_CORNERS",
@@ -42,13 +43,10 @@ __all__ = [
     "CrawlerBoom",
     "CrawlerPins",
     "Settling",
-    "Slewing",
     "Tracks",
     "along_body",
     "crawler_boom",
     "tracks_body",
-    "turned_body",
-    "upper_body",
 ]
 
 #: Ends of the two tracks.
@@ -58,7 +56,6 @@ TRACK_CORNERS = ("left.front", "left.back", "right.front", "right.back")
 _SLENDEST = 4.0
 
 _Place = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
-_Angles = Annotated[tuple[float, float] | None, ListOf(Quantity("angle"), 2)]
 
 
 def tracks_body(crane: str) -> str:
@@ -69,16 +66,6 @@ def tracks_body(crane: str) -> str:
 def along_body(crane: str) -> str:
     """Name of what goes along a crawler crane's heading, as it stands before the ground gives way."""
     return f"{crane}/along"
-
-
-def upper_body(crane: str) -> str:
-    """Name of what slews of a crawler crane, and of the joint by which it does."""
-    return f"{crane}.upper"
-
-
-def turned_body(crane: str) -> str:
-    """Name of the body that turns as a crawler crane slews, and that its hook blocks are points under."""
-    return f"{upper_body(crane)}/turned"
 
 
 def _refuse_other_corners(given: tuple[str, ...], key: str) -> None:
@@ -162,23 +149,6 @@ class Counterweight(Element):
     )
 
 
-class Slewing(TurningDrive):
-    """What slews the upper structure."""
-
-    what: ClassVar[str] = "slewing"
-
-    range_: _Angles = Field(
-        None, alias="range", description="Least and largest angle; all the way round if not given."
-    )
-
-    @model_validator(mode="after")
-    def _range_is_one(self) -> Slewing:
-        if self.range_ is not None and self.range_[0] >= self.range_[1]:
-            low, high = (f"{math.degrees(one):g} deg" for one in self.range_)
-            raise refuse(f"a range goes from the least to the largest angle; found {low} to {high}", "range")
-        return self
-
-
 class CrawlerPins(Element):
     """The pins about which the boom of a crawler crane turns."""
 
@@ -256,14 +226,7 @@ class Crawler(Element):
         if self.travel is not None and not self.travel.range_[0] <= 0 <= self.travel.range_[1]:
             sentence = "travel counts from where the crane stands"
             raise refuse(f"{sentence}; a range with 0 in it is right", "travel")
-        if self.slewing is not None and self.slewing.range_ is not None:
-            low, high = self.slewing.range_
-            if not low <= self.slew <= high:
-                at, between = (
-                    math.degrees(self.slew),
-                    f"{math.degrees(low):g} deg to {math.degrees(high):g} deg",
-                )
-                raise refuse(f"{at:g} deg is outside of the range of slewing, {between}", "slew")
+        outside_of_range(self.slew, self.slewing)
         return self
 
 
@@ -281,4 +244,5 @@ def crawler_boom(name: str, crane: Crawler) -> PlacedBoom:
         hooks=crane.hooks,
         reach_from=(0.0, 0.0, 0.0),
         path=("cranes", name),
+        slew=(crane.slew, crane.slewing),
     )

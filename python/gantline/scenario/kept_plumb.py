@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from gantline.scenario.crawler import upper_body
 from gantline.scenario.hooks import Hook
 from gantline.scenario.model import Scenario
 from gantline.scenario.movers import Mover
 from gantline.scenario.rigging import Rigging, SlingRigging
+from gantline.scenario.slewing import upper_body
 
 __all__ = ["hooks_beside", "is_moved_by", "slings_under"]
 

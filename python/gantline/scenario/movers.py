@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from gantline.scenario.crawler import Crawler, Slewing, upper_body
+from gantline.scenario.boom import FloatingCrane
+from gantline.scenario.crawler import Crawler
 from gantline.scenario.goliath import Goliath, Traverse
 from gantline.scenario.hooks import Hook, full_name, trolley_name
 from gantline.scenario.luffing import Luffing, LuffingGear
 from gantline.scenario.model import Scenario
 from gantline.scenario.mooring import MooringLine
 from gantline.scenario.reel import Reel
+from gantline.scenario.slewing import Slewing, upper_body
 from gantline.scenario.steps import Kind, LuffStep
 from gantline.scenario.tag_line import TagLine, tag_rope
 
@@ -90,11 +92,10 @@ def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
                 found[placed.crane] = replace(along, gear=placed.gear)
         return found
     for name, crane in (scenario.cranes or {}).items():
-        if isinstance(crane, Crawler):
-            if kind == "crane" and crane.travel is not None:
-                found[name] = _along(name, kind, crane.travel, 0.0)
-            if kind == "upper" and crane.slewing is not None:
-                found[name] = _along(upper_body(name), kind, crane.slewing, crane.slew)
+        if isinstance(crane, Crawler) and kind == "crane" and crane.travel is not None:
+            found[name] = _along(name, kind, crane.travel, 0.0)
+        if isinstance(crane, Crawler | FloatingCrane) and kind == "upper" and crane.slewing is not None:
+            found[name] = _along(upper_body(name), kind, crane.slewing, crane.slew)
         if not isinstance(crane, Goliath):
             continue
         if kind == "crane" and crane.travel is not None:

@@ -77,10 +77,10 @@ _INSTEAD = {
         "Moskowitz",
         "spreading": "waves run in one direction; several 'waves' with directions of their own spread a sea",
     },
-    "a floating crane": {
-        "slewing": "its boom luffs and does not slew; 'haul' and 'veer' of mooring lines take its vessel "
-        "along"
-    },
+    "a floating crane": dict.fromkeys(
+        ("base_mass", "counterweight", "upper_mass"),
+        "what slews with the boom stands under 'upper_masses' by name, each with 'mass' and 'at'",
+    ),
     "the load": dict.fromkeys(
         (
             "added_mass",

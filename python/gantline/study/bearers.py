@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from gantline.scenario import Scenario
 from gantline.scenario.boom import boom_name
 from gantline.scenario.crane import FixedHook
-from gantline.scenario.crawler import Crawler, along_body, turned_body
+from gantline.scenario.crawler import Crawler, along_body
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import Hook, trolley_name
+from gantline.scenario.slewing import turned_body
 
 __all__ = ["Bearer", "bearers_of", "why_not"]
 
