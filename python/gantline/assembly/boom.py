@@ -201,13 +201,14 @@ def _boom(placed: PlacedBoom) -> Json:
 
 
 def _platform(placed: PlacedBoom) -> list[Json]:
-    """A platform from the heel pins to as far behind the slewing axis, and the pedestal that it slews on."""
+    """A platform from the heel pins to under the A-frame, and the pedestal that it slews on."""
     if placed.slew is None:
         return []
-    x, y, z = placed.heel
-    behind, thick = max(abs(x), _PIN), _PIN
-    floor = _box((x + behind, placed.apart, thick), ((x - behind) / 2, y, z - thick))
-    return [floor, _box((behind, behind, _PEDESTAL * z), (0.0, 0.0, z - 1.5 * thick - _PEDESTAL * z / 2))]
+    (x, y, z), high = placed.heel, _PEDESTAL * placed.heel[2]
+    wide = max(abs(x), _PIN)
+    behind = wide if placed.tackles is None else max(wide, _PIN / 2 - placed.tackles.from_[0])
+    floor = _box((x + behind, placed.apart, _PIN), ((x - behind) / 2, y, z - _PIN))
+    return [floor, _box((wide, wide, high), (0.0, 0.0, z - 1.5 * _PIN - high / 2))]
 
 
 def _a_frame(placed: PlacedBoom) -> list[Json]:
