@@ -6,6 +6,7 @@ The crane of `boom_lift` on a slewing axis 18 m behind its heel pins.
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -39,14 +40,14 @@ SIZE, HULL, HULL_HIGH = (160.0, 46.0, 9.0), 30e6, 5.0
 SLEWS = "slewing: {speed: 0.3 rev/min, acceleration: 0.1 deg/s^2, emergency_acceleration: 0.5 deg/s^2}"
 
 
-def slewing_lift(plan: str, *, slew: float = 0.0, where: str, drive: str = SLEWS, **rest: object) -> str:
+def slewing_lift(plan: str, *, slew: float = 0.0, where: str, drive: str = SLEWS, **rest: Any) -> str:
     """The crane with a counterweight on its upper structure, turned [deg] at the start."""
     weight = f"{{mass: {WEIGHT} kg, at: [{AXIS - BEHIND} m, 0 m, {HIGH} m]}}"
     base = (
         f"{where}    slewing_axis: [{AXIS} m, 0 m]\n    slew: {slew} deg\n    {drive}\n"
         f"    upper_masses: {{counterweight: {weight}}}\n"
     )
-    text = boom_lift(plan, base=base, **rest)  # type: ignore[arg-type]
+    text = boom_lift(plan, base=base, **rest)
     assert text.count("    outreach_from: 105.6 m\n") == 1
     return text.replace("    outreach_from: 105.6 m\n", "")
 
@@ -63,7 +64,7 @@ vessels:
 """
 
 
-def afloat(plan: str, **rest: object) -> str:
+def afloat(plan: str, **rest: Any) -> str:
     crane = WEIGHT + BOOM + HEAD_GEAR + SHEAVE_BLOCK + HOOK_BLOCK + LOAD
     draft = (HULL + crane) / (1025.0 * SIZE[0] * SIZE[1])
     more = AFLOAT.format(draft=repr(draft))
