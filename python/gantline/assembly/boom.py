@@ -216,7 +216,7 @@ def _a_frame(placed: PlacedBoom) -> list[Json]:
     if placed.tackles is None:
         return []
     x, y, z = placed.tackles.from_
-    low = placed.heel[2]
+    low = placed.heel[2] - (0.0 if placed.slew is None else _PIN / 2)  # down to the platform
     posts = [_box((_PIN, _PIN, z - low), (x, side, (z + low) / 2)) for side in sorted({-y, y})]
     return [*posts, _box((_PIN, 2 * abs(y) + _PIN, _PIN), (x, 0.0, z))]
 

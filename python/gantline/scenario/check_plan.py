@@ -106,8 +106,10 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
         name = full_name(text, known)
         if name is None:
             sentence = f"'{text}' is not a {what}; {nearest(text, known)}"
-            if step.kind == "upper" and isinstance((findings.scenario.cranes or {}).get(text), FloatingCrane):
-                sentence = f"the boom of '{text}' does not slew: it has no 'slewing_axis' and 'slewing'"
+            crane = (findings.scenario.cranes or {}).get(text)
+            if step.kind == "upper" and isinstance(crane, FloatingCrane):
+                missing = "'slewing'" if crane.slewing_axis else "'slewing_axis' and 'slewing'"
+                sentence = f"the boom of '{text}' does not slew: it has no {missing}"
                 sentence += "; 'haul' and 'veer' of mooring lines take its vessel along"
             findings.add(("plan", place, step.verb), sentence)
             continue
