@@ -33,7 +33,7 @@ pub const LEAST: f64 = 1e-6;
 /// Beyond this λ no step is worth trying [1/s²].
 const MOST: f64 = 1e16;
 /// Steps, at most.
-const STEPS: usize = 2000;
+const STEPS: usize = 500;
 /// What has moved so far falls without end [m].
 const ENDLESS: f64 = 1e4;
 /// Slope, relative to its terms, at which forces balance.
