@@ -7,24 +7,17 @@ import re
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner, Result
 
-from gantline.cli.app import app
 from gantline.results.saved import SavedCases
 from lift_text import changed
 from plumb_lift import WEIGHT, plumb_lift
+from verbs import gantline
 
 ALL = """\
 heavy: {set: {load.weight.simulate: design}}
 cog_corners: {vary: load.centre_of_gravity.envelope, corners: all}
 sling_lengths: {vary: slings.tolerance, pattern: worst}
 hook_levels: {vary: {cranes.A.at.z: [-1 mm, 1 mm]}}"""
-
-
-def gantline(*arguments: str, columns: int = 80) -> Result:
-    result = CliRunner().invoke(app, arguments, env={"COLUMNS": str(columns)})
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
 
 
 @pytest.fixture

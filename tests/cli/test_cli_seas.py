@@ -7,19 +7,12 @@ import re
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner, Result
 
 from column_in_waves import ALIKE, SEA, column
-from gantline.cli.app import app
 from gantline.results.saved_seas import SavedSeas
+from verbs import gantline
 
 OVER = ("--height", "0.1 m, 2 m, 3 m, 9 m", "--period", "6 s")
-
-
-def gantline(*arguments: str, columns: int = 80) -> Result:
-    result = CliRunner().invoke(app, arguments, env={"COLUMNS": str(columns)})
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
 
 
 @pytest.fixture

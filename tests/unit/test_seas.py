@@ -186,8 +186,8 @@ def test_numbers_as_json_are_those_of_tables() -> None:
     found = run_seas(lift(least="781 kN"), heights=[0.1, 2.0], periods=[5.0, 6.0], records=2)
     document = json.loads(json.dumps(found.to_json(), allow_nan=False))
     saved = SavedSeas.from_json(document)
-    assert saved.heights == list(found.heights)
-    assert saved.periods == list(found.periods)
+    assert saved.heights == found.heights
+    assert saved.periods == found.periods
     for sea, shown in zip(found.seas, saved.seas, strict=True):
         assert (shown.height, shown.period, shown.direction) == (sea.height, sea.period, sea.direction)
         assert shown.is_allowed is sea.is_allowed

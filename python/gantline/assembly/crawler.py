@@ -250,7 +250,6 @@ def crawler_rig(scenario: Scenario, parts: Parts) -> list[Json]:
             {
                 "name": name,
                 "tracks": tracks_body(name),
-                "upper": upper_body(name),
                 "length": tracks.length,
                 "width": tracks.width,
                 "gauge": tracks.gauge,

@@ -20,6 +20,14 @@ if TYPE_CHECKING:
 #: Of the picture.
 _DOTS_PER_INCH = 200
 _MOST_RECORDS = 1000
+#: Options by the arguments of `run_seas`.
+_OPTIONS = {
+    "waves": "--waves",
+    "heights": "--height",
+    "periods": "--period",
+    "directions": "--direction",
+    "records": "--records",
+}
 
 
 def seas(
@@ -132,16 +140,6 @@ def _run(
         except NoSeaError as problem:
             stop(f"{_OPTIONS.get(problem.name, problem.name)}: {problem.sentence}")
     return result
-
-
-#: Options by the arguments of `run_seas`.
-_OPTIONS = {
-    "waves": "--waves",
-    "heights": "--height",
-    "periods": "--period",
-    "directions": "--direction",
-    "records": "--records",
-}
 
 
 def _draw(found: SavedSeas, folder: Path) -> Path:

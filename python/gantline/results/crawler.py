@@ -30,7 +30,6 @@ class Crawler(FromJson):
     Attributes:
         name: Its name.
         tracks: Body that stands on the ground.
-        upper: Body that slews, and the joint by which it does.
         length: Of a track on the ground [m].
         width: Of a track [m].
         gauge: Distance of the tracks, middle to middle [m].
@@ -48,7 +47,6 @@ class Crawler(FromJson):
 
     name: str
     tracks: str = ""
-    upper: str = ""
     length: float = 0.0
     width: float = 0.0
     gauge: float = 0.0

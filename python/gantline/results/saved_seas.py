@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from gantline.results.saved_json import list_in, number_in, object_of, text_in
+from gantline.results.sea_grid import SeaGrid
 from gantline.units import format_quantity, telling_digits
 
 __all__ = ["SavedSea", "SavedSeas", "degrees"]
@@ -22,8 +23,8 @@ class SavedSea:
         period: Peak period, or period [s].
         direction: In which they run [rad].
         is_too_steep: Whether there are no such waves.
-        outcome: Of the lift in it; empty where it was not run.
         is_allowed: Whether the lift is a go in every record.
+        is_refused: Whether it is no go in one.
         record: The worst record, from 1; 0 where it was not run.
         used: Largest share of a limit that is used there [1]; None without such a number.
         check: Name of the check that uses it; empty where there is none.
@@ -37,8 +38,8 @@ class SavedSea:
     period: float
     direction: float
     is_too_steep: bool
-    outcome: str
     is_allowed: bool
+    is_refused: bool
     record: int
     used: float | None
     check: str
@@ -74,11 +75,11 @@ class SavedSea:
     @property
     def has_verdict(self) -> bool:
         """Whether it is known to be a go or none."""
-        return self.is_allowed or self.outcome == "NO-GO"
+        return self.is_allowed or self.is_refused
 
 
 @dataclass(frozen=True)
-class SavedSeas:
+class SavedSeas(SeaGrid[SavedSea]):
     """What `gantline seas` found.
 
     Attributes:
@@ -132,25 +133,6 @@ class SavedSeas:
             list(dict.fromkeys(str(one) for record in runs for one in list_in(record, "warnings"))),
         )
 
-    @property
-    def directions(self) -> list[float]:
-        """Directions of the grid [rad]."""
-        return list(dict.fromkeys(sea.direction for sea in self.seas))
-
-    @property
-    def periods(self) -> list[float]:
-        """Periods of the grid [s]."""
-        return list(dict.fromkeys(sea.period for sea in self.seas))
-
-    @property
-    def heights(self) -> list[float]:
-        """Heights of the grid, the smallest first [m]."""
-        return list(dict.fromkeys(sea.height for sea in self.seas))
-
-    def of(self, direction: float, period: float) -> list[SavedSea]:
-        """Seas of a direction [rad] and a period [s], the lowest first."""
-        return [sea for sea in self.seas if (sea.direction, sea.period) == (direction, period)]
-
     def stopper(self, direction: float, period: float) -> SavedSea | None:
         """The lowest sea of a direction [rad] and a period [s] in which the lift is no go; None of none."""
         run = (sea for sea in self.of(direction, period) if sea.is_run)
@@ -175,8 +157,8 @@ def _sea(given: Mapping[str, Any]) -> SavedSea:
         number_in(given, "period"),
         number_in(given, "direction"),
         given.get("too_steep") is True,
-        str(given.get("outcome") or ""),
         given.get("allowed") is True,
+        given.get("refused") is True,
         int(number) if isinstance(number, int) else 0,
         None if used is None else number_in(governing, "utilisation"),
         str(governing.get("check", "")),

@@ -34,7 +34,7 @@ from gantline.scenario.quantities import (
     refuse,
 )
 from gantline.scenario.rating import Rating
-from gantline.scenario.slewing import Slewing, outside_of_range, upper_body
+from gantline.scenario.slewing import Slewing, refuse_outside_of_range, upper_body
 from gantline.scenario.vessel import Vessel, VesselMass
 
 __all__ = [
@@ -175,7 +175,7 @@ class FloatingCrane(Element):
         if self.outreach_from is not None:
             sentence = "a crane that slews counts a radius from its 'slewing_axis'; leave this out"
             raise refuse(sentence, "outreach_from")
-        outside_of_range(self.slew, self.slewing)
+        refuse_outside_of_range(self.slew, self.slewing)
         return self
 
 

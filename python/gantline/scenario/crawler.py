@@ -34,7 +34,7 @@ from gantline.scenario.quantities import (
     refuse,
 )
 from gantline.scenario.rating import Rating
-from gantline.scenario.slewing import Slewing, outside_of_range, upper_body
+from gantline.scenario.slewing import Slewing, refuse_outside_of_range, upper_body
 
 __all__ = [
     "TRACK_CORNERS",
@@ -226,7 +226,7 @@ class Crawler(Element):
         if self.travel is not None and not self.travel.range_[0] <= 0 <= self.travel.range_[1]:
             sentence = "travel counts from where the crane stands"
             raise refuse(f"{sentence}; a range with 0 in it is right", "travel")
-        outside_of_range(self.slew, self.slewing)
+        refuse_outside_of_range(self.slew, self.slewing)
         return self
 
 

@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from gantline.scenario.luffing import TurningDrive
 from gantline.scenario.quantities import ListOf, Quantity, refuse
 
-__all__ = ["Slewing", "outside_of_range", "turned_body", "upper_body"]
+__all__ = ["Slewing", "refuse_outside_of_range", "turned_body", "upper_body"]
 
 _Angles = Annotated[tuple[float, float] | None, ListOf(Quantity("angle"), 2)]
 
@@ -42,7 +42,7 @@ def turned_body(crane: str) -> str:
     return f"{upper_body(crane)}/turned"
 
 
-def outside_of_range(slew: float, slewing: Slewing | None) -> None:
+def refuse_outside_of_range(slew: float, slewing: Slewing | None) -> None:
     """Refuse a direction at the start to which a crane does not slew [rad].
 
     Raises:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -13,6 +13,7 @@ from gantline.assembly.steepness import highest_sea
 from gantline.checks import Check, Outcome, Verdict, check_recording, governing, outcome_of, verdict_of
 from gantline.results.alike import first_largest
 from gantline.results.saved import digest_of
+from gantline.results.sea_grid import SeaGrid
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.simulation import Simulation, SimulationError
 from gantline.study.side_by_side import SideBySide
@@ -130,6 +131,11 @@ class Sea:
         return self.outcome in (Outcome.GO, Outcome.GO_WITH_WARNINGS)
 
     @property
+    def is_refused(self) -> bool:
+        """Whether it is none in one of them."""
+        return self.outcome is Outcome.NO_GO
+
+    @property
     def worst(self) -> SeaRecord | None:
         """Of the records with its outcome the one that uses most of a limit; None where it was not run."""
         worst = [record for record in self.records if record.outcome is self.outcome]
@@ -145,13 +151,14 @@ class Sea:
             "too_steep": self.is_too_steep,
             "outcome": None if outcome is None else outcome.value,
             "allowed": self.is_allowed,
+            "refused": self.is_refused,
             "worst_record": None if worst is None else worst.number,
             "records": [record.to_json() for record in self.records],
         }
 
 
 @dataclass(frozen=True)
-class SeasResult:
+class SeasResult(SeaGrid[Sea]):
     """A lift in the seas of a grid.
 
     Attributes:
@@ -175,34 +182,6 @@ class SeasResult:
     def __repr__(self) -> str:
         run = sum(bool(sea.records) for sea in self.seas)
         return f"<SeasResult {self.title!r}: {len(self.seas)} seas of {self.waves!r}, {run} of them run>"
-
-    @property
-    def directions(self) -> tuple[float, ...]:
-        """Directions of the grid [rad]."""
-        return tuple(dict.fromkeys(sea.direction for sea in self.seas))
-
-    @property
-    def periods(self) -> tuple[float, ...]:
-        """Periods of the grid [s]."""
-        return tuple(dict.fromkeys(sea.period for sea in self.seas))
-
-    @property
-    def heights(self) -> tuple[float, ...]:
-        """Heights of the grid, the smallest first [m]."""
-        return tuple(dict.fromkeys(sea.height for sea in self.seas))
-
-    def of(self, direction: float, period: float) -> list[Sea]:
-        """Seas of a direction [rad] and a period [s] of the grid, the lowest first.
-
-        Raises:
-            KeyError: If there are none.
-        """
-        found = [sea for sea in self.seas if (sea.direction, sea.period) == (direction, period)]
-        if not found:
-            raise KeyError(
-                f"there is no sea with a direction of {direction!r} rad and a period of {period!r} s"
-            )
-        return found
 
     def allowed_height(self, direction: float, period: float) -> float | None:
         """Largest height of the grid up to which the lift is a go, with warnings or without [m].
@@ -292,58 +271,43 @@ def run_seas(
     if records > 1 and not _seeds(scenario):
         sentence = "waves that are all alike, without gusts, are the same in every record; one is right"
         raise NoSeaError("records", sentence)
-    grid = _grid(
-        scenario,
-        name,
-        _values("directions", directions, train.direction, least=-math.inf),
-        _values("periods", periods, train.main_period),
-        sorted(_values("heights", heights, train.main_height)),
-    )
-    Simulation(
-        scenario, **overrides
-    )  # what is wrong with the lift as such, or a setting, is no matter of a sea
-    found = dict(enumerate(grid))
-    interrupted = False
-    done = 0
+    heights = sorted(_values("heights", heights, train.main_height))
+    seas = [
+        Sea(height, period, direction, highest_sea(scenario, name, period))
+        for direction in _values("directions", directions, train.direction, least=-math.inf)
+        for period in _values("periods", periods, train.main_period)
+        for height in heights
+    ]
+    # What is wrong with the lift as such, or with a setting, is no matter of a sea.
+    Simulation(scenario, **overrides)
+    interrupted, numbers = False, range(1, records + 1)
     with SideBySide(workers) as pool:
         try:
-            for level in _levels(grid):
-                ended = {
-                    (grid[place].direction, grid[place].period)
-                    for place, sea in found.items()
-                    if sea.outcome is Outcome.NO_GO
+            for height in heights:
+                pending = {
+                    place: [
+                        _submit(pool, scenario, name, seas[place], number, overrides) for number in numbers
+                    ]
+                    for place in _worth_a_run(seas, height, all_heights=all_heights)
                 }
-                asked = [
-                    place
-                    for place in level
-                    if not grid[place].is_too_steep
-                    and (all_heights or (grid[place].direction, grid[place].period) not in ended)
-                ]
-                pending = [
-                    (place, _submit(pool, scenario, name, grid[place], number, overrides))
-                    for place in asked
-                    for number in range(1, records + 1)
-                ]
-                for place, future in pending:
-                    tell(f"{done} runs done, height {grid[place].height:g} m")
-                    found[place] = replace(found[place], records=(*found[place].records, future.result()))
-                    done += 1
+                for place, runs in pending.items():
+                    tell(f"{sum(len(sea.records) for sea in seas)} runs done, height {height:g} m")
+                    seas[place] = replace(seas[place], records=tuple(run.result() for run in runs))
         except KeyboardInterrupt:
             interrupted = True
-            # A sea of which some records are missing has not been run.
-            found = {
-                place: sea if len(sea.records) == records else grid[place] for place, sea in found.items()
-            }
             pool.give_up()
-    return SeasResult(
-        scenario.lift.title,
-        scenario.text,
-        name,
-        train.is_regular,
-        records,
-        [found[place] for place in range(len(grid))],
-        interrupted,
-    )
+    title, text = scenario.lift.title, scenario.text
+    return SeasResult(title, text, name, train.is_regular, records, seas, interrupted)
+
+
+def _worth_a_run(seas: Sequence[Sea], height: float, *, all_heights: bool) -> list[int]:
+    """Places of the seas of a height [m] that there are, and below which the lift is no go nowhere."""
+    ended = {(sea.direction, sea.period) for sea in seas if sea.is_refused and not all_heights}
+    return [
+        place
+        for place, sea in enumerate(seas)
+        if sea.height == height and not sea.is_too_steep and (sea.direction, sea.period) not in ended
+    ]
 
 
 def _used(record: SeaRecord) -> float:
@@ -376,28 +340,6 @@ def _values(name: str, given: Sequence[float] | None, own: float, least: float =
         if not (math.isfinite(value) and value > least):
             raise NoSeaError(name, f"{value:g} is none that waves can have")
     return values
-
-
-def _grid(
-    scenario: Scenario,
-    name: str,
-    directions: Sequence[float],
-    periods: Sequence[float],
-    heights: Sequence[float],
-) -> list[Sea]:
-    """All seas, none of them run."""
-    return [
-        Sea(height, period, direction, highest_sea(scenario, name, period))
-        for direction in directions
-        for period in periods
-        for height in heights
-    ]
-
-
-def _levels(grid: Sequence[Sea]) -> Iterator[list[int]]:
-    """Places of the seas of each height, the lowest first."""
-    for height in dict.fromkeys(sea.height for sea in grid):
-        yield [place for place, sea in enumerate(grid) if sea.height == height]
 
 
 def _seeds(scenario: Scenario) -> dict[str, int]:
