@@ -36,6 +36,7 @@ PICTURES_OF_LIFTS = {
     "floating_crane": {"stages": "floating_crane_stages", "vessels": "floating_crane_vessels"},
     "floating_crane_and_crawlers": {"stages": "several_cranes_stages"},
     "revolving_crane": {"stages": "revolving_crane_stages"},
+    "off_a_barge": {"hook_load": "off_a_barge"},
     "spreader_bar": {"system": "spreader_bar"},
     "upending": {"stages": "upending_stages"},
     "crane_barge_in_swell": {"vessels": "waves"},

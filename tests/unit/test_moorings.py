@@ -11,6 +11,7 @@ from gantline.assembly import assemble
 from gantline.assembly.origin import origin_of
 from gantline.checks import check_recording
 from gantline.scenario import ScenarioError, load_scenario, parse_scenario
+from gantline.scenario.mooring import is_moored, lines_at
 from gantline.simulation import Simulation
 from gantline.statics import Statics
 from goliath_lift import TO_SHEAVES, goliath_lift
@@ -138,3 +139,97 @@ def test_elements_of_the_core_lead_back_to_the_lift_file(element: str, path: tup
 )
 def test_gear_leads_back_to_the_lift_file(element: str, path: tuple[str | int, ...]) -> None:
     assert origin_of(load_scenario(SCENARIO), element) == path
+
+
+TUG = "    tug: {at: [-60 m, 0 m, 10 m], mass: 300 t, joint: {type: slider, axis: [1, 0, 0]}}\n"
+BETWEEN = spoiled(
+    "to: [-100 m, 0 m, 5 m], rope: moor_44, pretension: 150 kN",
+    "to: [2 m, 0 m, 0 m], held_by: tug, rope: moor_44, pretension: 150 kN, type: spring",
+    spoiled("mooring_lines:", f"{TUG}mooring_lines:", MOORED),
+)
+
+
+def test_a_line_and_a_fender_between_two_bodies() -> None:
+    """A rope from one to the other; a plane in the axes of the other."""
+    wall = spoiled(
+        "wall: [-1 m, 0 m], facing", "wall: [3 m, 0 m], wall_of: tug, thickness: 0.5 m, facing", BETWEEN
+    )
+    document = assemble(parse_scenario(wall)).document
+    [rope] = document["ropes"]
+    assert [(one["body"], one["at"]) for one in rope["route"]] == [("barge", [0, 0, 0]), ("tug", [2, 0, 0])]
+    stiffness = rope["material"]["axial_stiffness"]
+    assert rope["length"] == pytest.approx(58.0 / (1 + 150e3 / stiffness))
+    [fender] = document["contacts"]
+    assert (fender["body"], fender["plane_body"]) == ("barge", "tug")
+    assert fender["plane_point"] == pytest.approx([3.5, 0.0, 0.0])
+
+
+def test_what_a_line_leads_to_holds_it() -> None:
+    """By way of others or not; a line between two bodies that nothing else holds holds neither."""
+    held = parse_scenario(BETWEEN)
+    assert [is_moored(held, body) for body in ("barge", "tug")] == [True, True]
+    assert lines_at(held, "tug") == ["stern"]
+    to_tug = "to: [30 m, 0 m, 0 m]\n    held_by: tug\n    type: spring"
+    adrift = spoiled("to: [100 m, 0 m, -15 m]", to_tug, BETWEEN)
+    loose = parse_scenario(spoiled("    sea_bed: -15 m\n", "", adrift))
+    assert [is_moored(loose, body) for body in ("barge", "tug")] == [False, False]
+
+
+def test_a_distributed_line_waits_and_is_cut_at_its_fairlead() -> None:
+    """Its tension is that of its first piece for conditions, the largest along it in results."""
+    nodes = spoiled("type: spring", "type: distributed, rope_nodes: 8", BETWEEN)
+    plan = spoiled("by: 0.2 m", "until: {mooring_tension: {line: stern, above: 160 kN}}", nodes)
+    document = assemble(parse_scenario(plan)).document
+    assert document["plan"][0]["until"]["segments"] == [["mooring.stern/0", 0]]
+    recording = Simulation(parse_scenario(spoiled("by: 0.2 m", "by: 0.2 m, cut: mooring.stern", nodes))).run()
+    assert recording.column("mooring_tension", "stern")[-1] == 0.0
+    whole = Simulation(parse_scenario(nodes)).run()
+    assert whole.column("rope_end_tension", "mooring.stern")[0, 0] == pytest.approx(150e3, rel=1e-9)
+    assert whole.column("mooring_tension", "stern")[0] >= 150e3
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "message"),
+    [
+        ("held_by: tug", "held_by: tog", r"mooring_lines\.stern\.held_by: 'tog' is not a vessel.*'tug'"),
+        (
+            "held_by: tug",
+            "held_by: barge",
+            r"held_by: 'barge' is the vessel that it holds; a line has two ends",
+        ),
+        (
+            "type: spring",
+            "type: catenary",
+            r"held_by: the lower end of a catenary stands still; .*'distributed'",
+        ),
+        ("type: spring", "type: spring, rope_nodes: 5", r"rope_nodes: only a distributed line has nodes"),
+        ("type: spring", "type: distributed, under_water: true", r"'under_water' is for catenaries"),
+        (
+            "type: spring",
+            "type: distributed, winch: {speed: 5 m/min, acceleration: 0.01 m/s^2}",
+            r"winch: a line with nodes has no winch; .*'catenary'",
+        ),
+        ("wall: [-1 m, 0 m]", "wall: [-1 m, 0 m], wall_of: barge", r"wall_of: 'barge' is the vessel itself"),
+        (
+            "wall: [-1 m, 0 m]",
+            "wall: [-1 m, 0 m], wall_of: quay",
+            r"fenders\.f1\.wall_of: 'quay' is not a vessel",
+        ),
+    ],
+)
+def test_what_lines_and_fenders_between_bodies_refuse(right: str, wrong: str, message: str) -> None:
+    with pytest.raises(ScenarioError, match=message):
+        parse_scenario(spoiled(right, wrong, BETWEEN))
+
+
+def test_the_least_pretension_of_a_distributed_line_is_named() -> None:
+    """No length pulls less than what its weight does at best; one without mass has none to hang by."""
+    nodes = spoiled("type: spring", "type: distributed", BETWEEN)
+    with pytest.raises(
+        ScenarioError, match=r"mooring_lines\.stern\.pretension: no length .* of 1 kN; its weight"
+    ):
+        assemble(parse_scenario(spoiled("pretension: 150 kN, type", "pretension: 1 kN, type", nodes)))
+    with pytest.raises(
+        ScenarioError, match=r"rope: the mass of rope 'bare' is not known, and a distributed line"
+    ):
+        parse_scenario(spoiled("rope: moor_44, pretension", "rope: bare, pretension", nodes))

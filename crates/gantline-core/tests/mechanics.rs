@@ -63,10 +63,12 @@ proptest! {
         let gantline_core::constraint::AnyConstraint::Contact(contact) = &system.constraints[system.rope_count] else {
             panic!("contacts stand after ropes")
         };
-        let point = frame.kinematics.point(Some(contact.body), contact.at);
+        let [with_point, with_plane] = contact.facing.bodies;
+        let point = frame.kinematics.point(with_point, contact.spot.point);
         let twists = twists(&system, &frame, &state.v);
-        let velocity = frame.kinematics.point_velocity(&twists, Some(contact.body), point);
-        for (k, tangent) in contact.plane.tangents.iter().enumerate() {
+        let [own, other] = [with_point, with_plane].map(|body| frame.kinematics.point_velocity(&twists, body, point));
+        let velocity = own - other;
+        for (k, tangent) in contact.tangents(&frame.kinematics).iter().enumerate() {
             let rate = system.rows.rate(&frame.gradient, first + 1 + k, &state.v);
             prop_assert!((rate - tangent.dot(velocity)).abs() < 1e-12 * (1.0 + velocity.length()));
         }

@@ -63,7 +63,7 @@ fn touching(seeds: &[f64]) -> (System, State, Frame) {
     frame.update(&system, &state);
     for (_, constraint) in touches(&system).step_by(2) {
         let AnyConstraint::Touch(touch) = constraint else { continue };
-        let poses = touch.bodies.map(|body| frame.kinematics.pose_of(body));
+        let poses = touch.facing.bodies.map(|body| frame.kinematics.pose_of(body));
         cross(&mut state.spots[touch.spot], poses, &mut draw);
     }
     frame.update(&system, &state);
@@ -174,14 +174,14 @@ proptest! {
             let old = state.spots[touch.spot];
             let new = Spot { is_swapped: !old.is_swapped, ..old };
             // Along the new plane: what is across it is lost, as it must be.
-            let normal = touch.normal(&frame.kinematics, &new);
+            let normal = touch.facing.normal(&frame.kinematics, &new);
             let wished = DVec3::new(0.3, -0.2, 0.5).reject_from_normalized(normal);
             state.spots[touch.spot] = new;
-            let remembered = touch.remembered(&frame.kinematics, &new, wished);
+            let remembered = touch.facing.remembered(&frame.kinematics, &new, wished);
             state.memory[first + 1..first + 3].copy_from_slice(&remembered);
             let mut after = Frame::new(&system);
             after.update(&system, &state);
-            let found = touch.displaced(&after.kinematics, &new, [after.value[first + 1], after.value[first + 2]]);
+            let found = touch.facing.displaced(&after.kinematics, &new, [after.value[first + 1], after.value[first + 2]]);
             prop_assert!((found - wished).length() < 1e-12, "{found} {wished}");
         }
     }

@@ -95,7 +95,7 @@ def condition_of(
         }
     if condition.mooring_tension is not None:
         wanted = condition.mooring_tension
-        segments = [[line_rope(wanted.line), 0]]
+        segments = [[_upper(parts, line_rope(wanted.line)), 0]]
         gravity = scenario.simulation.gravity
         if wanted.above is not None:
             return {"type": "tension_above", "segments": segments, "bound": wanted.above.newtons(gravity)}
@@ -112,8 +112,9 @@ def condition_of(
 
 
 def _upper(parts: Parts, rope: str) -> str:
-    """The piece of a rope of the document at its first end; the rope itself where it has no nodes."""
-    return str(pieces_of(parts, rope)[0]["name"])
+    """The piece of a rope at its first end; the rope or line itself where it has no nodes."""
+    pieces = pieces_of(parts, rope)
+    return str(pieces[0]["name"]) if pieces else rope
 
 
 def _slings(

@@ -7,17 +7,25 @@ import math
 import numpy as np
 
 from gantline.assembly.parts import Json, Parts, end, material
+from gantline.assembly.rope_weight import add_free_rope, length_that_pulls, lump_rope
 from gantline.assembly.route import taut_length
 from gantline.assembly.underground import under_bottom, under_ground
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.hooks import full_name
-from gantline.scenario.mooring import Fender, MooringLine, fender_contact, line_rope, line_weight
+from gantline.scenario.mooring import (
+    Fender,
+    MooringLine,
+    fender_contact,
+    line_rope,
+    line_weight,
+    weight_on_nodes,
+)
 from gantline.scenario.movers import movers
 from gantline.scenario.parting import Parting, partings
 from gantline.scenario.steps import LineStep
-from gantline.units import format_quantity
+from gantline.units import format_by_size, format_quantity
 
 __all__ = ["add_moorings", "mooring_rig", "warn_of_hauled", "winch_drive", "winch_flow"]
 
@@ -56,6 +64,8 @@ def add_moorings(parts: Parts, scenario: Scenario) -> None:
         _check_length(parts, scenario, name, line, kind, parting[line_rope(name)])
         if line.type == "spring":
             _add_spring(parts, scenario, name, line, kind)
+        elif line.type == "distributed":
+            _add_distributed(parts, scenario, name, line, kind)
         else:
             parts.forces.append(_catenary(scenario, name, line, kind, parting[line_rope(name)]))
             if line.winch is not None:
@@ -68,7 +78,7 @@ def _doubtful(scenario: Scenario, name: str, line: MooringLine, kind: RopeMateri
     """What cannot well be meant of where a line is made fast, and of what it weighs under water."""
     doubts, path = list[Doubt](), ("mooring_lines", name)
     below = under_ground(scenario, line.to) or under_bottom(scenario, line.to)
-    if below is not None:
+    if below is not None and line.holder is None:
         sentence = f"mooring line {name} is made fast {below}: 'to' is a place in the world"
         doubts.append(Doubt((*path, "to"), sentence))
     if line.type == "catenary" and line.is_under_water and kind.diameter:
@@ -111,7 +121,7 @@ def _check_length(
 ) -> None:
     """A straight line of no more than its length pulls at least with its stretch: that must not break it."""
     path = ("mooring_lines", name)
-    chord = float(np.linalg.norm(parts.place(line.vessel, line.fairlead) - np.array(line.to)))
+    chord = _chord(parts, line)
     if chord == 0:
         raise scenario.start_error((*path, "to"), "is where the fairlead is; a line has two ends")
     limits = [limit for limit in (parting.breaks_at, kind.breaking_force) if limit is not None]
@@ -140,13 +150,38 @@ def _add_spring(parts: Parts, scenario: Scenario, name: str, line: MooringLine, 
     assert kind.stiffness is not None  # checked when the file was read
     length = line.length
     if line.pretension is not None:
-        chord = float(np.linalg.norm(parts.place(line.vessel, line.fairlead) - np.array(line.to)))
-        length = taut_length(chord, line.pretension, kind.stiffness)
+        length = taut_length(_chord(parts, line), line.pretension, kind.stiffness)
     drum = (winch_flow(name), 1.0) if line.winch is not None else None
     if length is not None:
         warn_of_hauled(parts, scenario, line_rope(name), length)
-    route = [end(line.vessel, line.fairlead, drum), end(None, line.to)]
+    route = [end(line.vessel, line.fairlead, drum), end(line.holder, line.to)]
     parts.add_rope(line_rope(name), length, material(kind.stiffness, kind.damping_time), route)
+
+
+def _chord(parts: Parts, line: MooringLine) -> float:
+    """How far its ends are apart at the start [m]."""
+    first, last = parts.place(line.vessel, line.fairlead), parts.place(line.holder, line.to)
+    return float(np.linalg.norm(first - last))
+
+
+def _add_distributed(
+    parts: Parts, scenario: Scenario, name: str, line: MooringLine, kind: RopeMaterial
+) -> None:
+    """A rope of nodes from the vessel to where it is made fast; `kind` stretches and has a mass."""
+    weight, path = weight_on_nodes(line, kind), ("mooring_lines", name)
+    ends = [end(line.vessel, line.fairlead), end(line.holder, line.to)]
+    length = line.length
+    if line.pretension is not None:
+        places = parts.place(line.vessel, line.fairlead), parts.place(line.holder, line.to)
+        length, least = length_that_pulls(*places, line.pretension, kind, weight, scenario.simulation.gravity)
+        if length is None:
+            shown = format_by_size(line.pretension, "force")
+            sentence = f"no length gives it a pretension of {shown}"
+            own = f"its weight alone pulls with {format_by_size(least, 'force')}"
+            raise scenario.start_error((*path, "pretension"), f"{sentence}; {own}")
+    assert length is not None  # it has one of both
+    lump_rope(parts, line_rope(name), weight, length, ends)
+    add_free_rope(parts, scenario, path, line_rope(name), kind, weight, length, ends)
 
 
 def _catenary(scenario: Scenario, name: str, line: MooringLine, kind: RopeMaterial, parting: Parting) -> Json:
@@ -180,6 +215,7 @@ def _fender(name: str, fender: Fender) -> Json:
         "group": fender_contact(name),
         "body": fender.vessel,
         "at": list(fender.at),
+        **({} if fender.wall_body is None else {"plane_body": fender.wall_body}),
         "plane_point": point.tolist(),
         "plane_normal": normal.tolist(),
         "stiffness": fender.stiffness,

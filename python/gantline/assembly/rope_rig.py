@@ -10,7 +10,7 @@ from gantline.scenario import Rigging, Scenario
 from gantline.scenario.drum import Drum
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.mechanics import RopeEnd
-from gantline.scenario.mooring import line_rope
+from gantline.scenario.mooring import line_rope, weight_on_nodes
 from gantline.scenario.parting import partings
 from gantline.scenario.reeving import HoistDrum, hoist_drum
 from gantline.scenario.rope_weight import RopeWeight, rope_weight
@@ -38,8 +38,7 @@ def rope_kinds(scenario: Scenario, rigging: Rigging) -> dict[str, tuple[RopeMate
             kinds |= dict.fromkeys(placed.ropes, (kind, weight))
     for name, line in (scenario.mooring_lines or {}).items():
         kind = (scenario.ropes or {})[line.rope]
-        # A catenary's weight is its own; it is no body's mass.
-        kinds[line_rope(name)] = kind, RopeWeight("none", 0.0, 0)
+        kinds[line_rope(name)] = kind, weight_on_nodes(line, kind)
     for name, tag in (scenario.tag_lines or {}).items():
         kinds[tag_rope(name)] = (scenario.ropes or {})[tag.rope], RopeWeight("none", 0.0, 0)
     plain = scenario.mechanics.ropes if scenario.mechanics is not None else None

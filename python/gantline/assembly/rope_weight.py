@@ -15,12 +15,18 @@ import numpy as np
 from gantline.assembly.catenary import NoRest, end_mass, hang, node_masses
 from gantline.assembly.parts import Json, Parts, material
 from gantline.assembly.route import route_lengths
+from gantline.assembly.spatial import Array
 from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.rope_weight import RopeWeight
 
-__all__ = ["add_free_rope", "lump_rope", "mass_at_end"]
+__all__ = ["add_free_rope", "length_that_pulls", "lump_rope", "mass_at_end"]
+
+#: A rope pulls least at its upper end where it is a quarter longer than its ends are apart, or less.
+_LEAST_WITHIN = 2.0
+#: Of a length that is searched for, of how far its ends are apart.
+_ROUNDING = 1e-14
 
 
 def mass_at_end(weight: RopeWeight, length: float) -> float:
@@ -61,6 +67,45 @@ def lump_rope(
             lumps[guide["body"]] = lumps.get(guide["body"], 0.0) + float(share)
     on_world = [share for guide, share in zip(route, shares, strict=True) if guide["body"] is None]
     parts.rope_mass[name] = weight.mass_per_length * length, float(np.sum(on_world))
+
+
+def length_that_pulls(
+    first: Array, last: Array, pull: float, kind: RopeMaterial, weight: RopeWeight, gravity: float
+) -> tuple[float | None, float]:
+    """The unstretched length at which a rope with nodes pulls so at its first end, hanging at rest.
+
+    The shortest: a longer rope pulls less, and from some length on more by its own weight.
+
+    Args:
+        first: first end (3,) [m].
+        last: last end (3,) [m].
+        pull: wanted tension at the first end [N].
+        kind: kind of rope, which stretches.
+        weight: how its weight acts, on nodes.
+        gravity: acceleration of gravity [m/s^2].
+
+    Returns:
+        The length [m], None where none pulls so little, and the least that any length pulls with [N].
+    """
+    from scipy.optimize import brentq, minimize_scalar  # takes half a second to load
+
+    stiffness = kind.stiffness
+    assert stiffness is not None  # a rope with nodes has been checked to stretch
+
+    def pulls(length: float) -> float:
+        masses = node_masses(weight.mass_per_length * length, weight.nodes)
+        force = hang(first, last, length, stiffness, masses * gravity).forces[0]
+        return float(np.linalg.norm(force - np.array([0.0, 0.0, mass_at_end(weight, length) * gravity])))
+
+    chord = float(np.linalg.norm(last - first))
+    short = chord / (1.0 + 2.0 * pull / stiffness)
+    while pulls(short) <= pull:
+        short *= 0.5
+    lightest = minimize_scalar(pulls, bounds=(short, _LEAST_WITHIN * chord), method="bounded")
+    if lightest.fun > pull:
+        return None, float(lightest.fun)
+    found = brentq(lambda length: pulls(length) - pull, short, lightest.x, xtol=_ROUNDING * chord)
+    return float(found), float(lightest.fun)
 
 
 def add_free_rope(

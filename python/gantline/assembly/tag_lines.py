@@ -41,8 +41,7 @@ def add_tag_lines(parts: Parts, scenario: Scenario, lifted: LiftedLoad) -> None:
         assert kind.stiffness is not None  # checked when the file was read
         _check_pull(scenario, name, line, kind)
         at = (np.array(line.at) - lifted.centre).tolist()
-        holder = None if line.held_by == "world" else line.held_by
-        places = parts.place(scenario.load.name, at), parts.place(holder, line.to)
+        places = parts.place(scenario.load.name, at), parts.place(line.holder, line.to)
         chord = float(np.linalg.norm(places[0] - places[1]))
         parts.doubts += [*_doubtful(name, line, chord), *_under_ground(scenario, name, line, places[1][2])]
         length = _length(scenario, name, line, chord, kind.stiffness)
@@ -51,7 +50,7 @@ def add_tag_lines(parts: Parts, scenario: Scenario, lifted: LiftedLoad) -> None:
             _add_winch(parts, name, line)
             warn_of_hauled(parts, scenario, tag_rope(name), length)
             drum = (tag_tugger(name), 1.0)
-        route = [end(scenario.load.name, at), end(holder, line.to, drum, laid_under=line.pull)]
+        route = [end(scenario.load.name, at), end(line.holder, line.to, drum, laid_under=line.pull)]
         parts.add_rope(tag_rope(name), length, material(kind.stiffness, kind.damping_time), route)
 
 
@@ -82,7 +81,7 @@ def _doubtful(name: str, line: TagLine, chord: float) -> Iterator[Doubt]:
 
 def _under_ground(scenario: Scenario, name: str, line: TagLine, height: float) -> list[Doubt]:
     """What is said of a line that is held in the yard at this height [m], under what one stands on there."""
-    if line.held_by not in (None, "world"):
+    if line.holder is not None:
         return []
     found = under_ground(scenario, (line.to[0], line.to[1], height))
     sentence = f"tag line {name} is held {found}: 'to' is a place in the world"

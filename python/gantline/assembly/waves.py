@@ -19,6 +19,7 @@ from gantline.hydro.mean_drift import Drifting
 from gantline.hydro.waves import Components, regular, sea, wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt, PathPart
+from gantline.scenario.mooring import is_moored
 from gantline.scenario.vessel import Vessel
 from gantline.scenario.water import Water
 from gantline.scenario.waves import WaveTrain
@@ -256,14 +257,14 @@ def _drifting(scenario: Scenario, name: str, vessel: Vessel, *, drifts: bool) ->
     given = vessel.wave_forces
     assert given is not None
     path = ("vessels", name, "wave_forces")
-    is_moored = any(line.vessel == name for line in (scenario.mooring_lines or {}).values())
-    if drifts and not is_moored:
+    is_held = is_moored(scenario, name)
+    if drifts and not is_held:
         sentence = (
             f"no mooring line holds {name} against the drift forces of its waves, which take it along ever "
             "faster; 'drift: false' leaves them out"
         )
         return [Doubt(path, sentence)]
-    if is_moored and given.drift is None and not drifts:
+    if is_held and given.drift is None and not drifts:
         sentence = (
             f"{given.database} has no drift forces: the pull of the mooring lines of {name} is without them, "
             "and so is where it lies; 'drift: false' says that this is known"

@@ -59,7 +59,7 @@ def mooring_state(
     if lines:
         at = [list(names["rope"]).index(line.rope) for line in lines]
         tension = columns["rope_tension"][:, at]
-        described = "tension of a mooring line at its fairlead"
+        described = "tension of a mooring line at its fairlead; with nodes the largest along it"
         found["mooring_tension"] = Variable(("time", "mooring_line"), tension, "N", described)
         labels["mooring_line"] = [line.name for line in lines]
     if fenders:

@@ -107,13 +107,14 @@ def _check_openings(findings: Findings, path: Path, vessel: Vessel, extent: Exte
 
 
 def _check_fairleads(findings: Findings, vessel: str, extent: Extent) -> None:
-    """Note lines that leave their vessel where it is not."""
+    """Note lines that leave a vessel where it is not."""
     low, high = extent
     for name, line in (findings.scenario.mooring_lines or {}).items():
-        if line.vessel != vessel:
-            continue
-        off = max(max(a - at, at - b) for a, at, b in zip(low, line.fairlead, high, strict=True))
-        if off > _OFF_HULL:
-            sentence = f"this is {off:.4g} m outside the hull of '{vessel}'"
-            right = "it counts along the vessel's axes, from stern, keel and centre plane"
-            findings.add(("mooring_lines", name, "fairlead"), f"{sentence}; {right}")
+        for key, body, end in (("fairlead", line.vessel, line.fairlead), ("to", line.holder, line.to)):
+            if body != vessel:
+                continue
+            off = max(max(a - at, at - b) for a, at, b in zip(low, end, high, strict=True))
+            if off > _OFF_HULL:
+                sentence = f"this is {off:.4g} m outside the hull of '{vessel}'"
+                right = "it counts along the vessel's axes, from stern, keel and centre plane"
+                findings.add(("mooring_lines", name, key), f"{sentence}; {right}")

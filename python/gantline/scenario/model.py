@@ -23,7 +23,7 @@ from gantline.scenario.limits import Limits, Rules
 from gantline.scenario.load import Load
 from gantline.scenario.lug import LugType
 from gantline.scenario.mechanics import Mechanics
-from gantline.scenario.mooring import Fender, MooringLine
+from gantline.scenario.mooring import Fender, MooringLine, is_moored, lines_at
 from gantline.scenario.plan import EmergencyStop, Step
 from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
 from gantline.scenario.spreader import Spreader
@@ -232,8 +232,8 @@ class Scenario(Element):
         round to leeward first.
         """
         forces = (self.vessels or {})[vessel].wave_forces
-        is_moored = [line.vessel for line in (self.mooring_lines or {}).values()].count(vessel) > 1
-        return is_moored and self.starts_at_rest and forces is not None and forces.drift is not False
+        is_held = len(lines_at(self, vessel)) > 1 and is_moored(self, vessel)
+        return is_held and self.starts_at_rest and forces is not None and forces.drift is not False
 
     @property
     def booms(self) -> dict[str, PlacedBoom]:

@@ -29,6 +29,7 @@ from gantline.scenario.quantities import (
     Time,
     refuse,
 )
+from gantline.scenario.rope_weight import RopeNodes, RopeWeight, RopeWeightWord, rope_weight
 from gantline.scenario.water import SEA_WATER
 from gantline.units import format_by_size
 
@@ -43,9 +44,12 @@ __all__ = [
     "Winch",
     "check_moorings",
     "fender_contact",
+    "is_moored",
     "line_rope",
     "line_weight",
+    "lines_at",
     "moored_bodies",
+    "weight_on_nodes",
 ]
 
 #: Density of the steel of ropes [kg/m^3], EN 1991-1-1, table A.4: what they displace follows from their mass.
@@ -80,24 +84,33 @@ class Winch(Element):
 
 
 class MooringLine(Element):
-    """A line that holds a vessel."""
+    """A line that holds a vessel to the world, or to another vessel."""
 
     what: ClassVar[str] = "a mooring line"
 
     vessel: Name = Field(description="The vessel that it holds, or a body of 'mechanics'.")
     fairlead: Position = Field(description="Where it leaves the vessel, in the vessel's axes.")
-    to: Position = Field(description="Where it is made fast, in the world: a bollard, an anchor.")
+    to: Position = Field(
+        description="Where it is made fast: in the world, a bollard or an anchor, or in the axes of what "
+        "'held_by' names."
+    )
+    held_by: Name | None = Field(
+        None,
+        description="What it leads to: another vessel, or a body of 'mechanics'; the world if not given. Not "
+        "of catenaries.",
+    )
     rope: Name = Field(description="Kind of rope, a name of 'ropes'.")
     length: PositiveLength | None = Field(None, description="Unstretched length.")
     pretension: PositiveForce | None = Field(
         None,
         description="Tension at the fairlead, the vessel where it is at the start; in place of 'length'.",
     )
-    type: Literal["catenary", "spring"] = Field(
+    type: Literal["catenary", "spring", "distributed"] = Field(
         "catenary",
-        description="'catenary': hangs by its own weight; 'spring': straight between its ends, without "
-        "weight.",
+        description="'catenary': hangs by its own weight from a place that stands still; 'spring': straight "
+        "between its ends, without weight; 'distributed': its weight and its inertia on nodes along it.",
     )
+    rope_nodes: RopeNodes | None = Field(None, description="Nodes of a distributed line; 50 if not given.")
     sea_bed: Length | None = Field(
         None,
         description="Height of the level bed that a catenary may lie on, without friction; that of 'to', "
@@ -117,23 +130,42 @@ class MooringLine(Element):
         if (self.length is None) == (self.pretension is None):
             found = "none of them" if self.length is None else "both"
             raise refuse(f"a mooring line has one of 'length' and 'pretension'; found {found}")
-        if self.type == "spring":
-            for key in ("sea_bed", "under_water"):
-                if getattr(self, key) is not None:
-                    raise refuse(
-                        f"'{key}' is for lines with weight; leave it out, or write 'type: catenary'", key
-                    )
-        elif self.winch is not None and self.winch.capacity is not None:
-            sentence = "the winch of a catenary does not slip"
-            raise refuse(f"{sentence}; leave 'capacity' out, or write 'type: spring'", "winch")
+        self._refuse_what_its_type_has_not()
         if self.winch is not None:
             self.winch.refuse_weak(self.pretension)
+        if self.held_by == self.vessel:
+            raise refuse(f"'{self.held_by}' is the vessel that it holds; a line has two ends", "held_by")
         if self.sea_bed is not None and abs(self.to[2] - self.sea_bed) > _ON_BED:
             side = "above" if self.sea_bed > self.to[2] else "below"
             apart = abs(self.sea_bed - self.to[2])
             sentence = f"the sea bed at {self.sea_bed:g} m is {apart:g} m {side} the end at {self.to[2]:g} m"
             raise refuse(f"{sentence}; a line rests on the bed on which it is made fast", "sea_bed")
         return self
+
+    def _refuse_what_its_type_has_not(self) -> None:
+        if self.type != "catenary":
+            for key in ("sea_bed", "under_water"):
+                if getattr(self, key) is not None:
+                    raise refuse(f"'{key}' is for catenaries; leave it out, or write 'type: catenary'", key)
+        elif self.held_by not in (None, "world"):
+            sentence = "the lower end of a catenary stands still"
+            right = "'type: spring' for a short line between vessels, 'distributed' for one that sags"
+            raise refuse(f"{sentence}; write {right}", "held_by")
+        if self.type != "distributed" and self.rope_nodes is not None:
+            raise refuse("only a distributed line has nodes; write 'type: distributed' too", "rope_nodes")
+        if self.winch is None:
+            return
+        if self.type == "distributed":
+            sentence = "a line with nodes has no winch"
+            raise refuse(f"{sentence}; leave it out, or write 'type: spring' or 'catenary'", "winch")
+        if self.type == "catenary" and self.winch.capacity is not None:
+            sentence = "the winch of a catenary does not slip"
+            raise refuse(f"{sentence}; leave 'capacity' out, or write 'type: spring'", "winch")
+
+    @property
+    def holder(self) -> str | None:
+        """The body that it leads to; None is the world."""
+        return None if self.held_by == "world" else self.held_by
 
     @property
     def is_under_water(self) -> bool:
@@ -142,25 +174,43 @@ class MooringLine(Element):
 
 
 class Fender(Element):
-    """A fender between a vessel and a quay: a point of the vessel that meets an upright plane."""
+    """A fender between a vessel and a quay or another vessel: a point of it that meets an upright plane."""
 
     what: ClassVar[str] = "a fender"
 
     vessel: Name = Field(description="The vessel, or a body of 'mechanics'.")
     at: Position = Field(description="Where the vessel presses on it, in the vessel's axes.")
     wall: Annotated[tuple[float, float], ListOf(Quantity("length"), 2)] = Field(
-        description="A place of the wall of the quay, x and y of the world."
+        description="A place of the wall of the quay, x and y of the world, or of what 'wall_of' names."
     )
-    facing: Angle = Field(description="Where the wall faces, from world x towards y: to the vessel.")
+    wall_of: Name | None = Field(
+        None,
+        description="The vessel whose side is the wall, or a body of 'mechanics'; a quay if not given.",
+    )
+    facing: Angle = Field(
+        description="Where the wall faces, to the vessel: from x towards y of the world, or of the body that "
+        "'wall_of' names."
+    )
     thickness: NotNegativeLength = Field(0.0, description="Of the fender, where nothing presses on it.")
     stiffness: PositiveStiffness = Field(description="Force over compression.")
     damping: Damping = Field(0.0, description="Force over the speed of compression.")
     friction: Ratio = Field(0.0, description="Coefficient of friction along the wall.")
     capacity: PositiveForce | None = Field(None, description="Largest force that it may take.")
 
+    @model_validator(mode="after")
+    def _two_bodies(self) -> Fender:
+        if self.wall_of == self.vessel:
+            raise refuse(f"'{self.wall_of}' is the vessel itself; a fender is between two", "wall_of")
+        return self
+
+    @property
+    def wall_body(self) -> str | None:
+        """The body whose side is the wall; None is the world."""
+        return None if self.wall_of == "world" else self.wall_of
+
     @property
     def normal(self) -> tuple[float, float, float]:
-        """Direction in which the wall faces."""
+        """Direction in which the wall faces, in the axes of its body."""
         return math.cos(self.facing), math.sin(self.facing), 0.0
 
 
@@ -182,6 +232,38 @@ def line_weight(scenario: Scenario, line: MooringLine) -> float:
     return mass * share * scenario.simulation.gravity
 
 
+def weight_on_nodes(line: MooringLine, kind: RopeMaterial) -> RopeWeight:
+    """How the weight of a line of this kind of rope acts, as far as it is that of nodes or bodies."""
+    # A catenary's weight is its own; it is no body's mass.
+    way: RopeWeightWord = "distributed" if line.type == "distributed" else "none"
+    return rope_weight(kind, way, line.rope_nodes)
+
+
+def lines_at(scenario: Scenario, body: str) -> list[str]:
+    """Mooring lines that end on a body."""
+    return [
+        name for name, line in (scenario.mooring_lines or {}).items() if body in (line.vessel, line.holder)
+    ]
+
+
+def is_moored(scenario: Scenario, body: str) -> bool:
+    """Whether lines lead from a body to the world, by way of others or not."""
+    lines = list((scenario.mooring_lines or {}).values())
+    held, ahead = {body}, [body]
+    while ahead:
+        one = ahead.pop()
+        for line in lines:
+            if one not in (line.vessel, line.holder):
+                continue
+            other = line.holder if one == line.vessel else line.vessel
+            if other is None:
+                return True
+            if other not in held:
+                held.add(other)
+                ahead.append(other)
+    return False
+
+
 def moored_bodies(scenario: Scenario) -> list[str]:
     """What mooring lines can hold and fenders keep off."""
     plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
@@ -192,14 +274,18 @@ def check_moorings(findings: Findings) -> None:
     """Note everything that is wrong with mooring lines and fenders."""
     scenario = findings.scenario
     known = moored_bodies(scenario)
-    kinds = scenario.ropes or {}
-    for section, all_ in (("mooring_lines", scenario.mooring_lines), ("fenders", scenario.fenders)):
-        for name, one in (all_ or {}).items():
-            if one.vessel not in known:
-                sentence = f"'{one.vessel}' is not a vessel, nor a body of 'mechanics'"
-                findings.add((section, name, "vessel"), f"{sentence}; {nearest(one.vessel, known)}")
+    kinds, lines, fenders = scenario.ropes or {}, scenario.mooring_lines or {}, scenario.fenders or {}
+    ends = [
+        *((("mooring_lines", name), line.vessel, "held_by", line.holder) for name, line in lines.items()),
+        *((("fenders", name), one.vessel, "wall_of", one.wall_body) for name, one in fenders.items()),
+    ]
+    for element, vessel, key, other in ends:
+        for said, body in (("vessel", vessel), (key, other)):
+            if body is not None and body not in known:
+                sentence = f"'{body}' is not a vessel, nor a body of 'mechanics'"
+                findings.add((*element, said), f"{sentence}; {nearest(body, known)}")
     plain = (scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}
-    for name, line in (scenario.mooring_lines or {}).items():
+    for name, line in lines.items():
         path: Path = ("mooring_lines", name)
         if line_rope(name) in plain:
             sentence = f"'{line_rope(name)}' is already the name of a rope of 'mechanics'"
@@ -210,7 +296,7 @@ def check_moorings(findings: Findings) -> None:
             )
             continue
         _check_rope(findings, path, line, kinds[line.rope])
-    has_catenary = any(line.type == "catenary" for line in (scenario.mooring_lines or {}).values())
+    has_catenary = any(line.type == "catenary" for line in lines.values())
     if has_catenary and scenario.simulation.integrator == "explicit":
         sentence = "'explicit' knows no catenaries; 'adaptive' or 'del' is right, or 'type: spring'"
         findings.add(("simulation", "integrator"), sentence)
@@ -223,7 +309,7 @@ def _check_rope(findings: Findings, path: Path, line: MooringLine, kind: RopeMat
     if line.type == "spring":
         return
     if kind.mass_per_length == 0:
-        sentence = f"the mass of rope '{line.rope}' is not known, and a catenary hangs by its weight"
+        sentence = f"the mass of rope '{line.rope}' is not known, and a {line.type} line hangs by its weight"
         right = "give it a 'construction' or its mass, such as 'mass: 8 kg/m', or write 'type: spring'"
         findings.add((*path, "rope"), f"{sentence}; {right}")
     if findings.scenario.simulation.gravity == 0:

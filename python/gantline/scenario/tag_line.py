@@ -86,6 +86,11 @@ class TagLine(Element):
             self.winch.refuse_weak(self.pretension)
         return self
 
+    @property
+    def holder(self) -> str | None:
+        """The body that it leads to; None is the world."""
+        return None if self.held_by == "world" else self.held_by
+
 
 def tag_rope(name: str) -> str:
     """Name of a tag line among the ropes of a recording."""

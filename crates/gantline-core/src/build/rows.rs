@@ -8,9 +8,11 @@ use super::touches::{Touches, build_touches};
 use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::constraint::AnyConstraint;
 use crate::constraint::contact::Contact;
+use crate::constraint::facing::Facing;
 use crate::constraint::pin::Pin;
 use crate::constraint::stop::Stop;
 use crate::contact::plane::Plane;
+use crate::contact::spot::Spot;
 use crate::rope::seat::Seat;
 use crate::spec::{BodySpec, ContactSpec, JointSpec, StopsSpec, SystemSpec};
 use crate::system::{BodyShape, ContactGroup};
@@ -145,16 +147,19 @@ fn build_contact(given: &ContactSpec, group: usize, tree: &Tree) -> Result<Conta
     let Some(body) = body_index(name, tree, Some(&given.body))? else {
         return error(name, "it has no body");
     };
+    let with_plane = body_index(name, tree, given.plane_body.as_ref())?;
+    if with_plane == Some(body) {
+        return error(name, "its point and its plane are on one body; a body does not touch itself");
+    }
     let normal = unit(name, "the plane's normal", given.plane_normal)?;
+    let plane = Plane::new(DVec3::from_array(given.plane_point), normal);
     Ok(Contact {
         name: name.clone(),
         group,
-        body,
-        at: DVec3::from_array(given.at),
-        plane: Plane::new(DVec3::from_array(given.plane_point), normal),
+        facing: Facing::new([Some(body), with_plane], tree),
+        spot: Spot { is_near: true, point: DVec3::from_array(given.at), plane, ..Spot::none() },
         compliance: 1.0 / given.stiffness,
         damping_time: given.damping_time,
         friction: given.friction,
-        dofs: tree.support[body].clone(),
     })
 }

@@ -5,6 +5,7 @@ use glam::{DQuat, DVec3};
 use super::rows::body_index;
 use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::constraint::AnyConstraint;
+use crate::constraint::facing::Facing;
 use crate::constraint::touch::Touch;
 use crate::contact::pad::{Pad, top};
 use crate::contact::plane::Plane;
@@ -95,9 +96,19 @@ pub(super) fn build_touches(
         let index = constraints.len();
         let group = ContactGroup::named(groups, group);
         groups[group].contacts.push(index);
-        let touch = Touch::new(name, (index, group), bodies, law, tree);
+        let [stiffness, damping_time, friction] = law;
+        constraints.push(AnyConstraint::Touch(Touch {
+            name,
+            index,
+            group,
+            is_support,
+            facing: Facing::new(bodies, tree),
+            spot: made.spots.len(),
+            compliance: 1.0 / stiffness,
+            damping_time,
+            friction,
+        }));
         made.spots.push(Spot::none());
-        constraints.push(AnyConstraint::Touch(Touch { spot: made.spots.len() - 1, is_support, ..touch }));
         index
     };
     for given in &spec.supports {

@@ -5,6 +5,7 @@
 
 pub mod brake;
 pub mod contact;
+pub mod facing;
 pub mod pin;
 pub mod rope;
 pub mod stop;

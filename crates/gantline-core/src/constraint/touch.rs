@@ -1,34 +1,17 @@
-//! A point of one body against a plane of another: one normal row and two tangential rows, as of a point against the
-//! ground ([`super::contact`]). Either body may be the world, and which of them has the plane is said by a
-//! [`Spot`] that the state remembers.
-//!
-//! With the point x of body P, the plane through o with normal n and tangents t₁, t₂ in body Q, each row is
-//!
-//! ```text
-//! g = d·(x − o)        d = −n for the depth, t₁ and t₂ along the plane, fixed in Q
-//! ġ = d·(ẋ_P − ẋ_Q)    the velocities that both bodies have at x: d turns with Q, and (ω×d)·(x − o) is what the
-//!                      velocity of Q at x has beyond that at o
-//! ∂G_j/∂q_k = d·(∂_k C_j^P − ∂_k C_j^Q) + (a_k^Q × d)·(C_j^P − C_j^Q)
-//! ∂_k C_j^Q = change of the column of a point of Q at x + a_j × (C_k^P − C_k^Q), since x moves with P
-//! ```
-//!
-//! C_j is the column of degree of freedom j at x, a_j its angular part. Where edges cross, x also moves along the edge of P
-//! and d turns with both edges ([`crate::contact::spot`]): with u_k the way of x along P and d_k the turn of d,
-//!
-//! ```text
-//! ∂G_j/∂q_k = d·(∂_k C_j^P + a_j^P × u_k − ∂_k C_j^Q − a_j^Q × (C_k^P − C_k^Q + u_k)) + d_k·(C_j^P − C_j^Q)
-//! ```
+//! A place at which two bodies may touch: one normal row and two tangential rows ([`super::facing`]), as of a point against a
+//! plane ([`super::contact`]). Where it is on the two bodies the state remembers.
 
 use glam::DVec3;
 
+use super::facing::Facing;
 use super::{Constraint, Law, Line, Moving, Placed};
-use crate::contact::spot::{Located, Spot};
-use crate::tree::Tree;
+use crate::contact::spot::Spot;
 use crate::tree::bias::Wrench;
-use crate::tree::kinematics::{Kinematics, Twist};
+use crate::tree::kinematics::Twist;
 
 /// Value of the depth of a spot that is not near [m].
 const FAR: f64 = -1.0;
+
 /// A place at which two bodies may touch.
 #[derive(Debug, Clone)]
 pub struct Touch {
@@ -40,8 +23,8 @@ pub struct Touch {
     pub group: usize,
     /// True for the top of a support.
     pub is_support: bool,
-    /// The two bodies; none is the world.
-    pub bodies: [Option<usize>; 2],
+    /// The two bodies.
+    pub facing: Facing,
     /// Number of its spot in the state.
     pub spot: usize,
     /// 1/k [m/N].
@@ -50,96 +33,12 @@ pub struct Touch {
     pub damping_time: f64,
     /// μ.
     pub friction: f64,
-    /// Degrees of freedom that move either body, ascending.
-    pub dofs: Vec<usize>,
-    /// For each of them whether it moves the first and the second body.
-    pub moves: Vec<[bool; 2]>,
-}
-
-/// The rows of a spot where its bodies are.
-struct Pointed {
-    /// The spot.
-    at: Located,
-    /// d of the three rows.
-    directions: [DVec3; 3],
-    /// 1 where the first body has the point, −1 where it has the plane.
-    sign: f64,
 }
 
 impl Touch {
-    /// A touch between two bodies of `tree` with stiffness [N/m], damping time [s] and friction `law`.
-    pub fn new(
-        name: String,
-        (index, group): (usize, usize),
-        bodies: [Option<usize>; 2],
-        law: [f64; 3],
-        tree: &Tree,
-    ) -> Self {
-        let support = |body: Option<usize>| body.map_or(&[][..], |body| &tree.support[body]);
-        let [first, second] = bodies.map(support);
-        let mut dofs = [first, second].concat();
-        dofs.sort_unstable();
-        dofs.dedup();
-        let moves = dofs.iter().map(|dof| [first.contains(dof), second.contains(dof)]).collect();
-        let [stiffness, damping_time, friction] = law;
-        let compliance = 1.0 / stiffness;
-        let is_support = false;
-        Self {
-            name,
-            index,
-            group,
-            is_support,
-            bodies,
-            spot: 0,
-            compliance,
-            damping_time,
-            friction,
-            dofs,
-            moves,
-        }
-    }
-
-    /// The spot where the bodies are.
-    fn pointed(&self, kinematics: &Kinematics, spot: &Spot) -> Pointed {
-        let at = spot.between(self.bodies.map(|body| kinematics.pose_of(body)));
-        let sign = if spot.is_swapped { -1.0 } else { 1.0 };
-        Pointed { at, directions: at.directions(), sign }
-    }
-
-    /// World direction of the normal, from the body with the plane to that with the point.
-    pub fn normal(&self, kinematics: &Kinematics, spot: &Spot) -> DVec3 {
-        self.pointed(kinematics, spot).at.normal
-    }
-
-    /// How the first body is displaced along the plane against the second where a spot's tangential rows have these
-    /// values [m], world axes.
-    pub fn displaced(&self, kinematics: &Kinematics, spot: &Spot, values: [f64; 2]) -> DVec3 {
-        let Pointed { at: Located { tangents: [one, other], .. }, sign, .. } = self.pointed(kinematics, spot);
-        (one * values[0] + other * values[1]) * sign
-    }
-
-    /// What the tangential rows of a spot have to remember so that the first body is displaced by that [m].
-    pub fn remembered(&self, kinematics: &Kinematics, spot: &Spot, displaced: DVec3) -> [f64; 2] {
-        let Pointed { at, sign, .. } = self.pointed(kinematics, spot);
-        at.tangents.map(|tangent| tangent.dot(at.offset - displaced * sign))
-    }
-
-    /// The point at which it presses [m] and the force on the first body with these forces of its rows [N].
-    pub fn force(&self, kinematics: &Kinematics, spot: &Spot, tension: [f64; 3]) -> (DVec3, DVec3) {
-        let Pointed { at, directions, sign } = self.pointed(kinematics, spot);
-        let sum: DVec3 =
-            directions.into_iter().zip(tension).map(|(direction, force)| direction * force).sum();
-        (at.point, -sum * sign)
-    }
-
-    /// C_j^0 − C_j^1 at a world point of the entry of a degree of freedom.
-    fn column(&self, tree: &Tree, kinematics: &Kinematics, entry: usize, point: DVec3) -> DVec3 {
-        match self.moves[entry] {
-            [true, false] => kinematics.point_column(tree, self.dofs[entry], point),
-            [false, true] => -kinematics.point_column(tree, self.dofs[entry], point),
-            // What moves both moves neither against the other.
-            _ => DVec3::ZERO,
-        }
+    /// Its spot, where something is near.
+    fn near<'a>(&self, spots: &'a [Spot]) -> Option<&'a Spot> {
+        Some(&spots[self.spot]).filter(|spot| spot.is_near)
     }
 }
 
@@ -149,7 +48,7 @@ impl Constraint for Touch {
     }
 
     fn row_dofs(&self) -> Vec<Vec<usize>> {
-        vec![self.dofs.clone(); 3]
+        vec![self.facing.dofs.clone(); 3]
     }
 
     fn laws(&self, first_row: usize) -> Vec<Law> {
@@ -162,116 +61,40 @@ impl Constraint for Touch {
     }
 
     fn locate(&self, at: &Moving, value: &mut [f64], rate: &mut [f64], lines: &mut [Line]) {
-        let spot = &at.spots[self.spot];
-        if !spot.is_near {
+        let Some(spot) = self.near(at.spots) else {
             value.copy_from_slice(&[FAR, 0.0, 0.0]);
             rate.fill(0.0);
             lines.fill(Line::default());
             return;
-        }
-        let Pointed { at: Located { point, offset, .. }, directions, sign } =
-            self.pointed(at.kinematics, spot);
-        let arms =
-            self.bodies.map(|body| body.map_or(point, |body| point - at.kinematics.pose[body].position));
-        for (row, direction) in directions.into_iter().enumerate() {
-            let remembered = if row == 0 { 0.0 } else { value[row] };
-            value[row] = direction.dot(offset) - remembered;
-            let [from, to] = arms;
-            lines[row] = Line { from, to, direction: direction * sign, ..Line::default() };
-        }
-        self.rates(at.twists, at.v, lines, rate);
+        };
+        self.facing.locate(at, spot, value, rate, lines);
     }
 
     fn rates(&self, twists: &[Twist], _v: &[f64], lines: &[Line], rate: &mut [f64]) {
-        let at = |body: Option<usize>, arm| body.map_or(DVec3::ZERO, |body| twists[body].at(arm));
-        let apart = at(self.bodies[0], lines[0].from) - at(self.bodies[1], lines[0].to);
-        for (rate, line) in rate.iter_mut().zip(lines) {
-            *rate = line.direction.dot(apart);
-        }
+        self.facing.rates(twists, lines, rate);
     }
 
     fn apply(&self, tension: &[f64], lines: &[Line], wrenches: &mut [Wrench]) {
-        let needed: DVec3 = lines.iter().zip(tension).map(|(line, tension)| line.direction * *tension).sum();
-        let [first, second] = self.bodies;
-        if let Some(body) = first {
-            wrenches[body].add(needed, lines[0].from);
-        }
-        if let Some(body) = second {
-            wrenches[body].add(-needed, lines[0].to);
-        }
+        self.facing.apply(tension, lines, wrenches);
     }
 
     fn evaluate(&self, at: &Placed, value: &mut [f64], gradient: &mut [f64]) {
-        let Placed { tree, kinematics, spots, .. } = *at;
-        let spot = &spots[self.spot];
-        if !spot.is_near {
+        let Some(spot) = self.near(at.spots) else {
             value.copy_from_slice(&[FAR, 0.0, 0.0]);
             gradient.fill(0.0);
             return;
-        }
-        let Pointed { at: Located { point, offset, .. }, directions, sign } = self.pointed(kinematics, spot);
-        let count = self.dofs.len();
-        for (row, direction) in directions.into_iter().enumerate() {
-            let remembered = if row == 0 { 0.0 } else { value[row] };
-            value[row] = direction.dot(offset) - remembered;
-        }
-        for entry in 0..count {
-            let column = self.column(tree, kinematics, entry, point) * sign;
-            for (row, direction) in directions.into_iter().enumerate() {
-                gradient[row * count + entry] = direction.dot(column);
-            }
-        }
+        };
+        self.facing.evaluate(at, spot, value, gradient);
     }
 
     fn curvature_groups(&self) -> Vec<(usize, Vec<usize>)> {
-        (0..3).map(|row| (row, self.dofs.clone())).collect()
+        (0..3).map(|row| (row, self.facing.dofs.clone())).collect()
     }
 
     fn curvature(&self, at: &Placed, _value: f64, group: usize, columns: &mut [DVec3], block: &mut [f64]) {
-        let Placed { tree, kinematics, spots, .. } = *at;
-        let spot = &spots[self.spot];
-        if !spot.is_near {
-            block.fill(0.0);
-            return;
-        }
-        let Pointed { at: located, directions, sign } = self.pointed(kinematics, spot);
-        let (point, direction) = (located.point, directions[group]);
-        let (with_point, with_plane) = if spot.is_swapped { (1, 0) } else { (0, 1) };
-        for (column, &dof) in columns.iter_mut().zip(&self.dofs) {
-            *column = kinematics.point_column(tree, dof, point);
-        }
-        let size = self.dofs.len();
-        let turn = |entry: usize, body: usize| {
-            if self.moves[entry][body] { kinematics.columns[self.dofs[entry]].angular } else { DVec3::ZERO }
-        };
-        for k in 0..size {
-            let apart_k = self.column(tree, kinematics, k, point) * sign;
-            // How x moves along the body with the point, and how d turns.
-            let (moves, turned) = located.crossed.map_or_else(
-                || (DVec3::ZERO, turn(k, with_plane).cross(direction)),
-                |crossed| {
-                    crossed.change(
-                        &located,
-                        apart_k,
-                        [with_point, with_plane].map(|body| turn(k, body)),
-                        group,
-                    )
-                },
-            );
-            for j in 0..size {
-                let change = |body: usize| {
-                    let [by_j, by_k] = [j, k].map(|entry| self.moves[entry][body]);
-                    if !by_j || !by_k {
-                        return DVec3::ZERO;
-                    }
-                    let [row, dof] = [j, k].map(|entry| (self.dofs[entry], columns[entry]));
-                    kinematics.column_change(tree, row, dof, point)
-                };
-                let mut change = (change(0) - change(1)) * sign;
-                change += turn(j, with_point).cross(moves) - turn(j, with_plane).cross(apart_k + moves);
-                let apart_j = self.column(tree, kinematics, j, point) * sign;
-                block[j * size + k] = direction.dot(change) + turned.dot(apart_j);
-            }
+        match self.near(at.spots) {
+            Some(spot) => self.facing.curvature(at, spot, group, columns, block),
+            None => block.fill(0.0),
         }
     }
 }

@@ -7,9 +7,8 @@ use super::clearance::clearance;
 use super::presence::Presence;
 use crate::audit::{KINDS, kinds_of};
 use crate::constraint::AnyConstraint;
-use crate::constraint::contact::Contact;
+use crate::constraint::facing::Facing;
 use crate::constraint::rope::Rope;
-use crate::constraint::touch::Touch;
 use crate::contact::spot::Spot;
 use crate::event::EventLog;
 use crate::force;
@@ -219,11 +218,12 @@ impl Sampled {
                 AnyConstraint::Stop(_) | AnyConstraint::Brake(_) => {}
                 AnyConstraint::Pin(_) => columns.pin_force.push(tension[row]),
                 AnyConstraint::Contact(contact) => {
-                    self.add_contact(contact, [0, 1, 2].map(|k| tension[row + k]), columns)
+                    let forces = [0, 1, 2].map(|k| tension[row + k]);
+                    self.add_touch(&contact.facing, &contact.spot, forces, columns);
                 }
                 AnyConstraint::Touch(touch) => {
                     let forces = [0, 1, 2].map(|k| tension[row + k]);
-                    self.add_touch(touch, &spots[touch.spot], forces, columns);
+                    self.add_touch(&touch.facing, &spots[touch.spot], forces, columns);
                 }
             }
         }
@@ -313,18 +313,10 @@ impl Sampled {
         }
     }
 
-    fn add_contact(&mut self, contact: &Contact, [normal, first, second]: [f64; 3], columns: &mut Columns) {
-        columns.contact_force.push(normal);
-        let tangents = contact.plane.tangents;
-        let force = contact.plane.normal * normal - tangents[0] * first - tangents[1] * second;
-        let point = self.kinematics.point(Some(contact.body), contact.at);
-        self.apply(Some(contact.body), point, force, DVec3::ZERO);
-    }
-
-    fn add_touch(&mut self, touch: &Touch, spot: &Spot, forces: [f64; 3], columns: &mut Columns) {
+    fn add_touch(&mut self, facing: &Facing, spot: &Spot, forces: [f64; 3], columns: &mut Columns) {
         columns.contact_force.push(forces[0]);
-        let (point, force) = touch.force(&self.kinematics, spot, forces);
-        let [first, second] = touch.bodies;
+        let (point, force) = facing.force(&self.kinematics, spot, forces);
+        let [first, second] = facing.bodies;
         self.apply(first, point, force, DVec3::ZERO);
         self.apply(second, point, -force, DVec3::ZERO);
     }

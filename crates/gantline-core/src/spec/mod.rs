@@ -241,7 +241,7 @@ pub struct StopsSpec {
     pub loaded: bool,
 }
 
-/// A point of a body that may touch a plane of the world.
+/// A point of a body that may touch a plane of the world or of another body.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ContactSpec {
@@ -253,9 +253,12 @@ pub struct ContactSpec {
     pub body: String,
     /// Point [m] in the body frame.
     pub at: [f64; 3],
-    /// A point of the plane [m], world axes.
+    /// Body with the plane; none is the world.
+    #[serde(default)]
+    pub plane_body: Option<String>,
+    /// A point of the plane [m], in the axes of its body.
     pub plane_point: [f64; 3],
-    /// Normal of the plane, towards the free side; normalised when built.
+    /// Normal of the plane there, towards the free side; normalised when built.
     pub plane_normal: [f64; 3],
     /// Normal and tangential stiffness [N/m].
     pub stiffness: f64,

@@ -215,7 +215,8 @@ impl Statics {
             largest = largest.max(bound);
             if let Contacts::Slid(direction) = contacts {
                 let AnyConstraint::Contact(contact) = system.constraint_of_row(rows[0]) else { continue };
-                let way = contact.plane.tangents.map(|tangent| tangent.dot(direction));
+                let tangents = contact.tangents(&self.search.here.frame.kinematics);
+                let way = tangents.map(|tangent| tangent.dot(direction));
                 let size = way[0].hypot(way[1]);
                 for ((&row, part), index) in rows.iter().zip(way).zip(index..) {
                     let wanted = if size > 0.0 { bound * part / size } else { 0.0 };

@@ -420,10 +420,11 @@ impl StaticLift {
     /// the body, world axes [N], and the largest that it can be, μN [N].
     pub fn contact_forces(&self) -> Vec<(&str, f64, [f64; 3], f64)> {
         let Self { system, state, .. } = self;
+        let kinematics = placed(system, state).kinematics;
         let contacts = system.friction.chunks_exact(2).filter_map(|rows| {
             let Law::Friction { coefficient, normal, .. } = system.rows.laws[rows[0]] else { return None };
             let AnyConstraint::Contact(contact) = system.constraint_of_row(normal) else { return None };
-            let [one, other] = contact.plane.tangents;
+            let [one, other] = contact.tangents(&kinematics);
             let force = -(one * state.tension[rows[0]] + other * state.tension[rows[1]]);
             let pressed = state.tension[normal];
             Some((contact.name.as_str(), pressed, force.to_array(), coefficient * pressed))

@@ -58,7 +58,7 @@ pub fn find(
         match finder {
             Finder::Pad(index, pad) => {
                 let AnyConstraint::Touch(touch) = &system.constraints[*index] else { continue };
-                let found = pad.spot(kinematics.pose_of(touch.bodies[0]));
+                let found = pad.spot(kinematics.pose_of(touch.facing.bodies[0]));
                 let spot = &mut spots[touch.spot];
                 let near = (spot.point - found.point).length() < STAYS_ON_PAD;
                 let stays = spot.is_near && (held(system.rows.first[*index]) || found.is_near && near);
@@ -208,8 +208,8 @@ pub fn stand_elsewhere(
     if new.is_near {
         let row = first_row(system, touch);
         let values = value.map_or([0.0; 2], |value| [value[row + 1], value[row + 2]]);
-        let displaced = touch.displaced(kinematics, old, values);
-        let remembered = touch.remembered(kinematics, new, displaced);
+        let displaced = touch.facing.displaced(kinematics, old, values);
+        let remembered = touch.facing.remembered(kinematics, new, displaced);
         state.memory[row + 1..row + 3].copy_from_slice(&remembered);
     }
 }
@@ -273,8 +273,8 @@ fn to_edge(
     if !state.modes[system.rows.first[index]].carries() {
         return f64::INFINITY;
     }
-    let place = kinematics.point(touch.bodies[0], state.spots[touch.spot].point);
-    let velocity = kinematics.point_velocity(twists, touch.bodies[0], place);
+    let place = kinematics.point(touch.facing.bodies[0], state.spots[touch.spot].point);
+    let velocity = kinematics.point_velocity(twists, touch.facing.bodies[0], place);
     let sides = pad.top.along(place).into_iter().zip(pad.top.tangents).zip(pad.half);
     let times =
         sides.map(|((along, tangent), half)| (half - along.abs()).max(EDGE) / tangent.dot(velocity).abs());
