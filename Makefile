@@ -12,6 +12,8 @@ export PYO3_PYTHON := $(CURDIR)/$(BIN)/python
 export VIRTUAL_ENV := $(CURDIR)/.venv
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 unexport PYTHONPATH PYTHONHOME
+# Tests start the program some hundred times, which compiles its modules anew each time where this is set.
+unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: help setup demo test lint bench docs packages pictures lock clean
 
@@ -24,10 +26,11 @@ setup: ## make .venv: locked packages, gantline, its compiled core and its playe
 demo: setup ## simulate the lift of scenarios/equalizer; table, numerical error, pictures and report in build/demo
 	@gantline run scenarios/equalizer --refine -o build/demo
 
+# Files of tests in their order: the browser has one long test, which begins first.
 test: setup lint ## all tests and lints
 	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
 	npm --prefix viewer test --silent
-	pytest --numprocesses auto --maxprocesses 8 --dist loadfile --hypothesis-seed=$(SEED)
+	pytest --numprocesses auto --maxprocesses 8 --dist loadfile --no-loadscope-reorder --hypothesis-seed=$(SEED)
 
 lint: setup ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
 	cargo fmt --all --check

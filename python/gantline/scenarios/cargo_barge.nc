@@ -1,0 +1,1 @@
+../../../scenarios/off_a_barge/cargo_barge.nc
