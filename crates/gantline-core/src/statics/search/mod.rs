@@ -47,6 +47,9 @@ const WORTH: f64 = 1e-3;
 
 /// Rounding of an energy below which nothing can be told from it, in units of that of its terms.
 const NOISE: f64 = 160.0;
+/// What is gained beyond this much rounding has been gained, whatever was promised: what is written of rounding is that of
+/// single terms, of which the sum has no more than once or twice as a rule.
+const TOLD: f64 = 16.0;
 /// Factor of λ after a step that the model foresaw.
 const FASTER: f64 = 0.03;
 /// Factor of λ after one that led nowhere.
@@ -253,6 +256,11 @@ impl Search {
                 }
                 if before <= BALANCED {
                     return Ok(false);
+                }
+                // Along a valley that bends forces may get worse on the way down.
+                if self.here.pushed.is_empty() && gained > (WORTH * promised).max(TOLD * noise) {
+                    *lambda = (trust(gained / promised) * *lambda).max(LEAST);
+                    return Ok(true);
                 }
                 if *lambda > LEAST && !is_last {
                     (*lambda, is_last) = (LEAST, true);
