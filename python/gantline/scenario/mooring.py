@@ -240,28 +240,34 @@ def weight_on_nodes(line: MooringLine, kind: RopeMaterial) -> RopeWeight:
 
 
 def lines_at(scenario: Scenario, body: str) -> list[str]:
-    """Mooring lines that end on a body."""
-    return [
-        name for name, line in (scenario.mooring_lines or {}).items() if body in (line.vessel, line.holder)
-    ]
+    """Mooring lines that end on a body, or on what stands on it."""
+    lines = (scenario.mooring_lines or {}).items()
+    return [name for name, line in lines if body in _ends(scenario, line)]
 
 
 def is_moored(scenario: Scenario, body: str) -> bool:
     """Whether lines lead from a body to the world, by way of others or not."""
-    lines = list((scenario.mooring_lines or {}).values())
-    held, ahead = {body}, [body]
-    while ahead:
-        one = ahead.pop()
-        for line in lines:
-            if one not in (line.vessel, line.holder):
-                continue
-            other = line.holder if one == line.vessel else line.vessel
-            if other is None:
-                return True
-            if other not in held:
-                held.add(other)
-                ahead.append(other)
-    return False
+    ends = [_ends(scenario, line) for line in (scenario.mooring_lines or {}).values()]
+    held: set[str | None] = {body}
+    while None not in held:
+        ahead = {end for both in ends if not held.isdisjoint(both) for end in both} - held
+        if not ahead:
+            return False
+        held |= ahead
+    return True
+
+
+def _ends(scenario: Scenario, line: MooringLine) -> list[str | None]:
+    """What bears both ends of a line: a vessel, or a body of 'mechanics' that moves; None is the world."""
+    return [_bearer(scenario, body) for body in (line.vessel, line.holder)]
+
+
+def _bearer(scenario: Scenario, body: str | None) -> str | None:
+    """What a body stands on, as bollards do on a vessel and piles in the ground; itself where it moves."""
+    plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
+    while body in plain and (plain[body].parent is not None or plain[body].joint.type == "fixed"):
+        body = plain[body].parent
+    return body
 
 
 def moored_bodies(scenario: Scenario) -> list[str]:
