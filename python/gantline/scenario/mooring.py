@@ -143,11 +143,13 @@ class MooringLine(Element):
         return self
 
     def _refuse_what_its_type_has_not(self) -> None:
+        # No catenary leads to another vessel: none is the advice then.
         if self.type != "catenary":
+            other = "" if self.holder is not None else ", or write 'type: catenary'"
             for key in ("sea_bed", "under_water"):
                 if getattr(self, key) is not None:
-                    raise refuse(f"'{key}' is for catenaries; leave it out, or write 'type: catenary'", key)
-        elif self.held_by not in (None, "world"):
+                    raise refuse(f"'{key}' is for catenaries; leave it out{other}", key)
+        elif self.holder is not None:
             sentence = "the lower end of a catenary stands still"
             right = "'type: spring' for a short line between vessels, 'distributed' for one that sags"
             raise refuse(f"{sentence}; write {right}", "held_by")
@@ -157,7 +159,8 @@ class MooringLine(Element):
             return
         if self.type == "distributed":
             sentence = "a line with nodes has no winch"
-            raise refuse(f"{sentence}; leave it out, or write 'type: spring' or 'catenary'", "winch")
+            other = "" if self.holder is not None else " or 'catenary'"
+            raise refuse(f"{sentence}; leave it out, or write 'type: spring'{other}", "winch")
         if self.type == "catenary" and self.winch.capacity is not None:
             sentence = "the winch of a catenary does not slip"
             raise refuse(f"{sentence}; leave 'capacity' out, or write 'type: spring'", "winch")
