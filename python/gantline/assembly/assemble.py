@@ -12,6 +12,7 @@ from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
 from gantline.assembly.doubtful_empty import doubtful_empty
+from gantline.assembly.doubtful_fenders import doubtful_fenders
 from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_heights import doubtful_heights
@@ -154,6 +155,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         *doubtful_empty(scenario, rigging),
         *doubtful_turns(scenario),
         *doubtful_waits(parts, scenario),
+        *doubtful_fenders(parts, scenario),
         *doubtful_heights(scenario),
         *doubtful_stops(scenario),
         *doubtful_rails(scenario),

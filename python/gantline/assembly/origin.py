@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from gantline.assembly.foundering import foundered
 from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart, Problem, StartError
+from gantline.scenario.mooring import is_moored
 from gantline.scenario.rigging import resolve
 from gantline.scenario.slinging import starts_off
 from gantline.scenario.stream import Wind
@@ -68,7 +69,7 @@ def with_advice(scenario: Scenario, element: str, cause: str) -> str:
         cause: Why the lift comes to rest nowhere, as the core says it.
     """
     if cause.endswith((_NO_STEP, _DRIVEN)):
-        return cause + _blown(scenario)
+        return cause + _adrift(scenario, element) + _blown(scenario)
     cause += foundered(scenario, element, cause)
     if not cause.endswith(_USED_UP):
         return cause
@@ -78,6 +79,13 @@ def with_advice(scenario: Scenario, element: str, cause: str) -> str:
         return cause
     runs_up = "a moving sheave that less hangs on than on the others runs up to the fixed ones"
     return f"{cause}: {runs_up}; 'stops: true' under 'travel' ends its way, 'locked: true' holds it"
+
+
+def _adrift(scenario: Scenario, element: str) -> str:
+    """That no line holds a vessel, after a semicolon; nothing of others."""
+    if element not in (scenario.vessels or {}) or is_moored(scenario, element):
+        return ""
+    return "; no mooring line leads from it to the world, nor from what its lines lead to"
 
 
 def _blown(scenario: Scenario) -> str:

@@ -533,11 +533,14 @@ def rope_peak(recording: Recording, rope: str) -> tuple[float, float]:
     """Largest tension of a rope over all steps, not only over the samples.
 
     Of a mooring line steps know their ends alone, and a sample within one may have more. Samples that are no
-    number say nothing against what the steps had. Of a rope at rest the first time counts at which it has it.
+    number say nothing against what the steps had. Of a rope at rest the first time counts at which it has it;
+    of an equilibrium its last sample alone, that of the tightest segment.
 
     Returns:
         Tension [N] and its time [s].
     """
+    if recording.is_equilibrium:
+        return float(tightest_tension(recording, rope)[-1]), float(recording.time[-1])
     of_steps = (
         float(recording.column("rope_peak_tension", rope)),
         float(recording.column("rope_peak_time", rope)),

@@ -166,8 +166,10 @@ def _check_standing(findings: Findings, load: Load, base: str) -> None:
     elif base != "ground":
         sentence = f"'{base}' is not a group of 'supports' and not 'ground'"
         right = nearest(base, ["ground", *supports])
-        if base in (scenario.vessels or {}):
-            sentence = f"'{base}' is a vessel, which no load stands on by 'stands_on'"
+        plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
+        if base in (scenario.vessels or {}) or base in plain:
+            kind = "body of 'mechanics'" if base in plain else "vessel"
+            sentence = f"'{base}' is a {kind}, which no load stands on by 'stands_on'"
             right = "leave it out and let both touch by 'body_contacts' of 'mechanics'"
         findings.add(("load", "stands_on"), f"{sentence}; {right}")
     elif ground is None:

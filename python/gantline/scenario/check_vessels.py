@@ -13,7 +13,7 @@ from gantline.scenario.water import Afloat, Extent
 __all__ = ["check_afloat", "check_inertia", "check_inside", "check_vessels"]
 
 _ROUNDING = 1 + 1e-9
-#: A fairlead may stand so far off the hull, on a platform or a boom [m].
+#: A fairlead or fender may stand so far off the hull, on a platform or a boom [m].
 _OFF_HULL = 10.0
 #: A tank may reach so far out of the hull by rounding [m].
 _CLOSE = 1e-6
@@ -60,7 +60,7 @@ def check_inside(findings: Findings, path: Path, vessel: Vessel, extent: Extent)
     _check_draft(findings, path, vessel, extent)
     _check_tanks(findings, path, vessel, extent)
     _check_openings(findings, path, vessel, extent)
-    _check_fairleads(findings, str(path[-1]), extent)
+    _check_ends(findings, str(path[-1]), extent)
 
 
 def _check_radii(findings: Findings, path: Path, vessel: Vessel) -> None:
@@ -106,15 +106,21 @@ def _check_openings(findings: Findings, path: Path, vessel: Vessel, extent: Exte
             findings.add((*path, "openings", name), f"{sentence}; z counts from the vessel's origin")
 
 
-def _check_fairleads(findings: Findings, vessel: str, extent: Extent) -> None:
-    """Note lines that leave a vessel where it is not."""
+def _check_ends(findings: Findings, vessel: str, extent: Extent) -> None:
+    """Note lines that leave a vessel, and fenders on which it presses, where it is not."""
     low, high = extent
-    for name, line in (findings.scenario.mooring_lines or {}).items():
-        for key, body, end in (("fairlead", line.vessel, line.fairlead), ("to", line.holder, line.to)):
-            if body != vessel:
-                continue
-            off = max(max(a - at, at - b) for a, at, b in zip(low, end, high, strict=True))
-            if off > _OFF_HULL:
-                sentence = f"this is {off:.4g} m outside the hull of '{vessel}'"
-                right = "it counts along the vessel's axes, from stern, keel and centre plane"
-                findings.add(("mooring_lines", name, key), f"{sentence}; {right}")
+    ends = [
+        (("mooring_lines", name, key), body, end)
+        for name, line in (findings.scenario.mooring_lines or {}).items()
+        for key, body, end in (("fairlead", line.vessel, line.fairlead), ("to", line.holder, line.to))
+    ]
+    fenders = (findings.scenario.fenders or {}).items()
+    ends += [(("fenders", name, "at"), fender.vessel, fender.at) for name, fender in fenders]
+    for path, body, end in ends:
+        if body != vessel:
+            continue
+        off = max(max(a - at, at - b) for a, at, b in zip(low, end, high, strict=True))
+        if off > _OFF_HULL:
+            sentence = f"this is {off:.4g} m outside the hull of '{vessel}'"
+            right = "it counts along the vessel's axes, from stern, keel and centre plane"
+            findings.add(path, f"{sentence}; {right}")

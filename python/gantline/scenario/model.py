@@ -112,7 +112,9 @@ class Scenario(Element):
         None, description="Thin ropes that keep the heading of the load, by name."
     )
     mooring_lines: Named[MooringLine] | None = Field(None, description="Lines that hold vessels, by name.")
-    fenders: Named[Fender] | None = Field(None, description="Fenders between vessels and quays, by name.")
+    fenders: Named[Fender] | None = Field(
+        None, description="Fenders between vessels and quays or other vessels, by name."
+    )
     plan: list[Step] = Field(default_factory=list, description="Steps of the lift, one after the other.")
     emergency_stop: EmergencyStop | None = Field(
         None, description="Stops all that the plan moves, and the plan."

@@ -143,11 +143,13 @@ class MooringLine(Element):
         return self
 
     def _refuse_what_its_type_has_not(self) -> None:
+        # No catenary leads to another vessel: none is the advice then.
         if self.type != "catenary":
+            other = "" if self.holder is not None else ", or write 'type: catenary'"
             for key in ("sea_bed", "under_water"):
                 if getattr(self, key) is not None:
-                    raise refuse(f"'{key}' is for catenaries; leave it out, or write 'type: catenary'", key)
-        elif self.held_by not in (None, "world"):
+                    raise refuse(f"'{key}' is for catenaries; leave it out{other}", key)
+        elif self.holder is not None:
             sentence = "the lower end of a catenary stands still"
             right = "'type: spring' for a short line between vessels, 'distributed' for one that sags"
             raise refuse(f"{sentence}; write {right}", "held_by")
@@ -157,7 +159,8 @@ class MooringLine(Element):
             return
         if self.type == "distributed":
             sentence = "a line with nodes has no winch"
-            raise refuse(f"{sentence}; leave it out, or write 'type: spring' or 'catenary'", "winch")
+            other = "" if self.holder is not None else " or 'catenary'"
+            raise refuse(f"{sentence}; leave it out, or write 'type: spring'{other}", "winch")
         if self.type == "catenary" and self.winch.capacity is not None:
             sentence = "the winch of a catenary does not slip"
             raise refuse(f"{sentence}; leave 'capacity' out, or write 'type: spring'", "winch")
@@ -240,28 +243,34 @@ def weight_on_nodes(line: MooringLine, kind: RopeMaterial) -> RopeWeight:
 
 
 def lines_at(scenario: Scenario, body: str) -> list[str]:
-    """Mooring lines that end on a body."""
-    return [
-        name for name, line in (scenario.mooring_lines or {}).items() if body in (line.vessel, line.holder)
-    ]
+    """Mooring lines that end on a body, or on what stands on it."""
+    lines = (scenario.mooring_lines or {}).items()
+    return [name for name, line in lines if body in _ends(scenario, line)]
 
 
 def is_moored(scenario: Scenario, body: str) -> bool:
     """Whether lines lead from a body to the world, by way of others or not."""
-    lines = list((scenario.mooring_lines or {}).values())
-    held, ahead = {body}, [body]
-    while ahead:
-        one = ahead.pop()
-        for line in lines:
-            if one not in (line.vessel, line.holder):
-                continue
-            other = line.holder if one == line.vessel else line.vessel
-            if other is None:
-                return True
-            if other not in held:
-                held.add(other)
-                ahead.append(other)
-    return False
+    ends = [_ends(scenario, line) for line in (scenario.mooring_lines or {}).values()]
+    held: set[str | None] = {body}
+    while None not in held:
+        ahead = {end for both in ends if not held.isdisjoint(both) for end in both} - held
+        if not ahead:
+            return False
+        held |= ahead
+    return True
+
+
+def _ends(scenario: Scenario, line: MooringLine) -> list[str | None]:
+    """What bears both ends of a line: a vessel, or a body of 'mechanics' that moves; None is the world."""
+    return [_bearer(scenario, body) for body in (line.vessel, line.holder)]
+
+
+def _bearer(scenario: Scenario, body: str | None) -> str | None:
+    """What a body stands on, as bollards do on a vessel and piles in the ground; itself where it moves."""
+    plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
+    while body in plain and (plain[body].parent is not None or plain[body].joint.type == "fixed"):
+        body = plain[body].parent
+    return body
 
 
 def moored_bodies(scenario: Scenario) -> list[str]:
