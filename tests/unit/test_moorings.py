@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -237,3 +238,15 @@ def test_the_least_pretension_of_a_distributed_line_is_named() -> None:
         ScenarioError, match=r"rope: the mass of rope 'bare' is not known, and a distributed line"
     ):
         parse_scenario(spoiled("rope: moor_44, pretension", "rope: bare, pretension", nodes))
+
+
+def test_a_distributed_line_that_hangs_in_the_water_is_told() -> None:
+    """A slack one of 70 m between ends 62 m apart, 1 m above the water."""
+    nodes = spoiled("pretension: 150 kN, type: spring", "length: 70 m, type: distributed", BETWEEN)
+    wet = spoiled("mechanics:", "water: {density: 1025 kg/m^3, level: 9 m}\nmechanics:", nodes)
+    dry, told = assemble(parse_scenario(nodes)).doubts, assemble(parse_scenario(wet)).doubts
+    [doubt] = [one for one in told if one not in dry]
+    assert doubt.path == "mooring_lines.stern"
+    assert re.search(
+        r"stern hangs 1\d\.\d m deep in the water at the start, and its nodes weigh", doubt.sentence
+    )

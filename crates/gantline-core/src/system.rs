@@ -19,6 +19,9 @@ use crate::rope::coil::Layers;
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
 
+/// What lines pull with that hold what floats, of its weight.
+const HELD_AFLOAT: f64 = 1e-2;
+
 /// Rows of all constraints, one after another, with a static sparsity pattern.
 #[derive(Debug, Clone, Default)]
 pub struct Rows {
@@ -370,7 +373,8 @@ impl System {
         self.rope_count - (0..ends.len()).filter(is_node).count()
     }
 
-    /// Weight of all that water does not bear [N], or of everything where it bears all.
+    /// What ropes bear, all together [N]: the weight of all that water does not bear. Where it bears all, lines hold vessels
+    /// against wind, current and waves, by about a hundredth of what they weigh.
     pub fn weight_on_ropes(&self) -> f64 {
         let tree = &self.tree;
         let mut floats = vec![false; tree.bodies.len()];
@@ -382,7 +386,7 @@ impl System {
             bodies.map(|(body, _)| body.mass).sum()
         };
         let hanging = mass(false);
-        (if hanging > 0.0 { hanging } else { mass(true) }) * tree.gravity.length()
+        (if hanging > 0.0 { hanging } else { HELD_AFLOAT * mass(true) }) * tree.gravity.length()
     }
 
     /// How many rows the ropes have; they stand before those of contacts.

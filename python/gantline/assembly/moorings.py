@@ -182,6 +182,22 @@ def _add_distributed(
     assert length is not None  # it has one of both
     lump_rope(parts, line_rope(name), weight, length, ends)
     add_free_rope(parts, scenario, path, line_rope(name), kind, weight, length, ends)
+    _warn_of_wet(parts, scenario, name, weight.nodes)
+
+
+def _warn_of_wet(parts: Parts, scenario: Scenario, name: str, nodes: int) -> None:
+    """A line of nodes weighs what it weighs in air, also where it hangs in the water at the start."""
+    if scenario.water is None:
+        return
+    rope = line_rope(name)
+    places = [parts.bodies[f"{rope}/{number}"]["joint"]["position"] for number in range(1, nodes + 1)]
+    deep = scenario.water.level - min(place[2] for place in places)
+    if deep > 0.0:
+        hangs = f"mooring line {name} hangs {format_quantity(deep, 'm', 1)} deep in the water at the start"
+        sentence = (
+            f"{hangs}, and its nodes weigh what they weigh in air: less length, or more pull, keeps it out"
+        )
+        parts.doubt(("mooring_lines", name), sentence)
 
 
 def _catenary(scenario: Scenario, name: str, line: MooringLine, kind: RopeMaterial, parting: Parting) -> Json:

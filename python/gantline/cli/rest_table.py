@@ -85,6 +85,15 @@ def ropes(rest: Equilibrium) -> list[str]:
     return table(("Rope", "tension"), rows, "lr") if rows else []
 
 
+def fenders(rest: Equilibrium) -> list[str]:
+    """What vessels press on fenders with."""
+    rows = []
+    for fender in rest.recording.rig.fenders:
+        force = float(rest.recording.column("fender_force", fender.name)[-1])
+        rows.append((fender.name, show(force, "kN", 3), show(fender.used_by(force), "%", 1)))
+    return table(("Fender", "force", "of capacity"), rows, "lrr") if rows else []
+
+
 def hooks(rest: Equilibrium) -> list[str]:
     """What hooks and hoists bear."""
     rows = [

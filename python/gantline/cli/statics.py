@@ -189,6 +189,7 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
         rest_table.heading_of(question, rest, answer.found),
         rest_table.slings_of(rest, answer.bounds),
         rest_table.ropes(rest),
+        rest_table.fenders(rest),
         rest_table.hooks(rest),
         vessels_at_rest(question, rest),
         rest_table.loads(rest),

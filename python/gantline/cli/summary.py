@@ -58,6 +58,7 @@ def summary(
         _hooks(recording),
         vessels(recording),
         _ropes(recording),
+        _fenders(recording),
         _wraps(recording),
         _losses(recording),
         _drums(recording),
@@ -261,6 +262,19 @@ def _ropes(recording: Recording) -> list[str]:
     if all(row[-1] == ABSENT for row in rows):  # nothing to say in a column of dashes
         head, rows = head[:-1], [row[:-1] for row in rows]
     return table(head, rows, "l" + "r" * (len(head) - 1)) if rows else []
+
+
+def _fenders(recording: Recording) -> list[str]:
+    """What vessels press on fenders with, in samples."""
+    rows: list[tuple[str, ...]] = []
+    for fender in recording.rig.fenders:
+        force = recording.column("fender_force", fender.name)
+        peak = series.peak(recording, force)
+        largest = (show(peak[0], "kN", 1), show(peak[1], "s", 2)) if peak else (ABSENT, ABSENT)
+        used = show(fender.used_by(peak[0]) if peak else None, "%", 1)
+        rows.append((fender.name, show(float(force[-1]), "kN", 1), *largest, used))
+    head = ("Fender", "at the end", "peak", "at", "of capacity (peak)")
+    return table(head, rows, "lrrrr") if rows else []
 
 
 def _wraps(recording: Recording) -> list[str]:

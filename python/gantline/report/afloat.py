@@ -219,7 +219,7 @@ def _moorings(subject: Subject) -> list[tuple[str, str]]:
     ]
     if presses:
         (force, time), fender = presses[first_peak([one[0][0] for one in presses])]
-        used = share(force, fender.capacity)
+        used = fender.used_by(force)
         text = f"{fender.name} {show(force, 'kN', 0)} at {show(time, 's', 1)}"
         rows.append(("largest fender force", text + (f", {show(used, '%', 0)} of capacity" if used else "")))
     return rows

@@ -292,7 +292,7 @@ def _moorings(recording: Recording) -> Iterator[_Metric]:
     force = {one.name: float(recording.column("fender_force", one.name).max()) for one in fenders}
     for name, peak in force.items():
         yield f"peak_fender_force.{name}", peak
-    pressed = [force[one.name] / one.capacity for one in fenders if one.capacity is not None]
+    pressed = [share for one in fenders if (share := one.used_by(force[one.name])) is not None]
     yield "peak_fender_force_of_capacity", _largest(pressed)
 
 

@@ -42,6 +42,10 @@ class Fender(FromJson):
     contact: str
     capacity: float | None = None
 
+    def used_by(self, force: float) -> float | None:
+        """A force [N] over its capacity; None where that is not said."""
+        return None if self.capacity is None else force / self.capacity
+
 
 def mooring_state(
     columns: Columns, names: Names, lines: Sequence[MooringLine], fenders: Sequence[Fender]
