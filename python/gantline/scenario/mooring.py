@@ -318,7 +318,8 @@ def _check_rope(findings: Findings, path: Path, line: MooringLine, kind: RopeMat
     if line.type == "spring":
         return
     if kind.mass_per_length == 0:
-        sentence = f"the mass of rope '{line.rope}' is not known, and a {line.type} line hangs by its weight"
+        hangs = "a catenary" if line.type == "catenary" else "a distributed line"
+        sentence = f"the mass of rope '{line.rope}' is not known, and {hangs} hangs by its weight"
         right = "give it a 'construction' or its mass, such as 'mass: 8 kg/m', or write 'type: spring'"
         findings.add((*path, "rope"), f"{sentence}; {right}")
     if findings.scenario.simulation.gravity == 0:
