@@ -38,6 +38,7 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.run_warnings import (
     command_warnings,
+    compensation_warnings,
     missed_bumps,
     missed_crests,
     missed_incidents,
@@ -376,6 +377,7 @@ class Simulation:
             warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground, water.depth)
         warnings += pump_warnings(rig, columns, names)
         warnings += command_warnings(columns, names)
+        warnings += compensation_warnings(columns, names)
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
         ):

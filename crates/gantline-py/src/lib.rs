@@ -245,6 +245,7 @@ fn name_lists(py: Python<'_>, names: Names) -> PyResult<Bound<'_, PyDict>> {
         ("pin", names.pin),
         ("pair", names.pair),
         ("hull", names.hull),
+        ("compensated_hook", names.compensator),
         ("energy_kind", names.energy_kind.into_iter().map(str::to_owned).collect()),
     ];
     lists.into_py_dict(py)

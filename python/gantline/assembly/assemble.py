@@ -23,6 +23,7 @@ from gantline.assembly.doubtful_turns import doubtful_turns
 from gantline.assembly.doubtful_waits import doubtful_waits
 from gantline.assembly.doubtful_weight import doubtful_weight
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
+from gantline.assembly.heave import add_compensation, compensators
 from gantline.assembly.in_water import add_in_water
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
 from gantline.assembly.long_waves import add_doubts_of_hulls
@@ -141,6 +142,8 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     add_watches(parts, scenario, {name: kind.diameter for name, (kind, _) in kinds.items()})
     mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]
     parts.plan.extend(operations(scenario, rigging, parts, mass * scenario.simulation.gravity))
+    parts.compensators.extend(compensators(scenario))
+    add_compensation(scenario, parts.plan)
     changes = zip(parts.plan, pins.pulled, pins.put_in, removals(scenario), strict=True)
     for step, pulled, put_in, removed in changes:
         said = (("pulls", pulled), ("pins", put_in), ("removes", removed))

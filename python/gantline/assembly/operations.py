@@ -25,6 +25,7 @@ __all__ = [
     "luff_drive",
     "moved_drives",
     "operations",
+    "reel_of",
     "slew_drive",
     "stop_of",
     "turned_drive",
@@ -195,7 +196,7 @@ def _moving(
                 "acceleration": acceleration * rate,
                 "shape": "linear",
                 **_range_to_keep(step, one),
-                **_reel_of(one),
+                **reel_of(one),
                 **({} if step.emergency_stop_at is None else {"emergency": stop_of(one, step.speed, rate)}),
             }
         )
@@ -217,7 +218,7 @@ def _moving(
     return made
 
 
-def _reel_of(one: Mover) -> Json:
+def reel_of(one: Mover) -> Json:
     """Layers on the drum of a hook: ways and heights of the plan are those of the hook on any of them."""
     reel = one.reel
     if reel is None:

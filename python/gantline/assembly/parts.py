@@ -54,6 +54,7 @@ class Parts:
         gusts: what comes on top of the mean speed of the wind; None where nothing does.
         vessels: what should stay upright, and which of their points above the water.
         drives: drives by name.
+        compensators: hoists that can compensate heave.
         plan: steps in order.
         emergency_stop: what stops all drives of the plan, and when.
         doubts: what the lift file may have and cannot well mean, in order.
@@ -78,6 +79,7 @@ class Parts:
     gusts: Json | None = None
     vessels: list[Json] = field(default_factory=list)
     drives: dict[str, Json] = field(default_factory=dict)
+    compensators: list[Json] = field(default_factory=list)
     plan: list[Json] = field(default_factory=list)
     emergency_stop: Json | None = None
     doubts: list[Doubt] = field(default_factory=list)
@@ -245,6 +247,7 @@ class Parts:
             "shapes": [shape for name, shape in self.shapes.items() if name in used],
             "pairs": self.pairs,
             "watches": self.watches,
+            "compensators": self.compensators,
         }
         return {
             "gravity": [0.0, 0.0, -gravity],

@@ -107,6 +107,12 @@ _DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
         "J",
         "energy by kind; gravity from the start, losses add up",
     ),
+    "heave_compensation": (
+        "heave_compensation",
+        ("time", "compensated_hook"),
+        "m",
+        "by how much heave compensation has raised a hook; 0 once it has ended, the hook staying where it is",
+    ),
     "constraint_residual": (
         "residual_constraint",
         ("time",),
@@ -133,6 +139,7 @@ _NAMED = (
     "pin",
     "pair",
     "hull",
+    "compensated_hook",
     "energy_kind",
 )
 # name in the recording, name among the names, dimension, description

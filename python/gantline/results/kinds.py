@@ -37,6 +37,7 @@ EVENT_KINDS: Final = (
     "step_begin",
     "step_end",
     "pump_stopped",
+    "compensation_limit",
     "emergency_stop",
     "drum_slips",
     "drum_holds",

@@ -39,6 +39,7 @@ _OVER: dict[tuple[str, ...], str] = {
     ("time", "pair", "pair_side", "xyz"): "clearance_point",
     ("time", "hook"): "hook_load hoist_load",
     ("time", "crane_hook"): "hook_height falls_out_of_plumb",
+    ("time", "compensated_hook"): "heave_compensation",
     ("time", "corner"): "corner_load",
     ("time", "boom"): "boom_angle luffing_pull slew_angle crane_heel crane_trim",
     ("time", "boom_hook"): "crane_radius off_lead side_lead",

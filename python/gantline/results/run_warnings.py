@@ -14,6 +14,7 @@ from gantline.units import format_quantity
 
 __all__ = [
     "command_warnings",
+    "compensation_warnings",
     "missed_bumps",
     "missed_crests",
     "missed_incidents",
@@ -193,6 +194,21 @@ def command_warnings(columns: Mapping[str, Any], names: Mapping[str, Any]) -> li
         f"{name} was moved by a program from {at[0]:.2f} s on and not by the plan ({motion}, "
         f"commands: {len(at)})"
         for (name, motion), at in times.items()
+    ]
+
+
+def compensation_warnings(columns: Columns, names: Names) -> list[str]:
+    """Warnings of heave compensation that could not follow: once for each hook, the first time."""
+    first: dict[str, float] = {}
+    for moment, kind, hook in zip(
+        columns["event_time"], names["event_kind"], names["event_name"], strict=True
+    ):
+        if kind == "compensation_limit":
+            first.setdefault(hook, float(moment))
+    return [
+        f"heave compensation of {hook} comes to a limit of its speed, acceleration or stroke at {when:.2f} s, "
+        "and follows no more than that lets it"
+        for hook, when in first.items()
     ]
 
 

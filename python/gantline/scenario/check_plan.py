@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.check_booms import check_luffing
+from gantline.scenario.check_heave import check_heave
 from gantline.scenario.check_pumps import check_contents, check_pump
 from gantline.scenario.check_travel import check_travel, said
 from gantline.scenario.condition import Condition
@@ -40,6 +41,7 @@ def check_plan(findings: Findings) -> None:
     begins = earliest_begins(plan)
     busy: set[str] = set()  # what the steps that go on side by side move
     for place, step in enumerate(plan):
+        check_heave(findings, place, step)
         if isinstance(step, HoldStep):
             if step.hold == "until_end" and place + 1 < len(plan):
                 sentence = "'until_end' stands before other steps, which would never begin"

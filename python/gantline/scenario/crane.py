@@ -10,6 +10,7 @@ from pydantic.json_schema import JsonSchemaValue
 
 from gantline.scenario.base import Element
 from gantline.scenario.errors import closest, shorten
+from gantline.scenario.heave import HeaveCompensation
 from gantline.scenario.quantities import (
     Angle,
     Flag,
@@ -84,10 +85,12 @@ class Hoist(Element):
         description="Pull of each rope on the first layer that the brake holds, once an emergency stop has "
         "thrown it in; the capacity if not given.",
     )
-
     emergency_acceleration: PositiveAcceleration | None = Field(
         None,
         description="Deceleration of the hook in an emergency stop, of a hoist without a capacity.",
+    )
+    heave_compensation: HeaveCompensation | None = Field(
+        None, description="What it can do against the heave of its boom head, on a vessel."
     )
 
     @model_validator(mode="after")

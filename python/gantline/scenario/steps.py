@@ -87,6 +87,20 @@ class _AnyStep(Element):
         description="Locking pins that are put in as it begins, where their sheaves then are; they have to "
         "be at rest.",
     )
+    compensate_heave: Names = Field(
+        (), description="Hook or hooks whose hoists keep them still against heave while it goes on."
+    )
+    relative_to: Name | None = Field(
+        None,
+        description="With 'compensate_heave': vessel against whose deck they are kept still; the ground if "
+        "not given.",
+    )
+
+    @model_validator(mode="after")
+    def _relative_to_what_heaves(self) -> _AnyStep:
+        if self.relative_to is not None and not self.compensate_heave:
+            raise refuse("'relative_to' stands beside 'compensate_heave'; found it alone", "relative_to")
+        return self
 
 
 class _StartingStep(_AnyStep):

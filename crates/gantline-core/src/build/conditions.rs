@@ -136,7 +136,7 @@ pub(super) fn build_way(
     Ok(Way { joint, carried, tackles })
 }
 
-fn plumb(name: &str, tree: &Tree) -> Result<DVec3, BuildError> {
+pub(super) fn plumb(name: &str, tree: &Tree) -> Result<DVec3, BuildError> {
     match tree.gravity.try_normalize() {
         Some(down) => Ok(down),
         None => error(name, "there is no gravity, so nothing is plumb; give it gravity"),
@@ -144,7 +144,7 @@ fn plumb(name: &str, tree: &Tree) -> Result<DVec3, BuildError> {
 }
 
 /// A body, and a point in its frame [m].
-fn place(name: &str, (body, at): &PlaceSpec, tree: &Tree) -> Result<(usize, DVec3), BuildError> {
+pub(super) fn place(name: &str, (body, at): &PlaceSpec, tree: &Tree) -> Result<(usize, DVec3), BuildError> {
     let Some(index) = tree.bodies.iter().position(|other| &other.name == body) else {
         return error(name, format!("there is no body `{body}`"));
     };

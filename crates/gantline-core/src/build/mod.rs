@@ -3,6 +3,7 @@
 mod adjusters;
 mod brakes;
 mod coils;
+mod compensators;
 mod conditions;
 mod forces;
 mod light;
@@ -195,6 +196,7 @@ fn check_names(spec: &SystemSpec) -> Result<(), BuildError> {
     unique("contact", contacts.chain(supports).chain(spec.pairs.iter().map(|pair| pair.name.as_str())))?;
     unique("shape", spec.shapes.iter().map(|shape| shape.name.as_str()))?;
     unique("watch", spec.watches.iter().map(|watch| watch.name.as_str()))?;
+    unique("compensator", spec.compensators.iter().map(|one| one.name.as_str()))?;
     unique("drive", spec.drives.iter().map(|drive| drive.name.as_str()))?;
     unique("force", spec.forces.iter().map(|force| force.name()))?;
     unique("rope or line", ropes.chain(spec.moorings().map(|line| line.name.as_str())))

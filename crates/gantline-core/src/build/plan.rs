@@ -1,6 +1,7 @@
 //! Drives and the steps of the plan.
 
 use super::coils::build_layers;
+use super::compensators::{build_compensations, build_compensators};
 use super::conditions::{build_condition, build_follow, build_way};
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
@@ -59,8 +60,12 @@ pub(super) fn build_plan(
     groups: &[ContactGroup],
     ropes: (&[AnyConstraint], &Rows),
 ) -> Result<Plan, BuildError> {
-    let steps = spec.plan.iter().map(|step| build_step(step, tree, drives, groups, ropes));
-    let steps: Vec<Step> = steps.collect::<Result<_, _>>()?;
+    let compensators = build_compensators(spec, tree, drives)?;
+    let mut steps = Vec::with_capacity(spec.plan.len());
+    for given in &spec.plan {
+        let compensates = build_compensations(given, tree, &compensators)?;
+        steps.push(Step { compensates, ..build_step(given, tree, drives, groups, ropes)? });
+    }
     let stop = match &spec.emergency_stop {
         None => None,
         Some(given) => {
@@ -81,10 +86,10 @@ pub(super) fn build_plan(
             Some(EmergencyStop { at, drives: stopped })
         }
     };
-    Ok(Plan { steps, stop })
+    Ok(Plan { steps, compensators, stop })
 }
 
-fn find_drive(element: &str, wanted: &str, drives: &[DriveJoint]) -> Result<usize, BuildError> {
+pub(super) fn find_drive(element: &str, wanted: &str, drives: &[DriveJoint]) -> Result<usize, BuildError> {
     match drives.iter().position(|drive| drive.name == wanted) {
         Some(drive) => Ok(drive),
         None => error(element, format!("there is no drive `{wanted}`")),
@@ -111,7 +116,7 @@ pub fn build_emergency(
     Ok(Emergency { acceleration, brake })
 }
 
-fn build_reel(element: &str, given: &ReelSpec) -> Result<Reel, BuildError> {
+pub(super) fn build_reel(element: &str, given: &ReelSpec) -> Result<Reel, BuildError> {
     positive(element, "the rope that a drive winds up", given.rate)?;
     Ok(Reel { rate: given.rate, layers: build_layers(element, &given.layers)? })
 }
@@ -178,7 +183,7 @@ fn build_step(
         condition => Until::Condition(build_condition(name, condition, tree, groups, ropes)?),
     };
     let (start_at, with_previous) = (given.start_at, given.with_previous);
-    Ok(Step { name: name.clone(), moves, start_at, with_previous, until })
+    Ok(Step { name: name.clone(), moves, start_at, with_previous, until, compensates: Vec::new() })
 }
 
 /// Ropes that break, with the tension at which they do [N].

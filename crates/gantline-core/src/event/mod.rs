@@ -62,6 +62,8 @@ pub enum EventKind {
     StepEnd,
     /// A tank is empty or full, so that the pumps of a step have stopped.
     PumpStopped,
+    /// Heave compensation is at the limit of its speed, acceleration or stroke.
+    CompensationLimit,
     /// All drives are stopped, and the plan with them; the subject is the step that began last.
     EmergencyStop,
 }
@@ -101,12 +103,13 @@ impl EventKind {
             Self::StepBegin => "step_begin",
             Self::StepEnd => "step_end",
             Self::PumpStopped => "pump_stopped",
+            Self::CompensationLimit => "compensation_limit",
             Self::EmergencyStop => "emergency_stop",
         }
     }
 }
 
-/// One event. `subject` is the index of a constraint, a contact group, a sheave, a mark, a vessel or a step, as the kind says.
+/// One event. `subject` is the index of a constraint, a contact group, a sheave, a mark, a vessel, a compensator or a step, as the kind says.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Event {
     /// Time [s].
@@ -139,6 +142,7 @@ impl Event {
             EventKind::LiftOff | EventKind::SetDown => system.groups[self.subject].name.clone(),
             EventKind::RopeOffSheave | EventKind::RopeOnSheave => system.sheave_name(self.subject),
             EventKind::Flooding | EventKind::Surfacing => system.marks[self.subject].name.clone(),
+            EventKind::CompensationLimit => system.plan.compensators[self.subject].name.clone(),
             EventKind::Capsized => system.vessels[self.subject].name.clone(),
             EventKind::StepBegin | EventKind::StepEnd | EventKind::PumpStopped | EventKind::EmergencyStop => {
                 let step = system.plan.steps.get(self.subject);

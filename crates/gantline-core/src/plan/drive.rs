@@ -1,27 +1,10 @@
-//! Prescribed motion: ramps of velocity, integrated in closed form, so position, velocity and
-//! acceleration are consistent at any time.
+//! What a drive does over time: what plan or program ask of it, and on top of that what compensates heave.
 
 use serde::{Deserialize, Serialize};
 
+use super::course::{Course, Motion, soon};
 use super::step::Emergency;
 use crate::spec::RampShape;
-
-/// A change of velocity and the steady motion after it, until the next ramp.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Ramp {
-    /// Start [s].
-    pub at: f64,
-    /// Duration [s].
-    pub duration: f64,
-    /// Velocity at the start [m/s or rad/s].
-    pub from: f64,
-    /// Velocity at the end.
-    pub to: f64,
-    /// Position at the start [m or rad].
-    pub position: f64,
-    /// Course.
-    pub shape: RampShape,
-}
 
 /// What a program asks of a drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,65 +25,13 @@ pub struct Order {
 /// makes no steps of time that are next to nothing.
 const SHORTEST: f64 = 1e-3;
 
-/// Up to when what is due at a time [s] is due to rounding: times that ought to be one differ in their last bits.
-pub fn soon(time: f64) -> f64 {
-    time + 1e-12 * (1.0 + time)
-}
-
-/// Position, velocity, acceleration of a drive.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Motion {
-    /// [m or rad]
-    pub position: f64,
-    /// [m/s or rad/s]
-    pub velocity: f64,
-    /// [m/s² or rad/s²]
-    pub acceleration: f64,
-}
-
-impl RampShape {
-    /// Peak acceleration of a unit change of velocity in unit time.
-    pub fn peak_acceleration(self) -> f64 {
-        match self {
-            Self::Linear => 1.0,
-            Self::Smooth => 1.5,
-        }
-    }
-}
-
-impl Ramp {
-    /// When the velocity has changed [s]. Whoever stops there must see the ramp as over, to the last bit.
-    fn end(&self) -> f64 {
-        self.at + self.duration
-    }
-
-    fn motion(&self, time: f64) -> Motion {
-        let elapsed = (time - self.at).max(0.0);
-        let change = self.to - self.from;
-        if elapsed >= self.duration {
-            let end = self.position + 0.5 * (self.from + self.to) * self.duration;
-            let position = end + self.to * (elapsed - self.duration);
-            return Motion { position, velocity: self.to, acceleration: 0.0 };
-        }
-        let s = elapsed / self.duration;
-        // Share of the change of velocity, its integral and its derivative over s.
-        let (share, integral, slope) = match self.shape {
-            RampShape::Linear => (s, 0.5 * s * s, 1.0),
-            RampShape::Smooth => (s * s * (3.0 - 2.0 * s), s * s * s * (1.0 - 0.5 * s), 6.0 * s * (1.0 - s)),
-        };
-        Motion {
-            position: self.position + self.from * elapsed + change * integral * self.duration,
-            velocity: self.from + change * share,
-            acceleration: change * slope / self.duration,
-        }
-    }
-}
-
 /// The course of one drive over time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Timeline {
-    start: f64,
-    ramps: Vec<Ramp>,
+    /// What plan or program ask for.
+    course: Course,
+    /// What heave compensation adds, from 0.
+    added: Course,
     /// From when on a brake of which capacity holds in place of a motor [s, N].
     #[serde(default)]
     braked: Option<(f64, f64)>,
@@ -118,22 +49,21 @@ pub struct Timeline {
 impl Timeline {
     /// Takes over the course of `other`; does not allocate once there has been room.
     pub fn copy_from(&mut self, other: &Self) {
-        self.start = other.start;
-        self.ramps.clone_from(&other.ramps);
+        self.course.copy_from(&other.course);
+        self.added.copy_from(&other.added);
         (self.braked, self.noticed, self.commanded) = (other.braked, other.noticed, other.commanded);
         self.put_right = other.put_right;
     }
 
     /// A drive at rest at `start` [m or rad]. Room for ramps is made here, not while stepping.
     pub fn new(start: f64, ramps: usize) -> Self {
-        let ramps = Vec::with_capacity(ramps);
-        Self { start, ramps, braked: None, noticed: None, commanded: None, put_right: 0.0 }
+        let (course, added) = (Course::new(start, ramps), Course::new(0.0, 3));
+        Self { course, added, braked: None, noticed: None, commanded: None, put_right: 0.0 }
     }
 
     /// All its positions are `by` [m or rad] further: what it moves has slipped meanwhile, and is there.
     pub fn put_right(&mut self, by: f64) {
-        self.start += by;
-        self.ramps.iter_mut().for_each(|ramp| ramp.position += by);
+        self.course.shift(by);
         self.put_right += by;
     }
 
@@ -145,6 +75,7 @@ impl Timeline {
     /// Stops in an emergency from `at` [s] on.
     pub fn stop(&mut self, at: f64, how: &Emergency) {
         self.change(at, 0.0, how.acceleration, RampShape::Linear);
+        self.stop_adding(at, how.acceleration);
         if let Some(brake) = how.brake {
             self.brake(at, brake);
         }
@@ -168,53 +99,66 @@ impl Timeline {
 
     /// Where the drive is at `time` [s].
     pub fn motion(&self, time: f64) -> Motion {
-        let next = self.ramps.partition_point(|ramp| ramp.at <= time);
-        match next.checked_sub(1) {
-            Some(last) => self.ramps[last].motion(time),
-            None => Motion { position: self.start, velocity: 0.0, acceleration: 0.0 },
+        self.course.motion(time) + self.added.motion(time)
+    }
+
+    /// Where it would be without what heave compensation adds.
+    pub fn planned(&self, time: f64) -> Motion {
+        self.course.motion(time)
+    }
+
+    /// What heave compensation adds.
+    pub fn added(&self, time: f64) -> Motion {
+        self.added.motion(time)
+    }
+
+    /// What heave compensation adds goes to `velocity` [m/s] from `at` [s] on, within `duration` [s].
+    pub fn add(&mut self, at: f64, duration: f64, velocity: f64) {
+        self.added.forget(at);
+        self.added.ramp(at, duration, velocity, RampShape::Linear);
+    }
+
+    /// What heave compensation adds comes to rest; returns when [s].
+    pub fn stop_adding(&mut self, at: f64, acceleration: f64) -> f64 {
+        if self.added.motion(at).velocity == 0.0 {
+            return at;
         }
+        self.added.change(at, 0.0, acceleration, RampShape::Linear)
+    }
+
+    /// What heave compensation has added by `at` [s], where that rests, counts as asked for from now on.
+    pub fn keep_added(&mut self, at: f64) {
+        self.course.shift(self.added.motion(at).position);
+        self.added.clear();
     }
 
     /// Velocity with which it goes on after everything that is known to come.
     pub fn final_velocity(&self) -> f64 {
-        self.ramps.last().map_or(0.0, |ramp| ramp.to)
+        self.course.final_velocity()
     }
 
-    /// Acceleration at `time` [s] and its derivative, of the piece of motion that is under way at `from`: at the
-    /// end of a ramp the value before it and not after it. A step that begins within rounding of where a ramp starts
-    /// or ends does not stop there, so that the ramp is under way, or over.
+    /// Acceleration at `time` [s] and its derivative, of the piece of motion that is under way at `from`.
     pub fn acceleration(&self, from: f64, time: f64) -> (f64, f64) {
-        let from = soon(from);
-        let next = self.ramps.partition_point(|ramp| ramp.at <= from);
-        let under_way = next.checked_sub(1).map(|last| &self.ramps[last]);
-        let Some(ramp) = under_way.filter(|ramp| from < ramp.end()) else { return (0.0, 0.0) };
-        let (s, slope) = ((time - ramp.at) / ramp.duration, (ramp.to - ramp.from) / ramp.duration);
-        match ramp.shape {
-            RampShape::Linear => (slope, 0.0),
-            RampShape::Smooth => (slope * 6.0 * s * (1.0 - s), slope * 6.0 * (1.0 - 2.0 * s) / ramp.duration),
-        }
+        let [course, added] = [&self.course, &self.added].map(|one| one.acceleration(from, time));
+        (course.0 + added.0, course.1 + added.1)
     }
 
     /// The next time after `time` [s] at which a ramp starts or ends.
     pub fn next_break(&self, time: f64) -> f64 {
-        let breaks = self.ramps.iter().flat_map(|ramp| [ramp.at, ramp.end()]);
-        breaks.filter(|&at| at > time).fold(f64::INFINITY, f64::min)
+        self.course.next_break(time).min(self.added.next_break(time))
     }
 
     /// From `at` [s] on, within `duration` [s], the velocity goes to `velocity`. Later ramps are dropped.
     /// Returns the end of the ramp [s].
     pub fn ramp(&mut self, at: f64, duration: f64, velocity: f64, shape: RampShape) -> f64 {
-        let Motion { position, velocity: from, .. } = self.motion(at);
-        self.ramps.retain(|ramp| ramp.at < at);
         self.braked = None;
-        self.ramps.push(Ramp { at, duration, from, to: velocity, position, shape });
-        at + duration
+        self.course.ramp(at, duration, velocity, shape)
     }
 
     /// As [`Timeline::ramp`], as fast as `acceleration` allows.
     pub fn change(&mut self, at: f64, velocity: f64, acceleration: f64, shape: RampShape) -> f64 {
-        let change = (velocity - self.motion(at).velocity).abs();
-        self.ramp(at, shape.peak_acceleration() * change / acceleration, velocity, shape)
+        self.braked = None;
+        self.course.change(at, velocity, acceleration, shape)
     }
 
     /// Moves by `distance` from rest and stops; returns the end [s].
@@ -245,7 +189,7 @@ impl Timeline {
         self.commanded = Some(order.emergency);
         self.forget(at);
         let Order { velocity, acceleration: a, braking: b, range, .. } = *order;
-        let Motion { position, velocity: now, .. } = self.motion(at);
+        let Motion { position, velocity: now, .. } = self.planned(at);
         let side = if velocity == 0.0 { now.signum() } else { velocity.signum() };
         let rooms = [position - range[0], range[1] - position];
         let [behind, room] = if side > 0.0 { rooms } else { [rooms[1], rooms[0]] };
@@ -278,13 +222,12 @@ impl Timeline {
 
     /// What is over at `at` [s] is not carried along: a drive may be asked for thousands of changes.
     pub fn forget(&mut self, at: f64) {
-        let over = self.ramps.partition_point(|ramp| ramp.at < at).saturating_sub(1);
-        self.ramps.drain(..over);
+        self.course.forget(at);
     }
 
     /// Comes to rest after just the way `room` [m or rad]; returns when [s].
     fn stop_within(&mut self, at: f64, room: f64) -> f64 {
-        let speed = self.motion(at).velocity.abs();
+        let speed = self.planned(at).velocity.abs();
         self.ramp(at, (2.0 * room / speed).max(SHORTEST), 0.0, RampShape::Linear)
     }
 }
@@ -332,7 +275,7 @@ mod tests {
         for (distance, acceleration) in [(0.06, 0.01), (0.1, 0.01), (0.5, 0.01), (0.046, 0.2)] {
             let mut timeline = Timeline::new(0.0, 2);
             timeline.travel(0.0, distance, 5.0, acceleration, RampShape::Linear);
-            let (first, second) = (timeline.ramps[0].end(), timeline.ramps[1].at);
+            let (first, second) = (timeline.course.ramps[0].end(), timeline.course.ramps[1].at);
             assert!(first < second && second < soon(first));
             assert!((timeline.acceleration(first, second).0 + acceleration).abs() < 1e-12);
             assert!(timeline.acceleration(first.next_down(), second).0 < 0.0);
@@ -385,7 +328,7 @@ mod tests {
         for k in 0..1000 {
             timeline.command(10.0 + 0.01 * f64::from(k), &order(0.01 * f64::from(k % 7)));
         }
-        assert!(timeline.ramps.len() <= 2, "what is over is not kept");
+        assert!(timeline.course.ramps.len() <= 2, "what is over is not kept");
         timeline.command(30.0, &order(timeline.motion(30.0).velocity + 1e-13));
         assert!(timeline.next_break(30.0) >= 30.0 + 0.99 * SHORTEST);
     }

@@ -9,7 +9,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::condition::Seen;
-use super::drive::Motion;
+use super::course::Motion;
 use super::step::Move;
 use crate::tree::kinematics::Kinematics;
 
@@ -20,8 +20,10 @@ pub const CALM: f64 = 1e-3;
 /// Share of what it is behind that a drive makes good until the next look.
 const SHARE: f64 = 0.5;
 
+/// It comes to rest in no less than this [s]: at the end of its range nothing but rounding is left of room and velocity.
+const SHORTEST: f64 = 1e-6;
 /// Slings count as no shorter than this [m].
-const SHORTEST: f64 = 1e-9;
+const LEAST_LENGTH: f64 = 1e-9;
 /// A drive whose hooks come nearer to plumb by less than this share of the way that it moves them does not follow.
 const LEAST: f64 = 0.01;
 
@@ -128,7 +130,7 @@ impl Lead {
                 let upper = point(&strand.upper);
                 for lower in &strand.lower {
                     let along = point(lower) - upper;
-                    let pull = (seen.tension)(strand.row).max(0.0) / along.length().max(SHORTEST);
+                    let pull = (seen.tension)(strand.row).max(0.0) / along.length().max(LEAST_LENGTH);
                     (sum, weight) = (sum + pull * along, weight + pull);
                 }
             }
@@ -179,7 +181,7 @@ impl Follow {
         let along = level(column);
         let rate = along.length();
         let way = along / rate;
-        let span = level(line).length_squared().max(SHORTEST);
+        let span = level(line).length_squared().max(LEAST_LENGTH);
         let nearer = rate + line.dot(self.down) * column.dot(self.down) * line.dot(way) / span;
         let is_led = rate.min(nearer) > LEAST * column.length();
         is_led.then(|| View { lag: (own_aside - others_aside).dot(way) / nearer, rate })
@@ -212,7 +214,7 @@ pub fn within(wanted: f64, now: Motion, limits: &Move, every: f64) -> (f64, f64)
     let (u, room) = if now.velocity < 0.0 { (-now.velocity, behind) } else { (now.velocity, ahead) };
     if u * every > 2.0 * room {
         // It has to be at rest before the next look.
-        return (0.0, 2.0 * room.max(0.0) / u);
+        return (0.0, (2.0 * room / u).max(SHORTEST));
     }
     let up = ending_within(now.velocity, ahead, a, every).min(fastest);
     let down = -ending_within(-now.velocity, behind, a, every).min(fastest);

@@ -1,18 +1,22 @@
 //! Operations as data: drives that follow ramps, steps that start and end on times and conditions.
 
 pub mod condition;
+pub mod course;
 pub mod cut;
 pub mod drive;
 pub mod follow;
+pub mod heave;
 pub mod operation;
 pub mod removal;
 pub mod step;
 pub mod switching;
 
 pub use condition::{Condition, Falls, Seen};
+pub use course::soon;
 pub use cut::{Cut, Due};
-pub use drive::{Order, soon};
+pub use drive::Order;
 pub use follow::{Follow, Lead, Strand, Way};
+pub use heave::Compensator;
 pub use operation::PlanState;
 pub use removal::Removal;
 pub use step::{DriveStop, Emergency, EmergencyStop, Move, Plan, Reel, Step, StopAt, Until};

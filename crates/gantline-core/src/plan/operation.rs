@@ -1,5 +1,6 @@
 //! How the steps of a plan go on: when they begin, what they ask of drives, when they end.
 
+mod heaving;
 mod looks;
 
 use serde::{Deserialize, Serialize};
@@ -7,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::condition::Seen;
 use super::drive::Timeline;
 use super::follow::SETTLING;
+use super::heave::Compensating;
 use super::step::{DriveStop, EmergencyStop, Move, Plan, Step, StopAt, Until};
 use crate::event::{EventKind, EventLog};
 use looks::{Following, look_every};
@@ -41,6 +43,8 @@ pub struct PlanState {
     /// Course of every drive.
     pub timelines: Vec<Timeline>,
     phases: Vec<Phase>,
+    /// What every compensator does.
+    compensating: Vec<Compensating>,
     /// First step of the stage that is under way or comes next.
     stage: usize,
     /// How many steps have begun.
@@ -62,6 +66,8 @@ enum Due {
     Glance(usize),
     /// It has followed long enough.
     Rest(usize),
+    /// A glance of a compensator, or its rest.
+    Compensate(usize),
     Begin,
     Stop,
 }
@@ -73,6 +79,7 @@ impl PlanState {
             timeline.copy_from(other);
         }
         self.phases.copy_from_slice(&other.phases);
+        self.compensating.copy_from_slice(&other.compensating);
         (self.stage, self.begun, self.begin) = (other.stage, other.begun, other.begin);
         (self.stop_at, self.stopped) = (other.stop_at, other.stopped);
     }
@@ -84,12 +91,14 @@ impl PlanState {
             _ => f64::MAX,
         };
         let phases = vec![Phase::Ahead; plan.steps.len()];
-        Self { timelines, phases, stage: 0, begun: 0, begin: 0.0, stop_at, stopped: false }
+        let compensating = vec![Compensating::Off; plan.compensators.len()];
+        Self { timelines, phases, compensating, stage: 0, begun: 0, begin: 0.0, stop_at, stopped: false }
     }
 
     /// Lets the plan act on the interval from `from` to `to` [s]: everything that is due before `to`.
     /// Conditions see what there is at `from`; none holds where nothing is seen.
     pub fn advance(&mut self, plan: &Plan, from: f64, to: f64, seen: Option<&Seen>, log: &mut EventLog) {
+        let mut last = from;
         while !self.stopped {
             for index in self.stage..self.begun {
                 let step = &plan.steps[index];
@@ -100,8 +109,14 @@ impl PlanState {
             }
             let (at, due) = self.next_due(plan);
             if at >= to {
+                // What ends and what begins at one time go on from one another, so that this is looked at once all of it is
+                // done. Where nothing is seen nothing heaves.
+                if seen.is_some() && self.switch_compensators(plan, last) {
+                    continue;
+                }
                 return;
             }
+            last = at.max(from);
             match due {
                 Due::End(index) => {
                     log.push(at, EventKind::StepEnd, index);
@@ -116,9 +131,10 @@ impl PlanState {
                 Due::Rest(index) => {
                     self.phases[index] = Phase::UntilTime(self.brake(&plan.steps[index], at));
                 }
+                Due::Compensate(index) => self.compensate(plan, (index, at), seen, log),
                 Due::Begin => {
                     self.put_right(&plan.steps[self.begun], from, seen);
-                    self.begin_next(plan, at, log);
+                    self.begin_next(plan, (at, seen.is_some()), log);
                 }
                 Due::Stop => self.stop(plan, at, log),
             }
@@ -141,6 +157,16 @@ impl PlanState {
             };
             if end < next.0 {
                 next = (end, due);
+            }
+        }
+        for (index, compensating) in self.compensating.iter().enumerate() {
+            let at = match compensating {
+                Compensating::Off => continue,
+                Compensating::On(watch) => watch.next,
+                Compensating::Stopping(end) => *end,
+            };
+            if at < next.0 {
+                next = (at, Due::Compensate(index));
             }
         }
         let begin = self.next_begin(plan);
@@ -185,14 +211,19 @@ impl PlanState {
         }
     }
 
-    fn begin_next(&mut self, plan: &Plan, at: f64, log: &mut EventLog) {
+    fn begin_next(&mut self, plan: &Plan, (at, is_seen): (f64, bool), log: &mut EventLog) {
         let (index, step) = (self.begun, &plan.steps[self.begun]);
         if !step.with_previous {
             self.stage = index;
         }
         log.push(at, EventKind::StepBegin, index);
         (self.begun, self.begin) = (index + 1, at);
-        self.phases[index] = self.begin_step(step, at);
+        // What it does not compensate any more comes to rest first, and places count from there.
+        self.phases[index] = Phase::Open;
+        if is_seen {
+            self.switch_compensators(plan, at);
+        }
+        self.phases[index] = self.begin_step(plan, step, at);
         if let Some(EmergencyStop { at: StopAt::InStep(step, after), .. }) = plan.stop
             && step == index
         {
@@ -213,6 +244,9 @@ impl PlanState {
             if let Some(how) = timeline.commanded() {
                 timeline.stop(at, &how);
             }
+        }
+        for of in &plan.compensators {
+            self.stop_compensating(of, at);
         }
         // Of one drive in several steps the last that has begun has the last word.
         let begun = |one: &&DriveStop| one.step == 0 || one.step < self.begun;
@@ -266,7 +300,7 @@ impl PlanState {
         last.map(|index| plan.steps[index].name.as_str())
     }
 
-    fn begin_step(&mut self, step: &Step, begin: f64) -> Phase {
+    fn begin_step(&mut self, plan: &Plan, step: &Step, begin: f64) -> Phase {
         if let Until::Follow(follow) = &step.until {
             return Phase::Following(Following::from(begin, follow));
         }
@@ -280,11 +314,11 @@ impl PlanState {
             let mut last = begin;
             for (motion, given) in step.moves.iter().zip(given.iter().cycle()) {
                 let Move { drive, velocity, acceleration, shape, reel, .. } = *motion;
+                let here = self.place(plan, drive, begin);
                 let timeline = &mut self.timelines[drive];
                 if timeline.commanded().is_some() {
                     continue;
                 }
-                let here = timeline.motion(begin).position;
                 let by = match (reel, is_position) {
                     (None, true) => given - here,
                     (None, false) => *given,
@@ -332,7 +366,7 @@ impl PlanState {
     fn room(&self, step: &Step, begin: f64) -> f64 {
         let rooms = step.moves.iter().filter_map(|motion| {
             let [least, most] = motion.range?;
-            let position = self.timelines[motion.drive].motion(begin).position;
+            let position = self.timelines[motion.drive].planned(begin).position;
             Some(if motion.velocity > 0.0 { most - position } else { position - least })
         });
         rooms.fold(f64::INFINITY, f64::min).max(0.0)

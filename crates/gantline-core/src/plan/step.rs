@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::condition::Condition;
 use super::follow::Follow;
+use super::heave::Compensator;
 use crate::rope::coil::Layers;
 use crate::spec::RampShape;
 
@@ -41,6 +42,11 @@ impl Reel {
     /// How far what it moves has gone since the start, where the drive is at `position` [m].
     pub fn gone(&self, position: f64) -> f64 {
         self.layers.wound(self.rate * position) / self.rate
+    }
+
+    /// How fast that goes for each m/s of the drive, there.
+    pub fn ratio(&self, position: f64) -> f64 {
+        self.layers.ratio(self.rate * position)
     }
 
     /// Where the drive is when what it moves has gone so far since the start [m].
@@ -92,6 +98,8 @@ pub struct Step {
     pub with_previous: bool,
     /// What ends it.
     pub until: Until,
+    /// Compensators that work while it goes on, and the body against whose deck; none is the ground.
+    pub compensates: Vec<(usize, Option<usize>)>,
 }
 
 /// When all drives are stopped.
@@ -128,6 +136,8 @@ pub struct EmergencyStop {
 pub struct Plan {
     /// The steps.
     pub steps: Vec<Step>,
+    /// What can compensate heave.
+    pub compensators: Vec<Compensator>,
     /// An emergency stop, if there is one.
     pub stop: Option<EmergencyStop>,
 }

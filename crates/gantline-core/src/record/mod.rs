@@ -3,6 +3,7 @@
 
 use crate::audit::KINDS;
 use crate::contact::spot::Spot;
+use crate::plan::Compensator;
 use crate::rope::seat::Seat;
 use crate::state::State;
 use crate::system::System;
@@ -62,6 +63,8 @@ pub struct Samples {
     pub(crate) spots: Rows<Spot>,
     /// (row that is adjusted) by how much it is longer than at the start [m].
     pub lengthening: Vec<f64>,
+    /// (compensator) by how much heave compensation has raised the hook [m].
+    pub compensation: Vec<f64>,
     /// (kind) [J].
     pub energy: Vec<f64>,
     /// Largest distance of a force from its law [N].
@@ -128,6 +131,7 @@ impl Samples {
         self.push(time, &Sample::of(state), state, 0.0);
         let adjusted = system.adjusters.iter().flat_map(|adjuster| &adjuster.rows);
         self.lengthening.extend(adjusted.map(|&row| state.memory[row]));
+        self.compensation.extend(state.plan.compensated(&system.plan.compensators, time));
         self.energy.extend(state.ledger.values());
     }
 
@@ -206,13 +210,15 @@ pub struct Recorder {
     sample: Sample,
     /// Rows that are adjusted.
     adjusted: Vec<usize>,
+    compensators: Vec<Compensator>,
 }
 
 impl Recorder {
     /// A recorder for runs of `system` that pass through states like `state`.
     pub fn new(system: &System, state: &State, interval: f64, end: f64) -> Self {
         let adjusted = system.adjusters.iter().flat_map(|adjuster| adjuster.rows.iter().copied()).collect();
-        Self { interval, end, sample: Sample::of(state), adjusted }
+        let compensators = system.plan.compensators.clone();
+        Self { interval, end, sample: Sample::of(state), adjusted, compensators }
     }
 
     /// When the sample after one at `last` [s] is due, the first one for none: at the next multiple of the interval, or
@@ -263,6 +269,7 @@ impl Recorder {
             // Lengths are adjusted when a step has been made, at once.
             let memory = if share < 1.0 { &span.before.memory } else { &span.after.memory };
             samples.lengthening.extend(self.adjusted.iter().map(|&row| memory[row]));
+            samples.compensation.extend(span.after.plan.compensated(&self.compensators, time));
             let [before, after] = energies;
             samples
                 .energy

@@ -37,6 +37,7 @@ pub fn named(samples: &Samples, columns: Columns, names: &Names, events: Vec<f64
         ("displaced_volume", columns.displaced_volume, vec![count, names.hull.len()]),
         ("clearance_point", columns.clearance_point, vec![count, names.pair.len(), 2, 3]),
         ("energy", columns.energy, vec![count, kinds]),
+        ("heave_compensation", samples.compensation.clone(), vec![count, names.compensator.len()]),
         ("constraint_residual", columns.constraint_residual, vec![count]),
         ("complementarity_residual", samples.complementarity_residual.clone(), vec![count]),
         ("rope_peak_tension", samples.rope_peak_tension.clone(), vec![peaks]),

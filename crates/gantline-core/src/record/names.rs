@@ -30,6 +30,8 @@ pub struct Names {
     pub pair: Vec<String>,
     /// Hulls in water.
     pub hull: Vec<String>,
+    /// Hooks whose hoists can compensate heave.
+    pub compensator: Vec<String>,
     /// Kinds of energy that it has.
     pub energy_kind: Vec<&'static str>,
 }
@@ -55,6 +57,7 @@ impl Names {
             pin: Vec::new(),
             pair: system.watches.iter().map(|watch| watch.name.clone()).collect(),
             hull: hulls.chain(submerged).collect(),
+            compensator: system.plan.compensators.iter().map(|one| one.name.clone()).collect(),
             energy_kind: kinds_of(system).into_iter().map(|kind| KINDS[kind]).collect(),
         };
         for constraint in &system.constraints {

@@ -193,14 +193,25 @@ impl Samples {
             seats,
             spots,
             lengthening,
+            compensation,
             energy,
             complementarity_residual,
             rope_peak_tension,
             rope_peak_time,
         } = self;
         let mut packer = Packer::default();
-        for column in [time, q, v, acceleration, tension, past, lengthening, energy, complementarity_residual]
-        {
+        for column in [
+            time,
+            q,
+            v,
+            acceleration,
+            tension,
+            past,
+            lengthening,
+            compensation,
+            energy,
+            complementarity_residual,
+        ] {
             packer.table(column, column.len() / time.len().max(1));
         }
         for peaks in [rope_peak_tension, rope_peak_time] {
@@ -223,6 +234,7 @@ impl Samples {
             tension: column()?,
             past: column()?,
             lengthening: column()?,
+            compensation: column()?,
             energy: column()?,
             complementarity_residual: column()?,
             rope_peak_tension: column()?,
@@ -283,7 +295,8 @@ mod tests {
     fn samples() -> impl Strategy<Value = Samples> {
         let columns = |count: usize, width: usize| prop::collection::vec(number(), count * width);
         (0_usize..5, 0_usize..4, 0_usize..4).prop_flat_map(move |(count, wide, narrow)| {
-            let numbers = [1, wide, narrow, narrow, wide, 0, narrow, 3, 1].map(|width| columns(count, width));
+            let numbers =
+                [1, wide, narrow, narrow, wide, 0, narrow, wide, 3, 1].map(|width| columns(count, width));
             let peaks = [columns(1, wide), columns(1, wide)];
             let seats = prop::collection::vec(prop::collection::vec(seat(), narrow), count);
             let spots = prop::collection::vec(prop::collection::vec(spot(), wide), count);
@@ -299,6 +312,7 @@ mod tests {
                         tension: next(),
                         past: next(),
                         lengthening: next(),
+                        compensation: next(),
                         energy: next(),
                         complementarity_residual: next(),
                         rope_peak_tension,

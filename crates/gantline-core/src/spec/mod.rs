@@ -63,6 +63,9 @@ pub struct SystemSpec {
     /// Drives that prescribe joint motions.
     #[serde(default)]
     pub drives: Vec<DriveSpec>,
+    /// Hoists that can compensate heave.
+    #[serde(default)]
+    pub compensators: Vec<CompensatorSpec>,
     /// Operations, one after another.
     #[serde(default)]
     pub plan: Vec<StepSpec>,

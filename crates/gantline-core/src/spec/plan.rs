@@ -76,6 +76,46 @@ pub struct StepSpec {
     /// Names of bodies whose pins are put in as it begins.
     #[serde(default)]
     pub pins: Vec<String>,
+    /// What compensates heave while it goes on.
+    #[serde(default)]
+    pub compensates: Vec<CompensationSpec>,
+}
+
+/// What compensates heave in a step.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CompensationSpec {
+    /// Name of the compensator.
+    pub compensator: String,
+    /// The body against whose deck, its own x and y axes; none is the ground.
+    #[serde(default)]
+    pub against: Option<String>,
+}
+
+/// A hoist that can compensate heave.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CompensatorSpec {
+    /// Unique name.
+    pub name: String,
+    /// Name of the drive of the hoist.
+    pub drive: String,
+    /// Name of the body whose motion it senses.
+    pub vessel: String,
+    /// From where its falls hang.
+    pub head: PlaceSpec,
+    /// The most that it adds to the speed of the hook [m/s].
+    pub velocity: f64,
+    /// And to its acceleration [m/s²].
+    pub acceleration: f64,
+    /// How far it moves the hook, half of that up and half down [m]; none is without end.
+    #[serde(default)]
+    pub stroke: Option<f64>,
+    /// Time of the high-pass filter [s].
+    pub filter: f64,
+    /// Of a drive that counts the rope on the first layer of its drum.
+    #[serde(default)]
+    pub reel: Option<ReelSpec>,
 }
 
 /// One drive in a step.

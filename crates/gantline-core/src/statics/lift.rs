@@ -58,7 +58,9 @@ impl StaticLift {
     pub fn new(document: &str) -> Result<Self, SetupError> {
         let spec: SystemSpec = serde_json::from_str(document)?;
         let (mut system, first) = build(&spec)?;
+        // Where water is still nothing heaves.
         force::calm(&mut system.tree);
+        system.plan.steps.iter_mut().for_each(|step| step.compensates.clear());
         if let Some(adjuster) = system.adjusters.first() {
             let name = &adjuster.name;
             let problem = format!("{name} adjusts lengths step by step, which statics does not know");

@@ -166,6 +166,7 @@ pub fn system_of(bodies: Vec<BodySpec>) -> SystemSpec {
         gusts: None,
         adjusters: Vec::new(),
         drives: Vec::new(),
+        compensators: Vec::new(),
         plan: Vec::new(),
         emergency_stop: None,
     }
