@@ -10,16 +10,22 @@ import numpy.typing as npt
 
 from gantline.results import Recording
 from gantline.scenario import Scenario, parse_scenario
+from gantline.scenario.heave import FILTER
 from lift_text import changed
 
 BARGE = files("gantline.scenarios") / "crane_barge_in_swell.yaml"
 HOOK, VESSEL = "sheerleg.H1", "barge"
 
+#: Within this it begins and ends [s].
+EASE = 4.0
+
 Array = npt.NDArray[np.float64]
 
 
-def compensated_text(plan: str, *, can: str = "speed: 1 m/s, acceleration: 1 m/s^2", lasts: str = "120 s") -> str:
-    """Its lift file, with these steps and what the hoist can do against heave; nothing of that where empty."""
+def compensated_text(
+    plan: str, *, can: str = "speed: 1 m/s, acceleration: 1 m/s^2", lasts: str = "120 s"
+) -> str:
+    """Its lift file, with these steps and what the hoist can do against heave, if anything."""
     text = BARGE.read_text(encoding="utf-8")
     for section, instead in (("plan", f"plan:\n{plan}"), ("watch", ""), ("cases", ""), ("limits", "")):
         text, count = re.subn(
@@ -67,6 +73,14 @@ def head_of(recording: Recording) -> Array:
     """Where the upper sheaves hang at the start [m]."""
     place: Array = recording.column("body_position", f"{HOOK}/upper_sheaves")[0]
     return place
+
+
+def expected(time: Array, heave: Array) -> Array:
+    """(HC1): what a hoist adds that compensates from the start, 4 s of which count more and more [m]."""
+    share = np.clip(time[1:] / EASE, 0.0, 1.0)
+    counted = heave[0] + np.concatenate([[0.0], np.cumsum(share * np.diff(heave))])
+    added: Array = slow(time, counted, FILTER) - counted
+    return added
 
 
 def slow(time: Array, height: Array, within: float) -> Array:

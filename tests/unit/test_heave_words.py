@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from compensated import compensated, compensated_text
+from compensated import BARGE, compensated, compensated_text
+from gantline.assembly import assemble
 from gantline.scenario import ScenarioError, parse_scenario
 from lift_text import changed
 
@@ -31,8 +32,8 @@ def refused(text: str) -> str:
         ),
         (
             "compensate_heave: H1, relative_to: barge",
-            "plan[1].relative_to: 'barge' bears 'sheerleg.H1' itself, whose boom head does not heave against it; "
-            "name another vessel, or none",
+            "plan[1].relative_to: 'barge' bears 'sheerleg.H1' itself, whose boom head does not heave "
+            "against it; name another vessel, or none",
         ),
         (
             "relative_to: barge",
@@ -53,11 +54,13 @@ def test_a_hoist_that_cannot_says_what_it_needs() -> None:
 
 
 def test_a_hook_on_land_does_not_heave() -> None:
-    land = "  quay: {type: fixed_hook, at: [0 m, 40 m, 30 m], hoist: {speed: 6 m/min, acceleration: 0.02 m/s^2}}\n"
+    hoist = "{speed: 6 m/min, acceleration: 0.02 m/s^2}"
+    land = f"  quay: {{type: fixed_hook, at: [0 m, 40 m, 30 m], hoist: {hoist}}}\n"
     text = compensated_text(STEP.replace("H1", "quay"))
     text = changed(text, ("cranes:\n", f"cranes:\n{land}"))
     assert refused(text) == (
-        "plan[1].compensate_heave: 'quay' hangs from no crane on a vessel, and so nothing of it heaves; leave it out"
+        "plan[1].compensate_heave: 'quay' hangs from no crane on a vessel, and so nothing of it heaves; "
+        "leave it out"
     )
 
 
@@ -65,3 +68,14 @@ def test_the_filter_has_a_time_if_none_is_given() -> None:
     (hook,) = compensated(STEP).hooks.values()
     assert hook.hoist.heave_compensation is not None
     assert (hook.hoist.heave_compensation.filter, hook.hoist.heave_compensation.stroke) == (25.0, None)
+
+
+def test_without_waves_it_is_doubted() -> None:
+    """What is in the file and does nothing is told."""
+    text = compensated_text(STEP)
+    swell = text[text.index("waves:\n") : text.index("ropes:\n")]
+    doubts = assemble(parse_scenario(changed(text, (swell, "")), str(BARGE))).doubts
+    sentence = "step 'still' compensates heave, and there are no waves that heave anything"
+    assert sentence in [doubt.sentence for doubt in doubts]
+    sea = assemble(compensated(STEP))
+    assert sentence not in [doubt.sentence for doubt in sea.doubts]

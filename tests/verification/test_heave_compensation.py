@@ -1,4 +1,4 @@
-"""Heave compensation: what its filter lets by, against ground and deck; its limits, where it ends, and at rest."""
+"""Heave compensation: what its filter lets by, over ground and deck; limits, where it ends, at rest."""
 
 from __future__ import annotations
 
@@ -9,15 +9,12 @@ import numpy as np
 import pytest
 
 import gantline
-from compensated import HOOK, VESSEL, compensated, deck_below, head_of, place_of, slow
+from compensated import EASE, HOOK, VESSEL, compensated, deck_below, expected, head_of, place_of
 from gantline.results import Recording
 from gantline.scenario import parse_scenario
-from gantline.scenario.heave import FILTER
 from lift_text import changed
 
 STILL = "  - {step: still, hold: until_end, compensate_heave: H1}\n"
-#: Until then it catches up with a heave in which it began at rest [s].
-CATCHING = 5.0
 
 
 def rms(values: np.ndarray) -> float:
@@ -36,28 +33,27 @@ def kept_still() -> Recording:
 def test_a_hook_keeps_what_the_filter_lets_by(kept_still: Recording) -> None:
     """(HC1) over the rigid heave of the vessel at the boom head.
 
-    A parabola through glances of 0.1 s leaves (ωT)²  = 0.8 % of the heave of waves of 7 s at most, (HC3), and 0.5 % with
-    what is made good; boom and tackles give way under what the load still bounces.
+    A parabola through glances of 0.1 s leaves (ωT)² = 0.8 % of the heave of waves of 7 s at most, (HC3), and
+    0.5 % with what is made good; boom and tackles give way under what the load still bounces.
     """
     recording = kept_still
     heave = place_of(recording, VESSEL, head_of(recording))[:, 2]
-    expected = hook(recording)[0] + slow(recording.time, heave, FILTER) - heave[0]
-    late = recording.time > CATCHING
-    assert rms((heave - np.mean(heave))[late]) > 0.1, "it heaves"
-    assert rms((hook(recording) - expected)[late]) < 6e-3 * rms((heave - np.mean(heave))[late])
+    wanted = expected(recording.time, heave)
+    kept = hook(recording)[0] + heave - heave[0] + wanted
+    assert rms(heave - np.mean(heave)) > 0.1, "it heaves"
+    assert rms(hook(recording) - kept) < 6e-3 * rms(heave - np.mean(heave))
     # What it has added is that, without what gives way.
     added = recording.column("heave_compensation", HOOK)
-    wanted = slow(recording.time, heave, FILTER) - heave
-    assert rms((added - wanted)[late]) < 5e-3 * rms(wanted[late])
+    assert rms(added - wanted) < 5e-3 * rms(wanted)
     assert recording.attributes["warnings"] == []
 
 
 def test_without_it_the_load_is_thrown_about() -> None:
-    """The upright force on the hook varies as the hook is accelerated: (HC1) of it with compensation, all without."""
+    """The force on the hook varies as the hook is accelerated: (HC1) of it with compensation, all without."""
     loads = {}
     for plan in (STILL, "  - {step: still, hold: until_end}\n"):
         recording = gantline.Simulation(compensated(plan)).run()
-        load = recording.column("hook_load", HOOK)[recording.time > CATCHING]
+        load = recording.column("hook_load", HOOK)
         loads[plan] = float(np.std(load) / np.mean(load))
     with_it, without = loads.values()
     assert without > 5e-3 and with_it < 0.15 * without
@@ -80,11 +76,10 @@ def test_a_hook_keeps_still_above_a_deck() -> None:
     head = head_of(recording)
     place = place_of(recording, VESSEL, head)
     heave = place[:, 2] - deck_below(recording, "cargo", place)
-    wanted = slow(recording.time, heave, FILTER) - heave
+    wanted = expected(recording.time, heave)
     added = recording.column("heave_compensation", HOOK)
-    late = recording.time > CATCHING
-    assert rms(wanted[late]) > 0.05
-    assert rms((added - wanted)[late]) < 6e-3 * rms(wanted[late])
+    assert rms(wanted) > 0.05
+    assert rms(added - wanted) < 6e-3 * rms(wanted)
 
 
 @pytest.mark.parametrize(
@@ -97,7 +92,7 @@ def test_a_hook_keeps_still_above_a_deck() -> None:
     ids=["speed", "acceleration", "stroke"],
 )
 def test_it_keeps_to_its_limits_and_tells(can: str, most: float, slope: int) -> None:
-    """What is added, and its differences between samples, come to the limit and not beyond; the run says when."""
+    """What is added, or its differences between samples, comes to the limit and not past it, and is told."""
     recording = gantline.Simulation(compensated(STILL, can=can, lasts="60 s")).run()
     found = recording.column("heave_compensation", HOOK)
     for _ in range(slope):
@@ -108,8 +103,8 @@ def test_it_keeps_to_its_limits_and_tells(can: str, most: float, slope: int) -> 
     when = recording["event_time"].values[kinds.index("compensation_limit")]
     assert kinds.count("compensation_limit") == 1
     assert recording.attributes["warnings"] == [
-        f"heave compensation of {HOOK} comes to a limit of its speed, acceleration or stroke at {when:.2f} s, and "
-        "follows no more than that lets it"
+        f"heave compensation of {HOOK} comes to a limit of its speed, acceleration or stroke at "
+        f"{when:.2f} s, and follows no more than that lets it"
     ]
 
 
@@ -127,13 +122,13 @@ def test_where_it_ends_the_hook_stays_and_heights_count_from_there() -> None:
         falls[text] = head - hook(recording), recording
     (with_it, recording), (without, _) = falls.values()
     added = recording.column("heave_compensation", HOOK)
-    ended = recording.time > 33.0
+    ended = recording.time > 31.7 + EASE + 0.1
     assert np.max(np.abs(added[recording.time < 31.0])) > 0.1
     assert np.all(added[ended] == 0.0)
-    # Hoisted rope is the same; the falls stretch by 1.5 mm/kN each as the load bounces, at other phases of the swell.
+    # Hoisted rope is the same; the falls stretch as the load bounces, at other phases of the swell.
     assert abs(with_it[-1] - without[-1]) < 2e-3
     # Nothing jumps as it ends: no more than the hoist and what compensation may add go between samples.
-    near = (recording.time > 31.5) & (recording.time < 34.0)
+    near = (recording.time > 31.5) & (recording.time < 37.0)
     assert np.max(np.abs(np.diff(with_it[near]))) < 0.1 * (0.1 + 0.5)
 
 
@@ -146,16 +141,15 @@ def test_one_step_after_another_it_goes_on() -> None:
     )
     recording = gantline.Simulation(compensated(plan, lasts="60 s")).run()
     heave = place_of(recording, VESSEL, head_of(recording))[:, 2]
-    expected = slow(recording.time, heave, FILTER) - heave
+    wanted = expected(recording.time, heave)
     added = recording.column("heave_compensation", HOOK)
-    late = recording.time > CATCHING
-    assert rms((added - expected)[late]) < 6e-3 * rms(expected[late])
-    lowered = hook(recording) - hook(recording)[0] - (slow(recording.time, heave, FILTER) - heave[0])
+    assert rms(added - wanted) < 6e-3 * rms(wanted)
+    lowered = hook(recording) - hook(recording)[0] - (heave - heave[0] + wanted)
     assert abs(np.mean(lowered[recording.time > 40.0]) + 1.0) < 3e-3
 
 
 def test_an_emergency_stop_ends_it() -> None:
-    """Brakes of 0.1 m/s² stop what is added as well: in 5 s nothing of the falls moves but what they stretch."""
+    """Brakes of 0.1 m/s² stop what is added as well, within 5 s."""
     plan = f"{STILL}\nemergency_stop: {{at: 40 s}}\n"
     recording = gantline.Simulation(compensated(plan, lasts="60 s")).run()
     added = recording.column("heave_compensation", HOOK)
@@ -171,21 +165,24 @@ def test_taken_up_again_it_gives_the_same_bytes(tmp_path: Path) -> None:
     first, other = gantline.Simulation(lift), gantline.Simulation(lift)
     first.run(until=14.23)
     other.restore(first.save())
-    written = [one.save(tmp_path / f"{place}.nc").read_bytes() for place, one in enumerate((whole, other.run()))]
-    assert written[0] == written[1]
+    assert (
+        other.run().save(tmp_path / "other.nc").read_bytes() == whole.save(tmp_path / "whole.nc").read_bytes()
+    )
 
 
 def test_in_equal_steps_it_is_the_same(kept_still: Recording) -> None:
-    """`del` glances at the beginnings of its steps, 20 ms apart: what is added differs by what is seen later."""
+    """`del` glances at the beginnings of its steps, 20 ms apart, and so sees some of it later."""
     recording = gantline.Simulation(compensated(STILL, lasts="40 s"), integrator="del", step=0.02).run()
     added = [one.column("heave_compensation", HOOK)[: len(recording.time)] for one in (recording, kept_still)]
-    late = recording.time > CATCHING
-    assert rms((added[0] - added[1])[late]) < 1e-2 * rms(added[1][late])
+    assert rms(added[0] - added[1]) < 1e-2 * rms(added[1])
 
 
 def test_at_rest_nothing_heaves() -> None:
     """Statics of a plan that compensates are those of one that does not, to the last digit."""
-    plan = "  - {step: up, hoist: H1, speed: 6 m/min, by: 1 m, compensate_heave: H1}\n  - {step: on, hold: until_end}\n"
+    plan = (
+        "  - {step: up, hoist: H1, speed: 6 m/min, by: 1 m, compensate_heave: H1}\n"
+        "  - {step: on, hold: until_end}\n"
+    )
     found = []
     for text in (plan, plan.replace(", compensate_heave: H1", "")):
         rest = gantline.Statics(compensated(text)).equilibrium(time=60.0)

@@ -143,7 +143,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]
     parts.plan.extend(operations(scenario, rigging, parts, mass * scenario.simulation.gravity))
     parts.compensators.extend(compensators(scenario))
-    add_compensation(scenario, parts.plan)
+    add_compensation(parts, scenario)
     changes = zip(parts.plan, pins.pulled, pins.put_in, removals(scenario), strict=True)
     for step, pulled, put_in, removed in changes:
         said = (("pulls", pulled), ("pins", put_in), ("removes", removed))

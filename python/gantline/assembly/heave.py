@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from gantline.assembly.conditions import falls_of
 from gantline.assembly.operations import reel_of
-from gantline.assembly.parts import Json
+from gantline.assembly.parts import Json, Parts
 from gantline.assembly.yard import hoist_drive
 from gantline.scenario import Scenario
 from gantline.scenario.boom import FloatingCrane
@@ -39,10 +39,13 @@ def compensators(scenario: Scenario) -> list[Json]:
     return found
 
 
-def add_compensation(scenario: Scenario, plan: list[Json]) -> None:
+def add_compensation(parts: Parts, scenario: Scenario) -> None:
     """Add to the steps of the document which hooks they keep still."""
-    for made, step in zip(plan, scenario.plan, strict=True):
+    for place, (made, step) in enumerate(zip(parts.plan, scenario.plan, strict=True)):
         hooks = _hooks(scenario, step.compensate_heave)
+        if hooks and not scenario.waves:
+            sentence = f"step '{step.step}' compensates heave, and there are no waves that heave anything"
+            parts.doubt(("plan", place, "compensate_heave"), sentence)
         if hooks:
             made["compensates"] = [{"compensator": name, "against": step.relative_to} for name in hooks]
 

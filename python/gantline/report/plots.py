@@ -124,6 +124,9 @@ class HookLoads(_Plots):
             )
         if any(load.contacts for load in subject.rig.loads):
             found.append(_plot("Force of all supports on a load", "support", "kN", height=180, smallest=1.0))
+        if "heave_compensation" in subject.recording:
+            title = "Heave compensation, hook raised positive"
+            found.append(_plot(title, "heave", "m", height=180, smallest=0.01, extreme="both"))
         if "drum_wraps" in subject.recording:
             plot = _plot("Turns of rope on drums", "wraps", "", height=160, smallest=0.1, extreme="smallest")
             found.append(plot)

@@ -206,8 +206,8 @@ def compensation_warnings(columns: Columns, names: Names) -> list[str]:
         if kind == "compensation_limit":
             first.setdefault(hook, float(moment))
     return [
-        f"heave compensation of {hook} comes to a limit of its speed, acceleration or stroke at {when:.2f} s, "
-        "and follows no more than that lets it"
+        f"heave compensation of {hook} comes to a limit of its speed, acceleration or stroke at "
+        f"{when:.2f} s, and follows no more than that lets it"
         for hook, when in first.items()
     ]
 

@@ -20,7 +20,9 @@ def check_heave(findings: Findings, place: int, step: Step) -> None:
     for text in step.compensate_heave:
         name = full_name(text, hooks)
         if name is None:
-            findings.add(("plan", place, "compensate_heave"), f"'{text}' is not a hook; {nearest(text, hooks)}")
+            findings.add(
+                ("plan", place, "compensate_heave"), f"'{text}' is not a hook; {nearest(text, hooks)}"
+            )
             continue
         hook = hooks[name]
         if hook in seen:

@@ -11,8 +11,8 @@ from gantline.scenario.quantities import PositiveAcceleration, PositiveLength, P
 
 __all__ = ["FILTER", "HeaveCompensation"]
 
-#: Time of the filter where the lift file says none [s]: waves of 5 to 15 s leave 3 to 9 % of their heave, as makers
-#: say of 2 to 10 %.
+#: Time of the filter where the lift file says none [s]: waves of 5 to 15 s leave 3 to 9 % of their heave, as
+#: makers say of 2 to 10 %.
 FILTER = 25.0
 
 
@@ -22,7 +22,9 @@ class HeaveCompensation(Element):
     what: ClassVar[str] = "a heave compensation"
 
     speed: PositiveSpeed = Field(description="Most that it adds to the speed of the hook.")
-    acceleration: PositiveAcceleration = Field(description="Most that it adds to the acceleration of the hook.")
+    acceleration: PositiveAcceleration = Field(
+        description="Most that it adds to the acceleration of the hook."
+    )
     stroke: PositiveLength | None = Field(
         None,
         description="How far it can move the hook, half of that up and half down; without end if not given, "

@@ -21,6 +21,8 @@ _ELSEWHERE = {
 }
 #: Keys by other words, which are not written like them; the first that may stand there is meant.
 _MEANT = {
+    "active_heave_compensation": ("heave_compensation",),
+    "ahc": ("heave_compensation", "compensate_heave"),
     "buoyancy": ("displaced_volume",),
     "ca": ("added_mass",),
     "capacity": ("rated_capacity", "working_load_limit"),
@@ -69,7 +71,6 @@ _MEANT = {
     # <!-- words: on -->
 }
 _WET = "what water does to a load that is lowered into it stands under its 'in_water'"
-_HEAVE = "no hoist of a plan follows the heave; a program does, that commands the hook from Python"
 #: What people look for and is not there: what there is in its place, by what it is looked for in.
 _INSTEAD = {
     "waves": {
@@ -97,7 +98,6 @@ _INSTEAD = {
         ),
         _WET,
     ),
-    "a hoist": dict.fromkeys(("ahc", "active_heave_compensation", "heave_compensation"), _HEAVE),
 }
 #: What steps do, by other words.
 _VERBS = {

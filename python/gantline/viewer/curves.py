@@ -54,6 +54,7 @@ def curves(recording: Recording) -> Iterator[Curve]:
         ("pins", "pin_force", "kN", 1e-3),
         ("lengthening", "rope_lengthening", "m", 1.0),
         ("wraps", "drum_wraps", "", 1.0),
+        ("heave", "heave_compensation", "m", 1.0),
         ("draft", "vessel_draft", "m", 1.0),
         ("heel", "vessel_heel", "deg", 180.0 / np.pi),
         ("trim", "vessel_trim", "deg", 180.0 / np.pi),

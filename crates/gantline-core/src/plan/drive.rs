@@ -118,12 +118,16 @@ impl Timeline {
         self.added.ramp(at, duration, velocity, RampShape::Linear);
     }
 
-    /// What heave compensation adds comes to rest; returns when [s].
-    pub fn stop_adding(&mut self, at: f64, acceleration: f64) -> f64 {
-        if self.added.motion(at).velocity == 0.0 {
-            return at;
+    /// What heave compensation adds comes to rest within `duration` [s].
+    pub fn ease_adding(&mut self, at: f64, duration: f64) {
+        self.added.ramp(at, duration, 0.0, RampShape::Linear);
+    }
+
+    /// What heave compensation adds comes to rest at once.
+    pub fn stop_adding(&mut self, at: f64, acceleration: f64) {
+        if self.added.motion(at).velocity != 0.0 {
+            self.added.change(at, 0.0, acceleration, RampShape::Linear);
         }
-        self.added.change(at, 0.0, acceleration, RampShape::Linear)
     }
 
     /// What heave compensation has added by `at` [s], where that rests, counts as asked for from now on.

@@ -17,6 +17,8 @@ use crate::tree::kinematics::Kinematics;
 
 /// Time between glances [s].
 pub const EVERY: f64 = 0.1;
+/// Within this heave compensation begins, and comes to rest where it ends [s]: in the middle of a wave neither is sudden.
+pub const EASE: f64 = 4.0;
 /// What it may be asked for beyond its limits by rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -64,9 +66,13 @@ pub struct Watch {
     pub next: f64,
     /// The body above whose deck heights are; none is the ground.
     pub against: Option<usize>,
+    /// When it began [s].
+    begin: f64,
+    /// The level of the deck below the head at the last glance [m].
+    level: f64,
     /// The place of the vessel at the boom head at the last glance.
     mark: Mark,
-    /// How far that has gone up, at the last glance [m].
+    /// How far that has gone up over the deck, of which it counts more and more as it begins, at the last glance [m].
     up: f64,
     /// The slow height [m].
     slow: f64,
@@ -107,6 +113,8 @@ impl Watch {
         Self {
             next: begin,
             against,
+            begin,
+            level: 0.0,
             mark: Mark::default(),
             up: 0.0,
             slow: 0.0,
@@ -165,17 +173,19 @@ impl Watch {
 
     /// How far the boom head has heaved up since it began, over the level of a deck below it if there is one [m].
     fn height(&mut self, of: &Compensator, kinematics: &Kinematics) -> f64 {
-        if self.known > 0 {
-            self.up += self.mark.rise(of, kinematics);
-        }
         let (body, at) = of.head;
         let head = kinematics.point(Some(body), at);
-        self.mark = Mark::at(head, of, kinematics);
-        let Some(deck) = self.against else { return self.up };
-        let pose = &kinematics.pose[deck];
-        let normal = pose.rotation.z_axis;
-        let below = normal.dot(head - pose.position) / normal.dot(-of.down);
-        self.up - (-of.down.dot(head) - below)
+        let level = self.against.map_or(0.0, |deck| {
+            let pose = &kinematics.pose[deck];
+            let normal = pose.rotation.z_axis;
+            -of.down.dot(head) + normal.dot(head - pose.position) / normal.dot(of.down)
+        });
+        if self.known > 0 {
+            let share = ((kinematics.time - self.begin) / EASE).clamp(0.0, 1.0);
+            self.up += share * (self.mark.rise(of, kinematics) - (level - self.level));
+        }
+        (self.mark, self.level) = (Mark::at(head, of, kinematics), level);
+        self.up
     }
 
     /// True at the first glance at which it cannot follow any more what it has followed.
@@ -327,7 +337,7 @@ mod tests {
     #[test]
     fn a_deck_heaves_below_the_head() {
         let (of, head) = (compensator(1.0, 1.0, None), DVec3::new(7.0, 2.0, 34.0));
-        let mut watch = Watch::from(0.0, Some(1));
+        let mut watch = Watch::from(-EASE, Some(1));
         let before = watch.height(&of, &at(head, 4.0, 0.0));
         watch.known = 1;
         let found = watch.height(&of, &at(head + DVec3::Z, 4.3, 0.1)) - before;
@@ -339,7 +349,7 @@ mod tests {
     fn a_boom_that_luffs_heaves_nothing() {
         let of = Compensator { vessel: 1, ..compensator(1.0, 1.0, None) };
         for against in [None, Some(2)] {
-            let mut watch = Watch::from(0.0, against);
+            let mut watch = Watch::from(-EASE, against);
             let mut height = |head: f64, vessel: f64| {
                 let mut kinematics = at(DVec3::Z * head, vessel, 0.0);
                 kinematics.pose.push(Pose::IDENTITY);

@@ -4,7 +4,7 @@ use super::{Phase, PlanState};
 use crate::event::{EventKind, EventLog};
 use crate::plan::condition::Seen;
 use crate::plan::course::Motion;
-use crate::plan::heave::{Compensating, Compensator, Watch};
+use crate::plan::heave::{Compensating, Compensator, EASE, Watch};
 use crate::plan::step::Plan;
 
 impl PlanState {
@@ -19,7 +19,7 @@ impl PlanState {
             let next = match (self.compensating[index], wanted) {
                 (Compensating::On(watch), Some(against)) if watch.against == against => continue,
                 (_, Some(against)) => Compensating::On(Watch::from(at, against)),
-                (Compensating::On(_), None) => Compensating::Stopping(self.stop_compensating(of, at)),
+                (Compensating::On(_), None) => Compensating::Stopping(self.ease_out(of, at)),
                 (_, None) => continue,
             };
             self.compensating[index] = next;
@@ -85,11 +85,17 @@ impl PlanState {
         }
     }
 
-    /// A compensator comes to rest; returns when [s].
-    pub(super) fn stop_compensating(&mut self, of: &Compensator, at: f64) -> f64 {
+    /// A compensator comes to rest without haste; returns when [s].
+    fn ease_out(&mut self, of: &Compensator, at: f64) -> f64 {
+        self.timelines[of.hoist.drive].ease_adding(at, EASE);
+        at + EASE
+    }
+
+    /// A compensator comes to rest at once.
+    pub(super) fn stop_compensating(&mut self, of: &Compensator, at: f64) {
         let timeline = &mut self.timelines[of.hoist.drive];
         let (_, ratio) = at_hook(of, timeline.planned(at), timeline.added(at));
-        timeline.stop_adding(at, of.hoist.acceleration / ratio)
+        timeline.stop_adding(at, of.hoist.acceleration / ratio);
     }
 }
 
