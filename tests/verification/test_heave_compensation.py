@@ -188,3 +188,18 @@ def test_at_rest_nothing_heaves() -> None:
         rest = gantline.Statics(compensated(text)).equilibrium(time=60.0)
         found.append([rest.recording.column(name, HOOK)[-1] for name in ("hook_height", "hook_load")])
     assert found[0] == found[1]
+
+
+def test_at_rest_where_a_run_has_got_to_the_hook_is_where_it_was_kept() -> None:
+    """The equilibrium of a state in which it compensates: falls as long as then, and nothing goes on."""
+    lift = compensated(STILL, lasts="30 s")
+    run = gantline.Simulation(lift)
+    recording = run.run(until=28.0)
+    rest = gantline.Statics(lift).equilibrium_of(run.save()).recording
+    falls = [
+        one.column("body_position", f"{HOOK}/upper_sheaves")[-1, 2] - hook(one)[-1]
+        for one in (recording, rest)
+    ]
+    assert abs(recording.column("heave_compensation", HOOK)[-1]) > 0.1
+    # What the load bounces about at that time stretches them.
+    assert abs(falls[0] - falls[1]) < 2e-3

@@ -66,16 +66,18 @@ impl PlanState {
         log: &mut EventLog,
     ) {
         let of = &plan.compensators[index];
-        match &mut self.compensating[index] {
-            Compensating::Off => {}
-            Compensating::Stopping(_) => {
+        match (&mut self.compensating[index], seen) {
+            (Compensating::Off, _) => {}
+            (Compensating::Stopping(_), _) => {
                 self.timelines[of.hoist.drive].keep_added(at);
                 self.compensating[index] = Compensating::Off;
             }
-            Compensating::On(watch) => {
+            (Compensating::On(_), None) => {
+                self.compensating[index] = Compensating::Stopping(self.ease_out(of, at));
+            }
+            (Compensating::On(watch), Some(seen)) => {
                 let timeline = &mut self.timelines[of.hoist.drive];
                 let (added, ratio) = at_hook(of, timeline.planned(at), timeline.added(at));
-                let Some(seen) = seen else { return };
                 let (velocity, duration) = watch.glance(of, added, seen.kinematics);
                 timeline.add(at, duration, velocity / ratio);
                 if watch.comes_to_its_limit() {
