@@ -7,6 +7,7 @@ from importlib.resources import files
 
 import numpy as np
 import numpy.typing as npt
+from scipy.spatial.transform import Rotation
 
 from gantline.results import Recording
 from gantline.scenario import Scenario, parse_scenario
@@ -60,13 +61,9 @@ def deck_below(recording: Recording, vessel: str, points: Array) -> Array:
 
 def _turned(recording: Recording, body: str) -> Array:
     """Rotation matrices of a body (time, 3, 3)."""
-    w, x, y, z = recording.column("body_orientation", body).T
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.moveaxis(np.array(rows), -1, 0)
+    turns = Rotation.from_quat(recording.column("body_orientation", body), scalar_first=True)
+    matrices: Array = turns.as_matrix()
+    return matrices
 
 
 def head_of(recording: Recording) -> Array:

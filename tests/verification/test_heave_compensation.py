@@ -125,11 +125,12 @@ def test_where_it_ends_the_hook_stays_and_heights_count_from_there() -> None:
     ended = recording.time > 31.7 + EASE + 0.1
     assert np.max(np.abs(added[recording.time < 31.0])) > 0.1
     assert np.all(added[ended] == 0.0)
-    # Hoisted rope is the same; the falls stretch as the load bounces, at other phases of the swell.
-    assert abs(with_it[-1] - without[-1]) < 2e-3
-    # Nothing jumps as it ends: no more than the hoist and what compensation may add go between samples.
+    # Hoisted rope is the same but for the strain at which it was wound: losses change the lead line's 1.6e-3
+    # by a fifth as the drum turns back, over 5 m of rope and 12 parts of line 0.13 mm each way.
+    assert abs(with_it[-1] - without[-1]) < 3e-4
+    # Nothing jumps as it ends: the hoist goes 0.1 m/s, and the boom head heaves with up to 0.4 m/s.
     near = (recording.time > 31.5) & (recording.time < 37.0)
-    assert np.max(np.abs(np.diff(with_it[near]))) < 0.1 * (0.1 + 0.5)
+    assert np.max(np.abs(np.diff(with_it[near]))) < 0.1 * (0.1 + 0.4)
 
 
 def test_one_step_after_another_it_goes_on() -> None:
@@ -145,7 +146,8 @@ def test_one_step_after_another_it_goes_on() -> None:
     added = recording.column("heave_compensation", HOOK)
     assert rms(added - wanted) < 6e-3 * rms(wanted)
     lowered = hook(recording) - hook(recording)[0] - (heave - heave[0] + wanted)
-    assert abs(np.mean(lowered[recording.time > 40.0]) + 1.0) < 3e-3
+    # To what is left in the mean of 0.6 % of the heave, 0.18 m rms, over three waves.
+    assert abs(np.mean(lowered[recording.time > 40.0]) + 1.0) < 5e-4
 
 
 def test_an_emergency_stop_ends_it() -> None:

@@ -2,6 +2,7 @@
 
 use super::conditions::{place, plumb};
 use super::plan::{build_reel, find_drive};
+use super::rows::body_index;
 use super::{BuildError, error, positive};
 use crate::plan::{Compensator, Move};
 use crate::spec::{CompensationSpec, CompensatorSpec, RampShape, StepSpec, SystemSpec};
@@ -34,20 +35,11 @@ fn build_compensator(
         None => None,
     };
     let reel = given.reel.as_ref().map(|reel| build_reel(name, reel)).transpose()?;
-    let moved = &drives[drive];
-    let slips = moved.is_limited.then(|| tree.bodies[moved.body].first_position);
     let (velocity, acceleration, shape) = (given.velocity, given.acceleration, RampShape::Linear);
-    let hoist = Move { drive, velocity, acceleration, shape, range, emergency: None, reel, slips };
+    let hoist = Move { drive, velocity, acceleration, shape, range, emergency: None, reel, slips: None };
     let (head, down) = (place(name, &given.head, tree)?, plumb(name, tree)?);
-    let vessel = body_of(name, &given.vessel, tree)?;
+    let (vessel, _) = place(name, &(given.vessel.clone(), [0.0; 3]), tree)?;
     Ok(Compensator { name: name.clone(), vessel, head, down, hoist, filter: given.filter })
-}
-
-fn body_of(element: &str, wanted: &str, tree: &Tree) -> Result<usize, BuildError> {
-    match tree.bodies.iter().position(|body| body.name == wanted) {
-        Some(body) => Ok(body),
-        None => error(element, format!("there is no body `{wanted}`")),
-    }
 }
 
 /// Compensators that work while a step goes on, and the bodies against whose decks.
@@ -60,11 +52,7 @@ pub(super) fn build_compensations(
         let Some(index) = compensators.iter().position(|other| other.name == wanted.compensator) else {
             return error(&given.name, format!("there is no compensator `{}`", wanted.compensator));
         };
-        let against = match &wanted.against {
-            None => None,
-            Some(deck) => Some(body_of(&given.name, deck, tree)?),
-        };
-        Ok((index, against))
+        Ok((index, body_index(&given.name, tree, wanted.against.as_ref())?))
     };
     given.compensates.iter().map(one).collect()
 }

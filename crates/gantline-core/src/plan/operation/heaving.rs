@@ -4,7 +4,7 @@ use super::{Phase, PlanState};
 use crate::event::{EventKind, EventLog};
 use crate::plan::condition::Seen;
 use crate::plan::course::Motion;
-use crate::plan::heave::{Compensating, Compensator, EASE, Watch};
+use crate::plan::heave::{Compensating, Compensator, Watch};
 use crate::plan::step::Plan;
 
 impl PlanState {
@@ -89,8 +89,10 @@ impl PlanState {
 
     /// A compensator comes to rest without haste; returns when [s].
     fn ease_out(&mut self, of: &Compensator, at: f64) -> f64 {
-        self.timelines[of.hoist.drive].ease_adding(at, EASE);
-        at + EASE
+        let timeline = &mut self.timelines[of.hoist.drive];
+        let duration = of.ease(at_hook(of, timeline.planned(at), timeline.added(at)).0);
+        timeline.ease_adding(at, duration);
+        at + duration
     }
 
     /// A compensator comes to rest at once.
