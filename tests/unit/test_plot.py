@@ -13,6 +13,7 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 from matplotlib.text import Text
+from PIL import Image
 
 from gantline.plot import figures, save_pictures
 from gantline.plot.drawing import SIDE, TOP, draw, norm_of
@@ -266,11 +267,11 @@ def test_pyplot_is_never_loaded() -> None:
 
 
 def test_an_interrupted_picture_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def interrupt(figure: Figure, path: Path, **options: object) -> None:
+    def interrupt(picture: Image.Image, path: Path, **options: object) -> None:
         path.write_bytes(b"half")
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(Figure, "savefig", interrupt)
+    monkeypatch.setattr(Image.Image, "save", interrupt)
     with pytest.raises(KeyboardInterrupt):
         save_pictures(ringing_lift(), tmp_path)
     assert list(tmp_path.iterdir()) == []

@@ -46,6 +46,7 @@ def label_lugs(panel: Axes, recording: Recording, snap: Snapshot) -> None:
         paper = (panel.get_xlim(), panel.get_ylim())
         right, up = beside(TOP.project(lug), half, taken, 0.05 * width, paper)
         label = panel.text(right, up, name, fontsize=6.5, ha="center", va="center", zorder=5)
+        label.set_in_layout(False)
         label.set_path_effects([Stroke(linewidth=2.0, foreground="white"), Normal()])
         taken = np.concatenate([taken, (right, up) + np.linspace(-half, half, 9)[:, None] * (1.0, 0.0)])
 
@@ -73,6 +74,7 @@ def label_sheaves(panel: Axes, snap: Snapshot, view: View, which: Equalizer) -> 
             va="bottom",
             color=INK,
             bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
+            in_layout=False,
             zorder=5,
         )
 

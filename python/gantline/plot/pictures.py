@@ -5,9 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import matplotlib
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from PIL.Image import Image, fromarray
 
 from gantline.plot import by_equalizer, traces, views
 from gantline.plot.comparison import comparison_figures
@@ -104,7 +108,17 @@ def write_pictures(pictures: Iterable[tuple[str, Figure]], directory: str | Path
     paths = []
     for name, figure in pictures:
         path = Path(directory) / f"{name}.png"
-        with replaced(path) as trial, matplotlib.rc_context(RC):
-            figure.savefig(trial, format="png")
+        picture = _drawn(figure)
+        with replaced(path) as trial:
+            picture.save(trial, format="png")
         paths.append(path)
     return paths
+
+
+def _drawn(figure: Figure) -> Image:
+    """A figure as an image. `savefig` walks through all of it once more, to lay it out before it draws it."""
+    with matplotlib.rc_context(RC):
+        figure.set_dpi(matplotlib.rcParams["savefig.dpi"])
+        canvas: Any = FigureCanvasAgg(figure)  # has no types
+        canvas.draw()
+    return fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")

@@ -129,7 +129,10 @@ def snapshot(recording: Recording, sample: int) -> Snapshot:
             if one.stands(time)
             for corners in one.boxes
         ],
-        [Sheave(e["body"], e.get("kind") == "moving", place.world(e["body"], _circle(e))) for e in sheaves],
+        [
+            Sheave(one["body"], one.get("kind") == "moving", place.world(one["body"], circle))
+            for one, circle in zip(sheaves, _circles(recording, sheaves), strict=True)
+        ],
         ropes,
         {name: place.origin(name) for name in bodies if name in plain},
         frozenset(name for name in plain if bodies[name].get("kind") == "hook"),
@@ -144,16 +147,18 @@ class _Places:
     """Where bodies are at one sample."""
 
     def __init__(self, recording: Recording, sample: int, bodies: Mapping[str, Any]) -> None:
-        self._recording = recording
-        self._sample = sample
         self._bodies = bodies
+        self._number = {name: number for number, name in enumerate(recording.coordinates.get("body", ()))}
+        self._centres: FloatArray = recording["body_position"].values[sample]
+        self._axes = axes(recording["body_orientation"].values[sample])
 
     def centre(self, body: str) -> FloatArray:
-        place: FloatArray = self._recording.column("body_position", body)[self._sample]
+        place: FloatArray = self._centres[self._number[body]]
         return place
 
     def axes(self, body: str) -> FloatArray:
-        return axes(self._recording.column("body_orientation", body)[self._sample])
+        turned: FloatArray = self._axes[self._number[body]]
+        return turned
 
     def world(self, body: str, points: FloatArray) -> FloatArray:
         """Points of a body's frame in the world; the recorded position is that of the centre of gravity."""
@@ -205,6 +210,11 @@ def _box_faces(shape: Mapping[str, Any]) -> FloatArray:
 def _faces(corners: FloatArray) -> FloatArray:
     """The six faces of a box with these corners, x slowest, z fastest."""
     return np.stack([corners[list(face)] for face in _FACES])
+
+
+def _circles(recording: Recording, sheaves: Sequence[Mapping[str, Any]]) -> FloatArray:
+    """Points around each of these sheaves, all those of the recording, on their bodies [m]."""
+    return recording.kept("drawn circles", lambda: np.array([_circle(one) for one in sheaves]))
 
 
 def _circle(sheave: Mapping[str, Any]) -> FloatArray:

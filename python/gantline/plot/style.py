@@ -249,7 +249,9 @@ def label_ends(panel: Axes, time: FloatArray, values: dict[str, FloatArray]) -> 
     """
     low, high = sorted(panel.get_ylim())
     gap = (high - low) * 0.085 * _size_factor(panel)
-    inverted = panel.yaxis_inverted()
+    bottom, top = panel.get_ylim()
+    first, last = panel.get_xlim()
+    right = (float(time[-1]) - first) / (last - first)
     ends = sorted(((float(curve[-1]), index, name) for index, (name, curve) in enumerate(values.items())))
     if len(ends) > MOST_NAMED:
         fitting = max(2, int((high - low) / gap))
@@ -264,26 +266,21 @@ def label_ends(panel: Axes, time: FloatArray, values: dict[str, FloatArray]) -> 
         )
     places = _apart([end for end, _, _ in ends], gap, low, high)
     for (end, index, name), place in zip(ends, places, strict=True):
-        fraction = (high - place) / (high - low) if inverted else (place - low) / (high - low)
-        panel.annotate(
+        fraction = (place - bottom) / (top - bottom)
+        panel.text(
+            1.035,
+            fraction,
             shortened_inside(name),
-            xy=(float(time[-1]), end),
-            xytext=(1.035, fraction),
-            textcoords="axes fraction",
+            transform=panel.transAxes,
             color=colour(index),
             fontsize=8.5,
             va="center",
             ha="left",
-            annotation_clip=False,
-            arrowprops={
-                "arrowstyle": "-",
-                "color": colour(index),
-                "linewidth": 0.6,
-                "shrinkA": 1,
-                "shrinkB": 1,
-                "relpos": (0, 0.5),
-            },
         )
+        heights = [(end - bottom) / (top - bottom), fraction]
+        leader = Line2D([right, 1.033], heights, color=colour(index), linewidth=0.6)
+        leader.set(transform=panel.transAxes, clip_on=False, in_layout=False)
+        panel.add_artist(leader)
 
 
 def limit_line(panel: Axes, value: float, text: str, *, below: bool = False, right: bool = False) -> None:
@@ -299,6 +296,7 @@ def limit_line(panel: Axes, value: float, text: str, *, below: bool = False, rig
         fontsize=8,
         va="top" if below else "bottom",
         ha="right" if right else "left",
+        in_layout=False,
     )
 
 
@@ -319,6 +317,7 @@ def mark_peak(panel: Axes, time: float, value: float, text: str) -> None:
         fontsize=8,
         color=INK,
         bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
+        in_layout=False,
     )
 
 
@@ -382,6 +381,7 @@ def _mark_lift_off(recordings: Mapping[str, Recording], panels: Sequence[Axes]) 
             fontsize=8,
             color=QUIET,
             bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
+            in_layout=False,
         )
 
 
@@ -405,6 +405,7 @@ def _mark_ends(recordings: Mapping[str, Recording], panels: Sequence[Axes]) -> N
             fontsize=8,
             color=WARN,
             bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
+            in_layout=False,
         )
 
 

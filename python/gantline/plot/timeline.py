@@ -54,7 +54,7 @@ def draw_strip(strip: Axes, letter: str, steps: Sequence[Stretch], span: float) 
         text, size = _fit(step, span)
         if text:
             label = strip.text((step.begin + step.end) / 2, 0.46, text, fontsize=size, color=_INK)
-            label.set(ha="center", va="center", linespacing=0.95)
+            label.set(ha="center", va="center", linespacing=0.95, in_layout=False)
 
 
 def _fit(step: Stretch, span: float) -> tuple[str, float]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Annotated, Any, ClassVar, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ModelWrapValidatorHandler, model_validator
@@ -49,10 +50,7 @@ class Element(BaseModel):
     @classmethod
     def keys(cls) -> tuple[str, ...]:
         """Keys that this mapping may have, as written in a file; its own before those that others share."""
-        models = [one for one in cls.__mro__ if issubclass(one, BaseModel)]
-        shared = {name: sum(name in one.model_fields for one in models) for name in cls.model_fields}
-        fields = sorted(cls.model_fields.items(), key=lambda item: shared[item[0]])
-        return tuple(field.alias or name for name, field in fields)
+        return _keys_of(cls)
 
     @classmethod
     def needed_keys(cls) -> set[str]:
@@ -62,6 +60,15 @@ class Element(BaseModel):
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:
         """Refuse, in one sentence, what would otherwise give many; overridden where that happens."""
+
+
+@cache
+def _keys_of(model: type[Element]) -> tuple[str, ...]:
+    """Asked of every mapping of a lift, once or more for each of its cases."""
+    models = [one for one in model.__mro__ if issubclass(one, BaseModel)]
+    shared = {name: sum(name in one.model_fields for one in models) for name in model.model_fields}
+    fields = sorted(model.model_fields.items(), key=lambda item: shared[item[0]])
+    return tuple(field.alias or name for name, field in fields)
 
 
 T = TypeVar("T")

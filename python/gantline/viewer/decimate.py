@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 import numpy.typing as npt
 
@@ -64,9 +62,7 @@ def faithful(time: FloatArray, values: FloatArray, kept: Places, off: float, mos
         largest = np.maximum.reduceat(distance, edges)
         far = np.flatnonzero(largest > allowed)
         far = far[np.argsort(-largest[far], kind="stable")[: most - len(kept)]]
-        ends = np.append(edges[1:], len(distance))
-        furthest = [edges[one] + int(np.argmax(distance[edges[one] : ends[one]])) for one in far]
-        grown = np.union1d(kept, kept[0] + np.array(furthest, dtype=np.int64))
+        grown = np.union1d(kept, kept[0] + _first_of(distance, largest, edges)[far])
         if len(grown) == len(kept):  # near enough; or two samples have one time
             break
         kept = grown
@@ -75,7 +71,15 @@ def faithful(time: FloatArray, values: FloatArray, kept: Places, off: float, mos
 
 def _extremes(values: FloatArray, edges: Places) -> Places:
     known = np.where(np.isnan(values), -np.inf, values)
-    return np.array([begin + int(np.argmax(known[begin:end])) for begin, end in pairwise(edges)])
+    begins = edges[:-1]
+    return _first_of(known, np.maximum.reduceat(known, begins), begins)
+
+
+def _first_of(values: FloatArray, largest: FloatArray, begins: Places) -> Places:
+    """Of stretches that begin at these indices the first place of the largest value of each."""
+    counts = np.diff(np.append(begins, len(values)))
+    places = np.flatnonzero(values == np.repeat(largest, counts))
+    return places[np.searchsorted(places, begins)]
 
 
 def _needed(values: FloatArray, places: Places) -> Places:
