@@ -10,6 +10,7 @@ import pytest
 
 from column_in_waves import ALIKE, SEA, column
 from gantline.results.saved_seas import SavedSeas
+from gantline.study import Gumbel
 from verbs import gantline
 
 OVER = ("--height", "0.1 m, 2 m, 3 m, 9 m", "--period", "6 s")
@@ -66,6 +67,27 @@ def test_records_of_a_sea(lift: Path) -> None:
     assert result.exit_code == 0, result.stdout
     assert "3 records of each sea" in " ".join(result.stdout.split())
     assert "worse than the worst of them is 1 in 4" in " ".join(result.stdout.split())
+
+
+def test_one_lift_in_ten(lift: Path, tmp_path: Path) -> None:
+    """Of five records or more: in the table, in the report, and in the numbers."""
+    sea_of(lift)
+    folder = tmp_path / "out"
+    assert gantline("run", str(lift), "-o", str(folder), "--no-plots", "--no-report").exit_code == 0
+    result = gantline("seas", str(lift), "--height", "0.5 m", "--records", "5", "-o", str(folder))
+    assert result.exit_code == 0, result.stdout
+    row = r"^  0 deg +7 s +0\.5 m +(\S+ ± \S+ %)  smallest_sling_tension_when_clear S1$"
+    (shown,) = re.findall(row, result.stdout, re.MULTILINE)
+    assert "by Gumbel's distribution" in " ".join(result.stdout.split())
+    (sea,) = json.loads((folder / "seas.json").read_text(encoding="utf-8"))["seas"]
+    (found,) = (one for one in sea["extremes"] if one["check"] == "smallest_sling_tension_when_clear")
+    every = (check for record in sea["records"] for check in record["checks"])
+    values = [check["value"] for check in every if check["name"] == found["check"]]
+    assert found["value"] == pytest.approx(-Gumbel.of([-value for value in values]).exceeded_by(0.1))
+    assert shown == f"{100 * found['utilisation']:.1f} ± {100 * found['utilisation_error']:.1f} %"
+    assert gantline("report", str(folder)).exit_code == 0
+    page = (folder / "report.html").read_text(encoding="utf-8")
+    assert re.search(re.escape(shown).replace(r"\ ", "."), page)
 
 
 def test_files_and_the_report_beside_them(lift: Path, tmp_path: Path) -> None:

@@ -24,6 +24,7 @@ def seas_table(found: SavedSeas, width: int) -> list[str]:
     for direction in found.directions:
         lines += [*_field(found, direction, width), ""]
     lines += _stops(found, width)
+    lines += _one_in_ten(found)
     for note in _notes(found):
         lines += textwrap.wrap(note, max(width, 60), initial_indent=_INDENT, subsequent_indent=_FURTHER)
     return lines
@@ -73,6 +74,20 @@ def _stops(found: SavedSeas, width: int) -> list[str]:
     return [*lines, ""]
 
 
+def _one_in_ten(found: SavedSeas) -> list[str]:
+    """What one lift in ten uses of a limit in the highest sea that is allowed, by direction and period."""
+    rows = []
+    for direction in found.directions:
+        for period in found.periods:
+            sea = found.highest_allowed(direction, period)
+            if sea is None or sea.extreme is None:
+                continue
+            told = sea.extreme.share + (" OVER" if sea.extreme.used > 1.0 else "")
+            by = f"{sea.extreme.check} {sea.extreme.element}"
+            rows.append((degrees(direction), f"{period:g} s", f"{sea.height:g} m", told, by))
+    return [*table(("One lift in ten", "period", "height", "uses", "by"), rows, "lrrrl"), ""] if rows else []
+
+
 def _notes(found: SavedSeas) -> Iterator[str]:
     """What to know of the tables."""
     if any(not sea.is_run and not sea.is_too_steep for sea in found.seas):
@@ -86,6 +101,11 @@ def _notes(found: SavedSeas) -> Iterator[str]:
         yield (
             f"by {_records(found.records)} of each sea: the chance that one more is worse than the worst of "
             f"them is 1 in {found.records + 1}; --records asks for more"
+        )
+    if any(sea.extreme is not None for sea in found.seas):
+        yield (
+            "one lift in ten uses so much of the limit or more, by Gumbel's distribution of the records of "
+            "the sea, ± a standard error; OVER: more than all of it, though none of the records does"
         )
     for warning in found.warnings[:_MOST_WARNINGS]:
         yield f"warning: {warning}"

@@ -6,7 +6,7 @@ from typing import Any
 
 from gantline.report.section import Section
 from gantline.report.subject import ABSENT, Subject, show
-from gantline.results.saved_seas import SavedSea, SavedSeas, degrees
+from gantline.results.saved_seas import SavedExtreme, SavedSea, SavedSeas, degrees
 
 
 class Seas(Section):
@@ -21,7 +21,7 @@ class Seas(Section):
         found = subject.beside.seas
         if found is None:
             return None
-        kinds = ((direction, period) for direction in found.directions for period in found.periods)
+        kinds = [(direction, period) for direction in found.directions for period in found.periods]
         stoppers = [sea for kind in kinds if (sea := found.stopper(*kind)) is not None]
         return {
             "waves": found.waves,
@@ -30,6 +30,11 @@ class Seas(Section):
             "duration": show(found.duration, "s", 0),
             "fields": [_field(found, direction) for direction in found.directions],
             "stops": [_stop(sea) for sea in stoppers if not _reason(sea)],
+            "extremes": [
+                _extreme(sea, sea.extreme)
+                for kind in kinds
+                if (sea := found.highest_allowed(*kind)) is not None and sea.extreme is not None
+            ],
             "reasons": list(dict.fromkeys(reason for sea in stoppers if (reason := _reason(sea)))),
         }
 
@@ -73,6 +78,17 @@ def _reason(sea: SavedSea) -> str:
     if sea.cause:
         return f"{sea.told.lower()}: {sea.cause}"
     return "" if sea.has_verdict else sea.verdict
+
+
+def _extreme(sea: SavedSea, extreme: SavedExtreme) -> dict[str, str]:
+    return {
+        "towards": degrees(sea.direction),
+        "period": f"{sea.period:g} s",
+        "height": f"{sea.height:g} m",
+        "uses": extreme.share,
+        "tone": "bad" if extreme.used > 1.0 else "good",
+        "by": f"{extreme.check} {extreme.element}".strip(),
+    }
 
 
 def _stop(sea: SavedSea) -> dict[str, str]:

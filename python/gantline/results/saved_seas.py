@@ -7,11 +7,41 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from gantline.results.alike import first_largest
 from gantline.results.saved_json import list_in, number_in, object_of, text_in
 from gantline.results.sea_grid import SeaGrid
 from gantline.units import format_quantity, telling_digits
 
 __all__ = ["SavedSea", "SavedSeas", "degrees"]
+
+
+#: Errors of shares that take a decimal [1].
+_A_DIGIT_BELOW = 0.01
+
+
+@dataclass(frozen=True)
+class SavedExtreme:
+    """What one lift in ten uses of a limit, or more.
+
+    Attributes:
+        used: Share of the limit [1].
+        error: Standard error of that [1].
+        check: Name of the check.
+        element: What it is about, in the worst record.
+    """
+
+    used: float
+    error: float
+    check: str
+    element: str
+
+    @property
+    def share(self) -> str:
+        """Share and its error as people read them; past its limit it does not read as if at it."""
+        digits = 0 if self.error >= _A_DIGIT_BELOW else 1
+        if self.used > 1.0:
+            digits = telling_digits(self.used, 1.0, "%", digits)
+        return f"{100.0 * self.used:.{digits}f} ± {format_quantity(self.error, '%', digits)}"
 
 
 @dataclass(frozen=True)
@@ -32,6 +62,7 @@ class SavedSea:
         cause: Why the lift could not start or go on; empty where it did.
         starts: Whether it could start.
         verdict: The lift in it, in one sentence; empty where it was not run, or has a cause.
+        extreme: What one lift in ten uses of the limit that is nearest then; None of few records.
     """
 
     height: float
@@ -47,6 +78,7 @@ class SavedSea:
     cause: str
     starts: bool
     verdict: str
+    extreme: SavedExtreme | None = None
 
     @property
     def is_run(self) -> bool:
@@ -133,6 +165,11 @@ class SavedSeas(SeaGrid[SavedSea]):
             list(dict.fromkeys(str(one) for record in runs for one in list_in(record, "warnings"))),
         )
 
+    def highest_allowed(self, direction: float, period: float) -> SavedSea | None:
+        """The highest sea of a direction [rad] and a period [s] that is allowed; None of none."""
+        height = self.allowed[direction, period]
+        return next((sea for sea in self.of(direction, period) if sea.height == height), None)
+
     def stopper(self, direction: float, period: float) -> SavedSea | None:
         """The lowest sea of a direction [rad] and a period [s] in which the lift is no go; None of none."""
         run = (sea for sea in self.of(direction, period) if sea.is_run)
@@ -166,4 +203,20 @@ def _sea(given: Mapping[str, Any]) -> SavedSea:
         str(worst.get("cause", "")),
         worst.get("starts", True) is True,
         str(worst.get("verdict", "")),
+        _extreme([object_of(one) for one in given.get("extremes") or ()]),
     )
+
+
+def _extreme(given: Sequence[Mapping[str, Any]]) -> SavedExtreme | None:
+    """The one that uses most of its limit."""
+    found = [
+        SavedExtreme(
+            number_in(one, "utilisation"),
+            number_in(one, "utilisation_error"),
+            text_in(one, "check"),
+            text_in(one, "element"),
+        )
+        for one in given
+        if one.get("utilisation") is not None
+    ]
+    return first_largest(found, lambda one: one.used)

@@ -3,6 +3,7 @@
 from gantline.study.afloat import VesselAttitude
 from gantline.study.ballast import BallastAnswer, solve_ballast
 from gantline.study.cases import CasesResult, run_cases
+from gantline.study.extremes import Extreme, Gumbel
 from gantline.study.lengths import LengthAnswer, adjust_lengths
 from gantline.study.lost_load import LostLoad, Swing, lose_load
 from gantline.study.newton import AdjustError, CannotBeError
@@ -19,6 +20,8 @@ __all__ = [
     "BallastAnswer",
     "CannotBeError",
     "CasesResult",
+    "Extreme",
+    "Gumbel",
     "HookAnswer",
     "LengthAnswer",
     "LostLoad",

@@ -16,10 +16,14 @@ from gantline.results.saved import digest_of
 from gantline.results.sea_grid import SeaGrid
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.simulation import Simulation, SimulationError
+from gantline.study.extremes import Extreme, extremes_of
 from gantline.study.side_by_side import SideBySide
 from gantline.units import si_text
 
 __all__ = ["NoSeaError", "Sea", "SeaRecord", "SeasResult", "run_seas"]
+
+#: Share of lifts that extremes leave to be worse, unless asked otherwise: what codes call P90.
+ONE_IN_TEN = 0.1
 
 #: From the worst to the best: a sea is as good as its worst record.
 _WORST_FIRST = (Outcome.NO_GO, Outcome.NO_VERDICT, Outcome.GO_WITH_WARNINGS, Outcome.GO)
@@ -141,6 +145,25 @@ class Sea:
         worst = [record for record in self.records if record.outcome is self.outcome]
         return first_largest(worst, _used)
 
+    def extremes(self, share: float = ONE_IN_TEN) -> list[Extreme]:
+        """What checks come to in one lift of many in this sea, by Gumbel's distribution of its records.
+
+        Args:
+            share: The share of lifts that are worse [1].
+
+        Returns:
+            One for each check that has a value, and the same limit, in all records; none of fewer than five
+            records, nor where the lift could not start or go on in one.
+
+        Raises:
+            ValueError: If there is no such share.
+        """
+        if not 0.0 < share < 1.0:
+            raise ValueError(f"share: {share!r} is none between 0 and 1")
+        if any(record.cause for record in self.records):
+            return []
+        return extremes_of([record.checks for record in self.records], share)
+
     def to_json(self) -> dict[str, Any]:
         """All of it as a JSON object, SI units."""
         outcome, worst = self.outcome, self.worst
@@ -153,6 +176,7 @@ class Sea:
             "allowed": self.is_allowed,
             "refused": self.is_refused,
             "worst_record": None if worst is None else worst.number,
+            "extremes": [one.to_json() for one in self.extremes()],
             "records": [record.to_json() for record in self.records],
         }
 
