@@ -22,7 +22,7 @@ from gantline.scenario import parse_scenario
 from gantline.scenario.shipped import shipped
 from shown import PAGES, ROOT, NotSaidError, Shown, lift_that_runs, lifts_on, renewed, shown_on, stale, unsaid
 
-#: Tables of runs of lifts that come with gantline are held in tests/regression/test_expectations.py.
+#: Tables of runs of lifts that come with gantline are held in tests/verification/test_every_scenario.py.
 SHOWN = {
     page: commands
     for page in PAGES

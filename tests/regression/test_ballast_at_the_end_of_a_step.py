@@ -29,12 +29,15 @@ def test_the_moment_is_the_end_of_the_step_with_the_contents_found() -> None:
         for row, content in contents.items()
         for number in (1, 2, 3, 4)
     }
+    # The load is clear by 1200 s; the rest of the lift, twice as long, would be run each time.
+    changes["duration"] = "1400 s"
     given = with_values(without_cases(load_scenario(FLOATING_CRANE)), changes)
     before = end_of_step(given, STEP)
     answer = solve_ballast(given, step=STEP)
     after = end_of_step(answer.scenario, STEP)
     assert before is not None
     assert after is not None
+    assert max(before, after) < 1250.0
     assert abs(after - before) > 10.0
     assert answer.time == after
     then = Afloat(answer.scenario, "barge", after)

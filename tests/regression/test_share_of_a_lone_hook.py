@@ -32,6 +32,7 @@ def test_one_of_four_hooks_has_a_quarter() -> None:
     ]
     hangs = last(recording, "hoist_load", "fc.H2") + 0.03 * float(sum(one[-1] for one in up))
     used = values_of(recording, "hoist_load_of_rating")
+    assert set(used) == {"crane fc", "fc.H2", "crane c1", "crane c2"}
     # The boom stands at 60 deg in its own tackles, to what they stretch.
     assert used["crane fc"] == pytest.approx(SEVERAL * hangs / (RATED * gravity), rel=5e-3)
     assert used["fc.H2"] == pytest.approx(used["crane fc"] / SHARE, rel=1e-12)
@@ -49,12 +50,15 @@ def test_one_of_four_hooks_has_a_quarter() -> None:
 
 
 def test_without_it_a_lone_hook_has_the_row() -> None:
-    used = values_of(at_rest(HANGS, (_SAID, "")), "hoist_load_of_rating")
-    assert set(used) == {"crane fc", "crane c1", "crane c2"}
+    """Before the lift too, when its hook block and rigging hang on it and nothing is on the others."""
+    for changes, rated in (((), {"crane fc", "fc.H2"}), (((_SAID, ""),), {"crane fc"})):
+        assert set(values_of(at_rest(0.0, *changes), "hoist_load_of_rating")) == rated
 
 
 def test_more_than_its_share_is_an_event() -> None:
     """Events looked at the whole row alone: a hook past its share was no `overload`, but a failed check."""
-    recording = at_rest(HANGS, (_SAID, "hooks_share: 10 %, "))
+    # Before the lift 94 t of hook block, falls and rigging hang on it, times 1.33: 4.2 % of 3000 t.
+    recording = at_rest(0.0, (_SAID, "hooks_share: 3 %, "))
+    assert last(recording, "hoist_load", "fc.H2") == pytest.approx(94e3 * recording.rig.gravity, rel=0.02)
     assert [name for _, _, name in recording.events("overload")] == ["fc.H2"]
     assert [name for _, _, name in at_rest(HANGS).events("overload")] == []

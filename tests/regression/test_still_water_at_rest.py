@@ -8,6 +8,8 @@ it. And no verb said that its answer leaves out the waves of the file.
 from __future__ import annotations
 
 import json
+import re
+import shutil
 from pathlib import Path
 
 import pytest
@@ -34,12 +36,19 @@ def test_freeboard_at_rest_is_above_still_water() -> None:
 
 
 @pytest.mark.parametrize("verb", [["statics"], ["cases"], ["statics", "--level"]])
-def test_answers_say_that_the_water_is_still(verb: list[str]) -> None:
+def test_answers_say_that_the_water_is_still(verb: list[str], tmp_path: Path) -> None:
     """Waves of the file are named as left out; those of a run stand with its title."""
-    found = CliRunner().invoke(app, [verb[0], str(FOLDER), *verb[1:]])
+    folder = tmp_path / "lift"
+    shutil.copytree(FOLDER, folder)
+    lift = folder / "scenario.yaml"
+    # One of its cases says it as well as all of them.
+    lift.write_text(
+        re.sub(r"^  (cog_corners|sling_lengths): .*\n", "", lift.read_text("utf-8"), flags=re.M), "utf-8"
+    )
+    found = CliRunner().invoke(app, [verb[0], str(folder), *verb[1:]])
     assert LEFT_OUT in " ".join(found.output.split())
     if "--level" not in verb:
-        document = json.loads(CliRunner().invoke(app, [verb[0], str(FOLDER), "--json"]).stdout)
+        document = json.loads(CliRunner().invoke(app, [verb[0], str(folder), "--json"]).stdout)
         assert document["left_out"] == [LEFT_OUT]
-    looked_over = CliRunner().invoke(app, ["check", str(FOLDER)])
+    looked_over = CliRunner().invoke(app, ["check", str(folder)])
     assert "Waves: swell: 0.80 m significant height, 7.0 s peak period" in looked_over.output

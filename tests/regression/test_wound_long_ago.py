@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import pytest
@@ -56,16 +57,18 @@ class Lift:
         )
         return at + lasts * up / (up - down)
 
+    @cached_property
+    def _gains(self) -> Floats:
+        """Of each ramp its time [s], how long it takes [s] and its acceleration [m/s²]."""
+        at, lasts, velocity = np.array(self.ramps).T
+        return np.array([at, lasts, np.diff(velocity, prepend=0.0) / lasts])
+
     def drum_at(self, time: Floats) -> tuple[Floats, Floats]:
         """How far the drum has turned [m] and its speed [m/s]."""
-        turned, speed, before = np.zeros_like(time), np.zeros_like(time), 0.0
-        for at, lasts, velocity in self.ramps:
-            since = np.clip(time - at, 0.0, None)
-            within = np.minimum(since, lasts)
-            gain = (velocity - before) / lasts
-            turned = turned + gain * (within**2 / 2 + within * (since - within))
-            speed, before = speed + gain * within, velocity
-        return turned, speed
+        at, lasts, gain = self._gains
+        since = np.maximum(time[..., None] - at, 0.0)
+        within = np.minimum(since, lasts)
+        return (gain * (within**2 / 2 + within * (since - within))).sum(-1), (gain * within).sum(-1)
 
     def acceleration(self, z: float, v: float, unstretched: float, supply: float) -> float:
         """Of the weight [m/s²], by (F3); its rope has this unstretched length and gets so much per time."""

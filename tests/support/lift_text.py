@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 BASE = """\
 format: 1
 lift:
@@ -122,6 +124,15 @@ def changed(text: str, *changes: tuple[str, str]) -> str:
     for old, new in changes:
         assert old in text, f"{old!r} does not stand in the lift"
         text = text.replace(old, new)
+    return text
+
+
+def without(text: str, *sections: str) -> str:
+    """A lift file without some of its sections."""
+    for name in sections:
+        found = re.search(rf"^{name}:.*\n(?: .*\n|\n)*", text, re.M)
+        assert found is not None, name
+        text = text[: found.start()] + text[found.end() :]
     return text
 
 

@@ -54,12 +54,14 @@ def test_slope_and_curvature(step: list[float]) -> None:
     # Differences do not reach over the length at which a line comes taut.
     assume(all(abs(length - line.length) > 1e-2 for length, line in zip(lines, LINES, strict=True)))
     unit, size, wide = np.eye(12)[:9], 1e-5, 5e-4
+    middle = energy(np.zeros(12))
     found = [(energy(size * one) - energy(-size * one)) / (2 * size) for one in unit]
     assert found == pytest.approx(slope[:9], abs=1e-7 * np.abs(slope).max())
+    bent = [energy(wide * one) + energy(-wide * one) - 2 * middle for one in unit]
     for i in range(9):
         for j in range(i + 1):
-            a, b = wide * unit[i], wide * unit[j]
-            second = (energy(a + b) - energy(a - b) - energy(b - a) + energy(-a - b)) / (4 * wide**2)
+            both = wide * (unit[i] + unit[j])
+            second = (energy(both) + energy(-both) - 2 * middle - bent[i] - bent[j]) / (2 * wide**2)
             assert second == pytest.approx(curve[i, j], abs=1e-5 * np.abs(curve).max())
 
 

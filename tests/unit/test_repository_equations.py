@@ -52,6 +52,8 @@ def in_prose(path: Path, text: str) -> Iterator[str]:
     if path.suffix == ".rs":
         yield "\n".join(line.partition("//")[2] for line in text.splitlines())
     elif path.suffix in {".py", ".pyi"}:
+        if not NAMED.search(text):
+            return  # nor does any part of it; to take it apart takes long
         read = tokenize.generate_tokens(io.StringIO(text).readline)
         yield from (token.string for token in read if token.type in {tokenize.COMMENT, tokenize.STRING})
     else:

@@ -35,6 +35,14 @@ def examples(language: str) -> dict[str, str]:
 WHOLE = {place: text for place, text in examples("yaml").items() if text.startswith("format: 1")}
 PARTS = {place: text for place, text in examples("yaml").items() if place not in WHOLE}
 PYTHON = examples("python")
+#: What examples in Python do over and over, and how often it is done here: what they show is in that already.
+FEWER = {
+    "docs/reference/python.md-8": ("size=(100, ", "size=(3, "),
+    "docs/guides/afloat.md-1": (
+        '("1 m", "2 m", "3 m"):\n    for seed in (1, 2, 3)',
+        '("3 m",):\n    for seed in (3,)',
+    ),
+}
 
 
 def test_there_are_examples() -> None:
@@ -104,10 +112,15 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("text", PYTHON.values(), ids=PYTHON)
+@pytest.mark.parametrize("place", PYTHON)
 def test_python_in_a_document_runs_and_needs_public_names_only(
-    text: str, recorded: Path, monkeypatch: pytest.MonkeyPatch
+    place: str, recorded: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    text = PYTHON[place]
+    if place in FEWER:
+        many, few = FEWER[place]
+        assert many in text
+        text = text.replace(many, few)
     for name in re.findall(r"\bgantline\.([A-Za-z_]\w*)", text):
         assert name in dir(gantline), f"gantline.{name} is not public"
     monkeypatch.chdir(recorded)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -250,6 +251,7 @@ def test_drift_forces_where_a_file_has_them(tmp_path: Path) -> None:
     """By default where the file has any, not with `drift: false`; asked of a file without any an error."""
     drift = np.ones((len(waves.FREQUENCIES), len(waves.DIRECTIONS), 3))
 
+    @cache
     def forces(has: bool, **given: bool) -> dict[str, Any]:
         about = [f"{LENGTH / 2} m", "0 m", f"{DRAFT} m"]
         afloat = {"wave_forces": {"database": "barge.nc", "at": about, **given}}

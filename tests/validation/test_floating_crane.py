@@ -22,7 +22,7 @@ from gantline.scenario.mooring import line_weight
 from gantline.simulation import Simulation, SimulationError
 from gantline.statics import Equilibrium, Statics
 from gantline.study.inclining import metacentric_heights
-from lift_text import changed
+from lift_text import changed, without
 from mechanics import G
 
 FILE = Path(__file__).parents[2] / "scenarios" / "floating_crane" / "scenario.yaml"
@@ -36,15 +36,6 @@ LENGTH, BREADTH, HEAD = 105.6, 46.0, (153.0, 104.26)
 SEA = 1025.0
 
 
-def without(text: str, *sections: str) -> str:
-    """A lift file without some of its sections."""
-    for name in sections:
-        found = re.search(rf"^{name}:.*\n(?: .*\n|\n)*", text, re.M)
-        assert found is not None, name
-        text = text[: found.start()] + text[found.end() :]
-    return text
-
-
 def read(text: str) -> Scenario:
     return parse_scenario(text, str(FILE))
 
@@ -55,7 +46,11 @@ PLAIN = without(TEXT, "cases")
 
 @pytest.fixture(scope="module")
 def recording() -> Recording:
-    return Simulation(load_scenario(FILE)).run()
+    begun = perf_counter()
+    found = Simulation(load_scenario(FILE)).run()
+    took = perf_counter() - begun
+    print(f"{found.time[-1]:.0f} s in {took:.1f} s, {found.time[-1] / took:.0f} times real time")
+    return found
 
 
 @pytest.fixture(scope="module")
@@ -318,16 +313,15 @@ def test_hook_levels_decide_who_carries(
     assert found == pytest.approx(more * G, rel=0.07)
 
 
-def test_the_balance_closes_and_it_is_fast(recording: Recording) -> None:
-    """Remainder below 1e-5. At least 100 times real time is asked for on a quiet machine; it is printed."""
+def test_the_balance_closes_and_it_runs_again_as_it_ran(recording: Recording) -> None:
+    """Remainder below 1e-5; another run has the same bits, at least until the load has come clear."""
     assert recording.metrics()["energy_remainder"] < 1e-5
     assert recording.attributes["warnings"] == []
     assert recording.events("overload") == []
-    begun = perf_counter()
-    found = Simulation(load_scenario(FILE)).run()
-    took = perf_counter() - begun
-    print(f"{found.time[-1]:.0f} s in {took:.1f} s, {found.time[-1] / took:.0f} times real time")
-    assert np.array_equal(found["rope_tension"].values, recording["rope_tension"].values)
+    found = Simulation(load_scenario(FILE)).run(until=recording.metrics()["lift_off_time"] + 10.0)
+    samples = len(found.time)
+    assert recording.time[samples - 1] == found.time[-1] < recording.time[-1]
+    assert np.array_equal(found["rope_tension"].values, recording["rope_tension"].values[:samples])
 
 
 def test_pictures_show_its_stages(recording: Recording) -> None:

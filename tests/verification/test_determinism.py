@@ -6,7 +6,9 @@ import json
 import os
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -42,10 +44,17 @@ simulation.run().save(path)
 lifts = pytest.mark.parametrize("name", LIFTS)
 
 
-def whole_run(name: str, folder: Path) -> bytes:
-    """The saved recording of a run from start to end in this process."""
+def another_run(name: str, folder: Path) -> bytes:
+    """The saved recording of a run from start to end in this process, each time anew."""
     simulation = Simulation(SCENARIOS / name, duration=LIFTS[name][0])
     return simulation.run().save(folder / "whole.nc").read_bytes()
+
+
+@cache
+def whole_run(name: str) -> bytes:
+    """The same of one run, with which all others are compared."""
+    with TemporaryDirectory() as folder:
+        return another_run(name, Path(folder))
 
 
 def other_process(name: str, folder: Path, state: Path | None = None) -> bytes:
@@ -57,43 +66,42 @@ def other_process(name: str, folder: Path, state: Path | None = None) -> bytes:
     return path.read_bytes()
 
 
-def saved_in_the_middle(name: str, folder: Path) -> Path:
-    """The state of a run at its break, in a file."""
+@cache
+def saved_in_the_middle(name: str) -> bytes:
+    """The state of a run at its break."""
     duration, pause = LIFTS[name]
     simulation = Simulation(SCENARIOS / name, duration=duration)
     reached = simulation.run(until=pause).time[-1]
     assert pause - 0.021 < reached < duration, "it pauses at the end of the step that reaches the break"
-    path = folder / "state"
-    path.write_bytes(simulation.save())
-    return path
+    return simulation.save()
 
 
 @lifts
 def test_two_runs_give_the_same_bytes(name: str, tmp_path: Path) -> None:
     """Recordings of two runs, byte by byte."""
-    assert whole_run(name, tmp_path) == whole_run(name, tmp_path)
+    assert another_run(name, tmp_path) == whole_run(name)
 
 
 @lifts
 def test_two_processes_give_the_same_bytes(name: str, tmp_path: Path) -> None:
     """Recordings of this process and of another one with another hash seed, byte by byte."""
-    assert whole_run(name, tmp_path) == other_process(name, tmp_path)
+    assert other_process(name, tmp_path) == whole_run(name)
 
 
 @lifts
 def test_a_run_taken_up_again_gives_the_same_bytes(name: str, tmp_path: Path) -> None:
     """Recordings of a run without a break and of one saved in the middle and restored, byte by byte."""
-    state = saved_in_the_middle(name, tmp_path)
     other = Simulation(SCENARIOS / name, duration=LIFTS[name][0])
-    other.restore(state.read_bytes())
-    assert other.run().save(tmp_path / "other.nc").read_bytes() == whole_run(name, tmp_path)
+    other.restore(saved_in_the_middle(name))
+    assert other.run().save(tmp_path / "other.nc").read_bytes() == whole_run(name)
 
 
 @lifts
 def test_a_run_taken_up_by_another_process_gives_the_same_bytes(name: str, tmp_path: Path) -> None:
     """The same with the state restored in another process, byte by byte."""
-    state = saved_in_the_middle(name, tmp_path)
-    assert other_process(name, tmp_path, state) == whole_run(name, tmp_path)
+    state = tmp_path / "state"
+    state.write_bytes(saved_in_the_middle(name))
+    assert other_process(name, tmp_path, state) == whole_run(name)
 
 
 METHODS = [
@@ -131,7 +139,7 @@ def test_restoring_goes_back(tmp_path: Path) -> None:
     state = simulation.save()
     simulation.run(until=pause + 15.0)
     simulation.restore(state)
-    assert simulation.run().save(tmp_path / "back.nc").read_bytes() == whole_run("equalizer", tmp_path)
+    assert simulation.run().save(tmp_path / "back.nc").read_bytes() == whole_run("equalizer")
 
 
 def test_a_state_of_another_lift_is_refused() -> None:

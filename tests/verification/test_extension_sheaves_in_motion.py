@@ -9,6 +9,7 @@ DOP853 solves that from where the lift file has the load, and the sheaves where 
 from __future__ import annotations
 
 import itertools
+import math
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from scipy.integrate import solve_ivp
 from gantline.assembly import assemble
 from gantline.scenario import parse_scenario
 from mechanics import Floats, G, adaptive
+from rigid import axes, cross, turning
 
 LOAD, TOP = 60e3, 4.0
 SIZE, CENTRE = np.array([8.0, 6.0, 3.0]), np.array([0.25, -0.2, 1.5])
@@ -76,13 +78,6 @@ def lift(depth: int, lugs: dict[str, Floats], masses: dict[str, float], height: 
     )
 
 
-def turned(q: Floats) -> Floats:
-    """Rotation of a quaternion, w first (3, 3)."""
-    w, axis = q[0], q[1:]
-    cross = np.cross(np.eye(3), axis)
-    return np.asarray(np.eye(3) + 2 * (w * cross + cross @ cross) / (q @ q))
-
-
 @pytest.mark.parametrize(("depth", "height"), [(2, 29.2), (3, 33.25)])
 def test_a_load_on_sheaves_under_sheaves(depth: int, height: float) -> None:
     """Places of load and sheaves, and its attitude, over 4 s in which slings go slack and snatch."""
@@ -100,23 +95,24 @@ def test_a_load_on_sheaves_under_sheaves(depth: int, height: float) -> None:
     def tensions(time: float, state: Floats) -> tuple[list[float], dict[str, Floats], Floats]:
         """Of all slings, forces where they end, rotation of the load."""
         place, q, speed, spin = np.split(state[:13], [3, 7, 10])
-        rotation, moved = turned(q), state[13:].reshape(2, -1, 3)
+        rotation, moved = axes(q), state[13:].reshape(2, -1, 3)
         risen = ACCELERATION * min(time, RAMP) ** 2 / 2 + HOIST * max(0.0, time - RAMP)
         places = {"hook": np.array([0, 0, height + risen]), **dict(zip(names, moved[0], strict=True))}
         speeds = {"hook": np.array([0, 0, ACCELERATION * min(time, RAMP)])}
         speeds |= dict(zip(names, moved[1], strict=True))
         for name, arm in arms.items():
             places[name] = place + rotation @ arm
-            speeds[name] = speed + rotation @ np.cross(spin, arm)
+            speeds[name] = speed + rotation @ cross(spin, arm)
         pulls = {name: np.zeros(3) for name in places}
         found = []
         for length, route in routes:
             ways = [places[b] - places[a] for a, b in itertools.pairwise(route)]
-            along = [way / np.linalg.norm(way) for way in ways]
+            spans = [math.sqrt(way @ way) for way in ways]
+            along = [way / span for way, span in zip(ways, spans, strict=True)]
             rate = sum(
                 float(u @ (speeds[b] - speeds[a])) for u, a, b in zip(along, route, route[1:], strict=False)
             )
-            stretch = sum(float(np.linalg.norm(way)) for way in ways) - length
+            stretch = sum(spans) - length
             found.append(max(0.0, EA / length * (stretch + TAU * rate)))
             for u, a, b in zip(along, route, route[1:], strict=False):
                 pulls[a] = pulls[a] + found[-1] * u
@@ -125,14 +121,15 @@ def test_a_load_on_sheaves_under_sheaves(depth: int, height: float) -> None:
 
     def rates(time: float, state: Floats) -> Floats:
         _, pulls, rotation = tensions(time, state)
-        q, spin = state[3:7], state[10:13]
+        spin = state[10:13]
         force = sum((pulls[name] for name in arms), np.array([0, 0, -LOAD * G]))
-        moment = sum((np.cross(arm, rotation.T @ pulls[name]) for name, arm in arms.items()), np.zeros(3))
-        spun = np.concatenate([[-q[1:] @ spin], q[0] * spin + np.cross(q[1:], spin)]) / 2
-        turning = (moment - np.cross(spin, INERTIA * spin)) / INERTIA
+        moment = sum((cross(arm, rotation.T @ pulls[name]) for name, arm in arms.items()), np.zeros(3))
+        spun = (moment - cross(spin, INERTIA * spin)) / INERTIA
         sheaves = np.array([pulls[name] for name in names]) / weights[:, None] - [0, 0, G]
         half = state[13:].reshape(2, -1)
-        return np.concatenate([state[7:10], spun, force / LOAD, turning, half[1], sheaves.ravel()])
+        return np.concatenate(
+            [state[7:10], turning(state[3:7], spin), force / LOAD, spun, half[1], sheaves.ravel()]
+        )
 
     hung = np.concatenate([joints[name]["position"] for name in names])
     start = np.concatenate([np.array([0, 0, 10]) + CENTRE, [1, 0, 0, 0], SPEED, SPIN, hung, 0 * hung])

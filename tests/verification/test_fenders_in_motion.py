@@ -8,6 +8,7 @@ T = max(0, EA/L (e + τ ė)), and I ω̇ = m − ω × I ω in the pontoon's axe
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +16,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from mechanics import Floats, G, adaptive, body, document, end, free, rope
+from rigid import axes, cross, turning
 
 MASS = 8e5
 INERTIA = MASS * np.array([9.0, 40.0, 45.0])
@@ -56,22 +58,18 @@ def test_a_pontoon_against_two_fenders(friction: tuple[float, float]) -> None:
     spans.append(27.9)
     stiffnesses = [EAS, EAS, EAS, 8e6]
 
-    def turned(q: Floats) -> Floats:
-        cross = np.cross(np.eye(3), q[1:])
-        return np.asarray(np.eye(3) + 2 * (q[0] * cross + cross @ cross) / (q @ q))
-
     def met(state: Floats) -> list[tuple[float, Floats, Floats, Floats]]:
         """Of each fender N, friction on the pontoon, ṡ, and where from the centre it acts."""
-        rotation, (place, speed) = turned(state[3:7]), (state[:3], state[7:10])
+        rotation, (place, speed) = axes(state[3:7]), (state[:3], state[7:10])
         found = []
         for wall, deflected in zip(walls, state[13:].reshape(-1, 3), strict=True):
             arm = rotation @ wall.at
-            moves = speed + np.cross(rotation @ state[10:13], arm)
+            moves = speed + cross(rotation @ state[10:13], arm)
             depth, rate = -(place + arm - wall.plane) @ wall.normal, -moves @ wall.normal
             normal = max(0.0, wall.stiffness * float(depth + wall.damping_time * rate))
             along = moves + rate * wall.normal
             wanted = wall.stiffness * (deflected + wall.damping_time * along)
-            size, bound = float(np.linalg.norm(wanted)), wall.friction * normal
+            size, bound = math.sqrt(wanted @ wanted), wall.friction * normal
             if bound == 0.0:
                 found.append((normal, np.zeros(3), -deflected / 2e-4, arm))
             elif size <= bound:
@@ -83,24 +81,22 @@ def test_a_pontoon_against_two_fenders(friction: tuple[float, float]) -> None:
         return found
 
     def rates(_: float, state: Floats) -> Floats:
-        rotation, spin, q = turned(state[3:7]), state[10:13], state[3:7]
+        rotation, spin = axes(state[3:7]), state[10:13]
         force, moment = np.array([0, 0, -MASS * G]), np.zeros(3)
         touched = met(state)
         for wall, (normal, rubs, _slips, arm) in zip(walls, touched, strict=True):
             force = force + normal * wall.normal + rubs
-            moment = moment + np.cross(arm, normal * wall.normal + rubs)
+            moment = moment + cross(arm, normal * wall.normal + rubs)
         for (top, at), length, stiffness in zip(ropes, spans, stiffnesses, strict=True):
             arm = rotation @ at
             way = state[:3] + arm - top
-            span = float(np.linalg.norm(way))
-            rate = float(way @ (state[7:10] + np.cross(rotation @ spin, arm))) / span
+            span = math.sqrt(way @ way)
+            rate = float(way @ (state[7:10] + cross(rotation @ spin, arm))) / span
             pull = -max(0.0, stiffness / length * (span - length + TAU * rate)) * way / span
-            force, moment = force + pull, moment + np.cross(arm, pull)
-        spun = np.concatenate([[-q[1:] @ spin], q[0] * spin + np.cross(q[1:], spin)]) / 2
-        turning = (rotation.T @ moment - np.cross(spin, INERTIA * spin)) / INERTIA
-        return np.concatenate(
-            [state[7:10], spun, force / MASS, turning, *(change for _, _, change, _ in touched)]
-        )
+            force, moment = force + pull, moment + cross(arm, pull)
+        spun = (rotation.T @ moment - cross(spin, INERTIA * spin)) / INERTIA
+        slips = (change for _, _, change, _ in touched)
+        return np.concatenate([state[7:10], turning(state[3:7], spin), force / MASS, spun, *slips])
 
     speed, spin = [0.3, -0.25, 0.05], [0.01, -0.02, 0.03]
     start = np.concatenate([np.zeros(3), [1, 0, 0, 0], speed, spin, np.zeros(6)])

@@ -11,6 +11,7 @@ from one kink to the next; where slings go slack and taut it finds its own steps
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 
 import numpy as np
@@ -36,6 +37,11 @@ SLINGS = {
     "A": ("bar", (0, 1.6, -0.25), "module", (-7, 1.5, 4), 7.0, 25e6, 12e-3),
     "B": ("bar", (0, -1.6, -0.25), "module", (-7, -1.5, 4), 7.02, 25e6, 12e-3),
     "C": ("h2", (0, 0, 0), "module", (7, 0.2, 4), 8.1, 15e6, 10e-3),
+}
+#: The same ends from the centres of gravity, that of the bar in the middle of it [m].
+ENDS_OF = {
+    name: (np.array(upper, float), np.array(lower, float) - (CENTRE if below == "module" else 0.0))
+    for name, (_, upper, below, lower, *_) in SLINGS.items()
 }
 #: Where hooks start [m], how far up each goes [m] and how fast [m/s], from when [s]; all with 0.5 m/s².
 HOOKS = {"h1": ((-7.0, 0.0, 20.0), 7.0, 0.8), "h2": ((7.0, 0.0, 17.0), -5.6, 0.6)}
@@ -96,23 +102,26 @@ def hook_at(hook: str, time: float) -> tuple[Floats, Floats]:
     place, way, _ = HOOKS[hook]
     # Four ramps of acceleration, each from its kink on.
     ages = [max(0.0, time - kink) for kink in kinks(hook)]
-    signs = np.copysign(ACCELERATION, way) * np.array([1, -1, -1, 1])
-    up = np.array([0.0, 0.0, 1.0])
-    return place + up * float(signs @ np.square(ages)) / 2, up * float(signs @ ages)
+    ramps = [
+        (math.copysign(ACCELERATION, sign * way), age) for sign, age in zip((1, -1, -1, 1), ages, strict=True)
+    ]
+    up, speed = sum(ramp * age**2 / 2 for ramp, age in ramps), sum(ramp * age for ramp, age in ramps)
+    return np.array([*place[:2], place[2] + up]), np.array([0.0, 0.0, speed])
 
 
 def pulls(time: float, state: Floats) -> dict[str, tuple[float, Floats, Floats, Floats]]:
     """Tension of each sling that is there [N], its way down, and its ends in the world [m]."""
     bodies = {"module": state[:13], "bar": state[13:]}
+    hooks = {hook: hook_at(hook, time) for hook in HOOKS}
     found = {}
-    for name, (above, upper, below, lower, length, stiffness, damping) in SLINGS.items():
+    for name, (above, _, below, _, length, stiffness, damping) in SLINGS.items():
         if name == "A" and time >= CUT:
             continue
-        one = hook_at(above, time) if above in HOOKS else point_of(bodies[above], np.array(upper))
-        shift = CENTRE if below == "module" else np.zeros(3)
-        other = point_of(bodies[below], np.array(lower) - shift)
+        upper, lower = ENDS_OF[name]
+        one = hooks[above] if above in HOOKS else point_of(bodies[above], upper)
+        other = point_of(bodies[below], lower)
         way = other[0] - one[0]
-        size = float(np.linalg.norm(way))
+        size = math.sqrt(way @ way)
         stretch = size - length + damping * float(way @ (other[1] - one[1])) / size
         found[name] = (stiffness / length * max(0.0, stretch), way / size, one[0], other[0])
     return found

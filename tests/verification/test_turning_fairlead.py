@@ -11,6 +11,7 @@ DOP853 solves weight, arm and what the winch has paid out.
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 import pytest
@@ -40,7 +41,7 @@ def touching(away: Floats, first: Floats, second: Floats, sense: float) -> tuple
         radius = RADIUS * (math.cos(angle) * first + math.sin(angle) * second)
         along = math.cos(angle) * second - math.sin(angle) * first
         if sense * float((radius - away) @ along) > 0.0:
-            return angle, float(np.linalg.norm(radius - away))
+            return angle, math.dist(radius, away)
     raise AssertionError("one of both leads that way")
 
 
@@ -78,15 +79,20 @@ def test_weight_and_arm_move_as_the_length_of_the_line_says(seed: int) -> None:
         drives=[{"name": "winch.drive", "ramps": [{"at": 0.0, "duration": RAMP, "velocity": speed}]}],
     )
 
-    def length(place: Floats, angle: float) -> float:
+    @lru_cache(maxsize=3)
+    def sheave_at(angle: float) -> tuple[Floats, Floats, Floats, float, float]:
+        """Centre, both directions in its plane, and where and how long the line goes out of it."""
         turn = Rotation.from_rotvec(turns_about * angle)
         normal = turn.apply(axis / np.linalg.norm(axis))
         first = np.cross(normal, [1.0, 0.0, 0.0])
         first /= np.linalg.norm(first)
         second = np.cross(normal, first)
         centre = ARM + turn.apply(CENTRE)
+        return centre, first, second, *touching(ARM + turn.apply(WINCH) - centre, first, second, -1.0)
+
+    def length(place: Floats, angle: float) -> float:
+        centre, first, second, goes, after = sheave_at(angle)
         comes, before = touching(place - centre, first, second, 1.0)
-        goes, after = touching(ARM + turn.apply(WINCH) - centre, first, second, -1.0)
         return before + after + RADIUS * ((goes - comes) % (2.0 * math.pi))
 
     def gradient(place: Floats, angle: float) -> Floats:

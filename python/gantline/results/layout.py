@@ -66,6 +66,7 @@ OPTIONAL = frozenset(
         "rope_end_tension",
         "groove_slip",
         "luffing_pull",
+        "slew_angle",
         "clearance_point",
         "momentum",
         "angular_momentum",
