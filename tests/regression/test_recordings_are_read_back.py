@@ -9,16 +9,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import pytest
-
 import gantline
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 
 
-@pytest.mark.parametrize("name", ["crane_barge_in_swell", "revolving_crane", "upending", "goliath"])
-def test_what_a_lift_records_is_read_back(name: str, tmp_path: Path) -> None:
-    """Of a crane of each type the same variables, before its first step."""
-    recording = gantline.Simulation(SCENARIOS / name).recording()
+def test_what_a_lift_records_is_read_back(tmp_path: Path) -> None:
+    """The same variables, before its first step; `verification/test_every_scenario.py` has all other lifts."""
+    recording = gantline.Simulation(SCENARIOS / "crane_barge_in_swell").recording()
     again = gantline.open_recording(recording.save(tmp_path / "recording.nc"))
     assert list(again.variables) == list(recording.variables)

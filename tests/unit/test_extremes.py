@@ -46,7 +46,7 @@ def test_of_a_largest_value_that_is_allowed() -> None:
 
 
 def test_of_a_smallest_value_that_is_allowed() -> None:
-    """What is worse is smaller there: minus the values have the distribution, and the share is limit/value."""
+    """What is worse is smaller: minus the values have the distribution, the share is limit/value."""
     (found,) = sea([30.0 - value for value in VALUES], at_least=True, limit=5.0).extremes()
     assert found.check.value == 15.0
     assert found.value == pytest.approx(30.0 - (LOCATION + REDUCED * SCALE), rel=1e-12)

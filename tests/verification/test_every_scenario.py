@@ -1,7 +1,8 @@
 """Every scenario does what its `expect.yaml` says: keys of `metrics()`, each with the source of its value.
 
-And its energy adds up, losses only grow and the remainder is bounded; and documents show what `gantline run`
-prints of it. All is held here so that each is simulated once.
+And its energy adds up, losses only grow and the remainder is bounded; documents show what `gantline run`
+prints of it; and its recording says the same once it has been saved. All is held here so that each is
+simulated once.
 """
 
 from __future__ import annotations
@@ -107,6 +108,16 @@ def test_the_balance_of_every_scenario_closes(ran: Ran) -> None:
             assert lost.min() >= 0.0
             continue
         assert np.diff(lost).min() > -turned, f"{kind} was given back"
+
+
+def test_a_recording_says_the_same_when_it_has_been_saved(ran: Ran, tmp_path: Path) -> None:
+    """Every value and label of every variable, bit for bit, and what else pages are made of."""
+    again = gantline.open_recording(ran.recording.save(tmp_path / "recording.nc"))
+    assert list(again.variables) == list(ran.recording.variables)
+    assert again.coordinates == ran.recording.coordinates
+    for name, variable in ran.recording.variables.items():
+        assert again[name].values.tobytes() == variable.values.tobytes(), name
+    assert again.attributes == ran.recording.attributes
 
 
 @pytest.mark.parametrize("folder", SCENARIOS, ids=lambda folder: folder.name)
