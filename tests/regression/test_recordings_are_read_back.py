@@ -15,7 +15,7 @@ SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 
 
 def test_what_a_lift_records_is_read_back(tmp_path: Path) -> None:
-    """The same variables, before its first step; `verification/test_every_scenario.py` has all other lifts."""
+    """The same variables, before its first step; `test_every_scenario.py` has all other lifts."""
     recording = gantline.Simulation(SCENARIOS / "crane_barge_in_swell").recording()
     again = gantline.open_recording(recording.save(tmp_path / "recording.nc"))
     assert list(again.variables) == list(recording.variables)
