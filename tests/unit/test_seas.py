@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import pickle
+import re
 from typing import Any
 
 import pytest
@@ -11,6 +12,7 @@ import pytest
 from column_in_waves import ALIKE, SEA, column
 from gantline import Simulation, simulate
 from gantline.checks import Outcome, check_recording
+from gantline.cli.seas_table import seas_table
 from gantline.results.saved_seas import SavedSeas, degrees
 from gantline.scenario import Scenario, parse_scenario
 from gantline.study import SeasResult, run_seas
@@ -198,6 +200,16 @@ def test_numbers_as_json_are_those_of_tables() -> None:
     assert saved.allowed == {key: found.allowed_height(*key) for key in saved.allowed}
     assert saved.records == 2
     assert saved.duration == 20.0
+
+
+def test_a_height_that_records_keep_and_too_many_lifts_would_not() -> None:
+    """It stays allowed, and the table says so."""
+    document = run_seas(lift(), heights=[0.5]).to_json()
+    used = {"check": "load_tilt", "element": "column", "utilisation": 1.042, "utilisation_error": 0.03}
+    document["seas"][0]["extremes"] = [used, {**used, "utilisation": 0.9}, {**used, "utilisation": None}]
+    lines = seas_table(SavedSeas.from_json(document), 100)
+    assert any(re.search(r"0\.5 m +104 ± 3 % OVER +load_tilt column$", line) for line in lines)
+    assert any(line.split() == ["allowed", "0.5", "m"] for line in lines)
 
 
 @pytest.mark.parametrize(

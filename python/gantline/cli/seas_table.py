@@ -102,7 +102,7 @@ def _notes(found: SavedSeas) -> Iterator[str]:
             f"by {_records(found.records)} of each sea: the chance that one more is worse than the worst of "
             f"them is 1 in {found.records + 1}; --records asks for more"
         )
-    if any(sea.extreme is not None for sea in found.seas):
+    if _one_in_ten(found):
         yield (
             "one lift in ten uses so much of the limit or more, by Gumbel's distribution of the records of "
             "the sea, ± a standard error; OVER: more than all of it, though none of the records does"
