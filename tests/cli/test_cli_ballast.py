@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from ballasted import barge, pump, tank, text
-from program import program
+from program import called, program
 
 TANKS = {
     "fore": tank((85, 0, 0.5), 900.0),
@@ -20,7 +20,7 @@ PLAN = [pump("fore", "aft", "3000 t/h", by="100 t"), {"step": "wait", "hold": "u
 
 
 def ballast(*arguments: object) -> subprocess.CompletedProcess[str]:
-    return program("ballast", *arguments)
+    return called("ballast", *arguments)
 
 
 @pytest.fixture
@@ -34,7 +34,7 @@ def test_contents_and_back_into_the_lift_file(lift: Path, tmp_path: Path) -> Non
     """What is written floats as wanted, and only contents are other."""
     written = tmp_path / "ballasted.yaml"
     wanted = ("--step", "fore to aft", "--heel=-0.2 deg", "--draft", "3.9 m")
-    result = ballast(lift, *wanted, "--write", written)
+    result = program("ballast", lift, *wanted, "--write", written)
     assert result.returncode == 0, result.stderr
     assert "heel -0.200 deg, trim 0.000 deg, draft 3.900 m" in result.stdout
     assert "at that moment" in result.stdout, "the plan pumps before"

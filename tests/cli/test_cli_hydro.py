@@ -15,17 +15,26 @@ import databases
 import waves
 from afloat import BREADTH, DRAFT, LENGTH
 from floating import SEA
-from program import program
+from program import called, program
 
 
 def hydro(*arguments: object) -> subprocess.CompletedProcess[str]:
-    return program("hydro", *arguments)
+    return called("hydro", *arguments)
 
 
 def test_table_and_picture_of_a_box(tmp_path: Path) -> None:
     picture = tmp_path / "box.png"
-    result = hydro(
-        "box:100m,30m,8m", "--drafts", "2 m..6 m/3", "--kg", "5 m", "--heel", "0 deg, 10 deg", "-o", picture
+    result = program(
+        "hydro",
+        "box:100m,30m,8m",
+        "--drafts",
+        "2 m..6 m/3",
+        "--kg",
+        "5 m",
+        "--heel",
+        "0 deg, 10 deg",
+        "-o",
+        picture,
     )
     assert result.returncode == 0, result.stderr
     # BM = 30²/(12 · 4) and 100²/(12 · 4), KB = 2, GM = 20.75 − 5.

@@ -15,11 +15,11 @@ from gantline.scenario import load_scenario
 from gantline.statics import Statics
 from gantline.study import run_cases
 from hooked_lift import two_hooks
-from program import program
+from program import called
 
 
 def statics(*arguments: object) -> subprocess.CompletedProcess[str]:
-    return program("statics", *arguments)
+    return called("statics", *arguments)
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 import gantline
 from gantline.cli.app import app
 from lift_text import changed
-from program import program
+from program import called
 
 ROOT = Path(__file__).resolve().parents[2]
 LOAD = "block"  # as the lift file calls it
@@ -22,7 +22,7 @@ REFERENCE = ROOT / "scenarios" / "equalizer" / "scenario.yaml"
 
 
 def statics(*arguments: object) -> subprocess.CompletedProcess[str]:
-    return program("statics", *arguments)
+    return called("statics", *arguments)
 
 
 def lift(folder: Path, *changes: tuple[str, str]) -> Path:
@@ -271,7 +271,7 @@ def test_what_keeps_a_load_upright(tmp_path: Path) -> None:
     assert f"WARNING: {warning}" in result.stdout
     assert re.search(r"\+x +0\.080 m +tilt beyond its limit of 2\.00 deg", result.stdout)
     assert re.search(r"up +2\.302 m +unstable", result.stdout)
-    checked = program("check", tmp_path / "out" / "equilibrium.nc")
+    checked = called("check", tmp_path / "out" / "equilibrium.nc")
     assert warning in " ".join(checked.stdout.split())
 
 
@@ -346,6 +346,6 @@ mechanics:
     )
     result = statics(path, "--sensitivities")
     assert "--sensitivities is about slings and loads, and there are none." in result.stdout
-    looked = " ".join(program("check", path).stdout.split())
+    looked = " ".join(called("check", path).stdout.split())
     assert "spring - 2 kN" in looked and "rope - 90 MN" in looked
     assert "in order (1 body, 1 rope; 1 s to simulate)" in looked

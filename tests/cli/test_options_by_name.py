@@ -14,7 +14,7 @@ import pytest
 from gantline.overrides import SettingError
 from gantline.scenario import load_scenario
 from gantline.study.sweep import SweepError, run_sweep
-from program import program
+from program import called, program
 
 LENGTH = "slings.S1.length"
 
@@ -81,7 +81,7 @@ LENGTH = "slings.S1.length"
     ],
 )
 def test_the_option_is_named(words: str, says: str) -> None:
-    told = program(*shlex.split(words))
+    told = called(*shlex.split(words))
     err = told.stderr
     assert (told.returncode, told.stdout) == (2, "")
     assert err.startswith(f"error: {says}")

@@ -14,7 +14,7 @@ import pytest
 import gantline
 from gantline.assembly import assemble
 from gantline.scenario import load_scenario
-from program import program
+from program import called
 
 LIFT = Path(__file__).parents[2] / "scenarios" / "equalizer" / "scenario.yaml"
 #: What stands in the lift, what in its place, and the path and beginning of the warning in the line of that.
@@ -81,7 +81,7 @@ def test_a_warning_has_the_place_that_an_error_has(
 ) -> None:
     cut = ("S1: {from: e1.1", "S1: {cut_at: 3 s, from: e1.1")
     file = doubtful(tmp_path, (old, new), *([cut] if "cut" in path else []))
-    told = program("check", file)
+    told = called("check", file)
     assert told.returncode == 0
     place = f"warning: {file}:{line_in(file, new)}: {path}: {says}"
     assert [line for line in told.stderr.splitlines() if line.startswith(place)], told.stderr
@@ -90,7 +90,7 @@ def test_a_warning_has_the_place_that_an_error_has(
 def test_a_lift_that_ends_before_its_plan(tmp_path: Path) -> None:
     """Hoisting brakes from 25 s on, and the step after holds for 20 s."""
     file = doubtful(tmp_path, ("hold: until_end", "hold: 20 s"))
-    told = program("check", file).stderr
+    told = called("check", file).stderr
     line = line_in(file, "duration: 40 s")
     assert f"warning: {file}:{line}: duration: the plan takes 45 s at least; 40 s are simulated" in told
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from program import program
+from program import called, program
 
 MODULE_ON_A_BARGE = """
 format: 1
@@ -87,10 +87,10 @@ def test_statics_says_that_a_load_has_slid(lift: Path, asked: tuple[object, ...]
 
 def test_held_it_has_no_bounds_of_another_place(lift: Path) -> None:
     """Friction of 0.3 holds it on a deck that heels by 1.3°; with the NO-GO of bounds the code was 1."""
-    table = program("statics", lift, "--held", "--modes", 0)
+    table = called("statics", lift, "--held", "--modes", 0)
     assert table.returncode == 0, table.stdout + table.stderr
     assert "slip along" not in table.stdout and "With all sheaves" not in table.stdout
     assert "slides" not in table.stdout
-    assert json.loads(program("statics", lift, "--held", "--json").stdout)["bounds"] == []
-    free = json.loads(program("statics", lift, "--json").stdout)
+    assert json.loads(called("statics", lift, "--held", "--json").stdout)["bounds"] == []
+    free = json.loads(called("statics", lift, "--json").stdout)
     assert len(free["bounds"]) == 2

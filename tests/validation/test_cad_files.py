@@ -27,6 +27,12 @@ def model(path: str, thickness: float | None = None, up: str | None = None) -> C
     return read_geometry(DATA / path, Assumptions(thickness=thickness, up=up))  # type: ignore[arg-type]
 
 
+@cache
+def contours(name: str) -> CadModel:
+    """The OCX that the files of a ship block were made from."""
+    return read(DATA / f"ship_blocks/{name}.3docx", keep=False)
+
+
 @pytest.mark.parametrize(
     ("path", "parts", "volume", "centre"),
     [
@@ -141,8 +147,7 @@ def test_step_and_stl_agree_with_the_ocx_they_were_made_from(name: str, suffix: 
     Edge reinforcements are in the OCX alone. Two readers that share no geometry: contours and sections
     against boundaries of solids. Every part of the OCX has a partner of its own in the other file.
     """
-    source = read(DATA / f"ship_blocks/{name}.3docx", keep=False)
-    ours = [part for part in source.parts if part.kind is not PartKind.EDGE_REINFORCEMENT]
+    ours = [part for part in contours(name).parts if part.kind is not PartKind.EDGE_REINFORCEMENT]
     theirs = [part.properties for part in model(f"ship_blocks/{name}{suffix}").parts]
     assert len(ours) == len(theirs)
     whole = MassProperties.combined(part.properties for part in ours if part.properties is not None)

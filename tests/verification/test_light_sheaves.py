@@ -6,6 +6,7 @@ The closed forms of `test_flows.py` hold for them too.
 from __future__ import annotations
 
 import json
+import math
 import sys
 from pathlib import Path
 from typing import Any, Final
@@ -78,8 +79,8 @@ def bounced(duration: float, step: float) -> tuple[Floats, Floats, float]:
                 # l2 (L - s) - (L² - s²) = factor (l1 (L + s) - (L² - s²)), positive s towards the dead end.
                 a, b = 1 - factor, -half - factor * (half - z)
                 c = half * half - half**2 - factor * ((half - z) * half - half**2)
-                roots = np.roots([a, b, c])
-                return float(roots[np.argmin(np.abs(roots - passed))])
+                q = -(b + math.copysign(math.sqrt(b * b - 4 * a * c), b)) / 2
+                return min(q / a, c / q, key=lambda root: abs(root - passed))
         return passed
 
     count = round(duration / step)
