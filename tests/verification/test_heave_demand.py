@@ -65,6 +65,24 @@ def test_in_a_sea_the_largest_of_three_hours() -> None:
     assert np.mean(largest) == pytest.approx(one.deviation * (root + 0.577 / root), rel=0.032)
 
 
-def test_where_nothing_compensates_nothing_is_asked_for() -> None:
-    """None of a plan without it."""
+def test_where_nothing_heaves_or_compensates_nothing_is_asked_for() -> None:
+    """None of a plan without it, nor of a vessel under which waves pass without a trace."""
     assert heave_demands(compensated("  - {step: sway, hold: until_end}\n")) == []
+    pushed = "    wave_forces: {database: crane_barge.nc, at: [45 m, 0 m, 3 m]}\n"
+    assert heave_demands(parse_scenario(changed(compensated_text(STILL), (pushed, "")), str(BARGE))) == []
+
+
+def test_a_rope_that_does_not_stretch_holds() -> None:
+    """One sling of four changes what a hoist needs by less than 1 %: it is 10 mm of half a metre of heave."""
+    text = compensated_text(STILL)
+    stiff = "  stiff: {inextensible: true, diameter: 56 mm, mass: none, minimum_breaking_force: 2188 kN}\n"
+    held = changed(
+        text,
+        ("ropes:\n", f"ropes:\n{stiff}"),
+        (
+            "  A: {from: sheerleg.H1, to: module.A, length: 14 m}",
+            "  A: {rope: stiff, from: sheerleg.H1, to: module.A, length: 14.01 m}",
+        ),
+    )
+    found = [heave_demands(parse_scenario(one, str(BARGE)))[0].speed for one in (text, held)]
+    assert found[1] == pytest.approx(found[0], rel=1e-2)

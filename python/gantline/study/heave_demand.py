@@ -73,7 +73,7 @@ def heave_demands(scenario: Scenario) -> list[HeaveDemand]:
 
     The lift is looked at at rest where the first and the last step begins that compensates so, with what
     friction holds. About there vessels, crane, load, moorings and water with memory move little, and so in
-    proportion to the waves; drag does not count. A lift without waves, or without statics, has none.
+    proportion to the waves; drag does not count. None of a lift without waves that push, or without statics.
     """
     if not scenario.waves or not any(step.compensate_heave for step in scenario.plan):
         return []
@@ -84,6 +84,8 @@ def heave_demands(scenario: Scenario) -> list[HeaveDemand]:
     except (ScenarioError, NoEquilibriumError):
         return []
     document = statics.assembly.document
+    if not any(one["type"] == "wave" for one in document["forces"]):
+        return []
     compensators = {one["name"]: one for one in document["compensators"]}
     steps: dict[tuple[str, str | None], list[int]] = {}
     for place, made in enumerate(document["plan"]):
@@ -142,12 +144,16 @@ class _Response:
         Raises:
             NoEquilibriumError: If there is no equilibrium then.
         """
+        from scipy.linalg import null_space  # takes a while to load
+
         recording = statics.equilibrium(time, losses="held").recording
         document = statics.assembly.document
         centres = {one["name"]: np.array(one["centre_of_gravity"]) for one in document["bodies"]}
         forces = [one for one in document["forces"] if one["type"] == "wave"]
         motion = []
         model = statics.linear_model()
+        # Of ropes, pins and sheaves that hold some may repeat others.
+        free = null_space(model.held) if len(model.held) else np.eye(len(model.coordinates))
         for place, wave in enumerate(document["sea"]["components"]):
             omega = wave["frequency"]
             model = statics.linear_model(omega)
@@ -157,9 +163,7 @@ class _Response:
                 for force in forces
             )
             dynamic = model.stiffness - 1j * omega * model.damping - omega**2 * model.mass
-            held = len(model.held)
-            whole = np.block([[dynamic, model.held.T], [model.held, np.zeros((held, held))]])
-            motion.append(np.linalg.solve(whole, np.append(push, np.zeros(held)))[: len(dynamic)])
+            motion.append(free @ np.linalg.solve(free.T @ dynamic @ free, free.T @ push))
         frequency = np.array([wave["frequency"] for wave in document["sea"]["components"]])
         return cls(recording, model, frequency, np.array(motion), centres)
 
