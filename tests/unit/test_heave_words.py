@@ -31,6 +31,11 @@ def refused(text: str) -> str:
             "plan[1].relative_to: 'berge' is not a vessel; did you mean 'barge'?",
         ),
         (
+            "compensate_heave: H1, relative_to: platform",
+            "plan[1].relative_to: 'platform' is not a vessel; known here: 'barge'; without it that is the "
+            "ground, and all that stands on it",
+        ),
+        (
             "compensate_heave: H1, relative_to: barge",
             "plan[1].relative_to: 'barge' bears 'sheerleg.H1' itself, whose boom head does not heave "
             "against it; name another vessel, or none",

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from gantline.results.rig import Rig
     from gantline.scenario import Scenario
     from gantline.simulation import Simulation
+    from gantline.study.heave_demand import HeaveDemand
 
 
 def check(
@@ -106,6 +107,7 @@ def _look_over(simulation: Simulation) -> None:
     from gantline.cli.summary import heading, weights
     from gantline.cli.table import show, table
     from gantline.results.rig import Rig
+    from gantline.study.heave_demand import doubts_of_demand, heave_demands
     from gantline.units import format_by_size
 
     rig = Rig.from_json(simulation.assembly.rig)
@@ -124,10 +126,13 @@ def _look_over(simulation: Simulation) -> None:
     ropes = table(head, kinds, "llrrr") if kinds else []
     later = _put_on_later(simulation.scenario)
     centre = _centre_from_cad(simulation)
+    demands = heave_demands(simulation.scenario)
     lines = [*heading(rig), *weights(rig), *centre, *ropes, *_rope_weights(rig), *later, *_sheaves(rig)]
-    typer.echo("\n".join(lines))
+    typer.echo("\n".join([*lines, *_heave(demands)]))
     for doubt in simulation.assembly.doubts:
         warn(doubt.of(simulation.scenario.source))
+    for found in doubts_of_demand(demands):
+        warn(simulation.scenario.problem(*found).of(simulation.scenario.source))
     _warn_of_time(simulation)
     _warn_of_brakes(simulation.scenario)
     nodes = sum(rope.nodes for rope in rig.ropes)
@@ -187,6 +192,39 @@ def _rope_weights(rig: Rig) -> list[str]:
         if rope.mass > 0.0
     ]
     return table(("Rope", "weight", "mass", "on the world"), rows, "llrr") if rows else []
+
+
+def _heave(demands: Sequence[HeaveDemand]) -> list[str]:
+    """What heave compensation is asked for in the waves of the lift, and what it can."""
+    from gantline.cli.table import show, table
+
+    units = (("m/s", 2), ("m/s^2", 2), ("m", 2))
+    rows = [
+        (
+            one.hook,
+            one.over or "the ground",
+            f"'{one.step}'",
+            *(
+                show(number, *unit)
+                for asked, has, unit in zip(
+                    (one.speed, one.acceleration, one.stroke), one.has, units, strict=True
+                )
+                for number in (asked, has)
+            ),
+        )
+        for one in demands
+    ]
+    head = (
+        "Heave compensation, most in 3 h",
+        "over",
+        "step",
+        "speed",
+        "has",
+        "acceleration",
+        "has",
+        "stroke",
+    )
+    return table((*head, "has"), rows, "lllrrrrrr") if rows else []
 
 
 def _put_on_later(scenario: Scenario) -> list[str]:

@@ -45,7 +45,10 @@ def _check_deck(findings: Findings, place: int, step: Step, hooks: list[Hook]) -
         return
     vessels = findings.scenario.vessels or {}
     if deck not in vessels:
-        findings.add(("plan", place, "relative_to"), f"'{deck}' is not a vessel; {nearest(deck, vessels)}")
+        hint = nearest(deck, vessels)
+        if not hint.endswith("?"):
+            hint = f"{hint}; without it that is the ground, and all that stands on it"
+        findings.add(("plan", place, "relative_to"), f"'{deck}' is not a vessel; {hint}")
     for hook in hooks:
         crane = (findings.scenario.cranes or {}).get(hook.crane)
         if isinstance(crane, FloatingCrane) and crane.vessel == deck:

@@ -68,8 +68,13 @@ pub struct Watch {
     pub against: Option<usize>,
     /// When it began [s].
     begin: f64,
-    /// The level of the deck below the head at the last glance [m].
-    level: f64,
+    /// Above which deck, or the ground, they were before, and since when they are above another [s].
+    former: Option<usize>,
+    turned: f64,
+    /// The levels of both decks below the head at the last glance, where they were seen [m].
+    levels: [Option<f64>; 2],
+    /// How fast the hook was moved as it began, by what had not come to rest [m/s].
+    carried: f64,
     /// The place of the vessel at the boom head at the last glance.
     mark: Mark,
     /// How far that has gone up over the deck, of which it counts more and more as it begins, at the last glance [m].
@@ -126,7 +131,10 @@ impl Watch {
             next: begin,
             against,
             begin,
-            level: 0.0,
+            former: against,
+            turned: begin,
+            levels: [None; 2],
+            carried: 0.0,
             mark: Mark::default(),
             up: 0.0,
             slow: 0.0,
@@ -134,6 +142,12 @@ impl Watch {
             known: 0,
             course: Reach::Catching,
         }
+    }
+
+    /// From a time [s] on heights are above another deck, or the ground: of how that goes up more and more counts, and less
+    /// and less of the former.
+    pub fn turned_to(self, at: f64, against: Option<usize>) -> Self {
+        Self { against, former: self.against, turned: at, levels: [None, self.levels[0]], ..self }
     }
 
     /// Glances; to which velocity what it adds goes, and within which time [m/s, s]. `added` is how the hook moves by what
@@ -146,12 +160,16 @@ impl Watch {
         if self.known > 0 && kinematics.time <= last.0 {
             return (added.velocity, EVERY);
         }
+        if self.known == 0 {
+            self.carried = added.velocity;
+        }
         let seen = (kinematics.time, self.height(of, kinematics));
         // By the heights so far, as a parabola; where it does not go on like that the next glance shows it.
         let slope = |late: (f64, f64), early: (f64, f64)| (late.1 - early.1) / (late.0 - early.0);
+        let eases = self.carried / EASE;
         let (speed, bend) = match self.known {
-            0 => (0.0, 0.0),
-            1 => (slope(seen, last), 0.0),
+            0 => (-self.carried, eases),
+            1 => (slope(seen, last) + 0.5 * eases * (seen.0 - last.0), eases),
             _ => {
                 let bend = (slope(seen, last) - slope(last, before)) / (0.5 * (seen.0 - before.0));
                 (slope(seen, last) + 0.5 * bend * (seen.0 - last.0), bend)
@@ -183,20 +201,28 @@ impl Watch {
         given
     }
 
-    /// How far the boom head has heaved up since it began, over the level of a deck below it if there is one [m].
+    /// How far the boom head has heaved up since it began, over the level of a deck below it if there is one [m]. What moved
+    /// the hook before comes to rest within the time in which all of that begins to count.
     fn height(&mut self, of: &Compensator, kinematics: &Kinematics) -> f64 {
         let (body, at) = of.head;
         let head = kinematics.point(Some(body), at);
-        let level = self.against.map_or(0.0, |deck| {
-            let pose = &kinematics.pose[deck];
-            let normal = pose.rotation.z_axis;
-            -of.down.dot(head) + normal.dot(head - pose.position) / normal.dot(of.down)
+        let levels = [self.against, self.former].map(|deck| {
+            deck.map_or(0.0, |deck| {
+                let pose = &kinematics.pose[deck];
+                let normal = pose.rotation.z_axis;
+                -of.down.dot(head) + normal.dot(head - pose.position) / normal.dot(of.down)
+            })
         });
         if self.known > 0 {
-            let share = ((kinematics.time - self.begin) / EASE).clamp(0.0, 1.0);
-            self.up += share * (self.mark.rise(of, kinematics) - (level - self.level));
+            let share = |time: f64, since: f64| ((time - since) / EASE).clamp(0.0, 1.0);
+            let (now, last) = (kinematics.time, self.heights[0].0);
+            let [deck, former] = [0, 1].map(|k| self.levels[k].map_or(0.0, |before| levels[k] - before));
+            let goes = share(now, self.turned);
+            let rise = self.mark.rise(of, kinematics) - goes * deck - (1.0 - goes) * former;
+            let rest = 1.0 - share(0.5 * (now + last), self.begin);
+            self.up += share(now, self.begin) * rise - rest * self.carried * (now - last);
         }
-        (self.mark, self.level) = (Mark::at(head, of, kinematics), level);
+        (self.mark, self.levels) = (Mark::at(head, of, kinematics), levels.map(Some));
         self.up
     }
 
@@ -386,6 +412,52 @@ mod tests {
             assert_eq!(height(35.0, 4.0), begun);
             assert!((height(35.0, 4.2) - begun - 0.2).abs() < 1e-12);
         }
+    }
+
+    /// From one deck to another it goes on smoothly: a velocity that it has comes to rest within 4 s, and what it has added
+    /// since is what the former deck heaves less and less, and the other more and more.
+    #[test]
+    fn it_goes_from_one_deck_to_another_without_haste() {
+        let of = compensator(5.0, 5.0, None);
+        let (mut timeline, mut watch) = (Timeline::new(0.0, 0), Watch::from(-EASE, Some(1)));
+        let deck = |time: f64| 0.5 * (0.9 * time).sin();
+        let mut fastest = 0.0_f64;
+        while watch.next < 20.0 {
+            let now = watch.next;
+            if now > 5.0 && watch.against.is_some() {
+                watch = watch.turned_to(now, None);
+            }
+            let mut kinematics = at(DVec3::Z * 30.0, deck(now), 0.0);
+            kinematics.time = now;
+            let (velocity, duration) = watch.glance(&of, timeline.added(now), &kinematics);
+            fastest = fastest.max((velocity - timeline.added(now).velocity).abs() / duration);
+            timeline.add(now, duration, velocity);
+        }
+        // Its deck needs 0.5·0.9² = 0.41 m/s², and its velocity that counts less and less 0.5·0.9/4 = 0.11 m/s² a quarter of a
+        // period later; half of that, of what it makes good at once, more where that begins.
+        assert!(fastest < 0.41_f64.hypot(0.11) + 0.5 * 0.11, "{fastest}");
+        // Over the ground nothing heaves: only the slow height drifts, by less than 1 m in 20 s.
+        assert!(timeline.added(20.0).velocity.abs() < 1.0 / 20.0);
+    }
+
+    /// One that has not come to rest begins again with its velocity, and comes to rest within 4 s where nothing heaves.
+    #[test]
+    fn it_begins_again_as_it_moves() {
+        let of = compensator(5.0, 5.0, None);
+        let (mut timeline, mut watch) = (Timeline::new(0.0, 0), Watch::from(0.0, None));
+        timeline.add(-1.0, 1.0, 0.4);
+        let mut fastest = 0.0_f64;
+        while watch.next < EASE + 1.0 {
+            let now = watch.next;
+            let mut kinematics = at(DVec3::Z * 30.0, 0.0, 0.0);
+            kinematics.time = now;
+            let (velocity, duration) = watch.glance(&of, timeline.added(now), &kinematics);
+            fastest = fastest.max((velocity - timeline.added(now).velocity).abs() / duration);
+            timeline.add(now, duration, velocity);
+        }
+        // 0.4 m/s within 4 s; what drifts begins as suddenly as the velocity, with 0.2 m/20 s within a glance and half as much again.
+        assert!(fastest < 0.4 / EASE + 1.5 * 0.2 / 20.0 / EVERY, "{fastest}");
+        assert!(timeline.added(EASE + 1.0).velocity.abs() < 1.0 / 20.0);
     }
 
     /// Against another deck it goes on from where it is.

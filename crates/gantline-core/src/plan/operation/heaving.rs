@@ -18,6 +18,7 @@ impl PlanState {
             let wanted = self.compensates(plan, index).filter(|_| is_free);
             let next = match (self.compensating[index], wanted) {
                 (Compensating::On(watch), Some(against)) if watch.against == against => continue,
+                (Compensating::On(watch), Some(against)) => Compensating::On(watch.turned_to(at, against)),
                 (_, Some(against)) => Compensating::On(Watch::from(at, against)),
                 (Compensating::On(_), None) => Compensating::Stopping(self.ease_out(of, at)),
                 (_, None) => continue,
