@@ -37,6 +37,7 @@ PICTURES_OF_LIFTS = {
     "floating_crane_and_crawlers": {"stages": "several_cranes_stages"},
     "revolving_crane": {"stages": "revolving_crane_stages"},
     "off_a_barge": {"hook_load": "off_a_barge"},
+    "onto_a_platform": {"hook_load": "onto_a_platform"},
     "spreader_bar": {"system": "spreader_bar"},
     "upending": {"stages": "upending_stages"},
     "crane_barge_in_swell": {"vessels": "waves"},
@@ -89,7 +90,6 @@ def seas_figure() -> Figure:
         heights=[0.4, 0.8, 1.2],
         periods=[6.0, 8.0, 10.0],
         directions=[math.radians(angle) for angle in (180, 90)],
-        records=2,
     )
     return seas_picture(SavedSeas.from_json(found.to_json()))
 

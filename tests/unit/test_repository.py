@@ -212,7 +212,8 @@ def test_the_lock_satisfies_the_project_file() -> None:
 def test_every_scenario_comes_with_the_package() -> None:
     links = {path.name: path for path in (ROOT / "python/gantline/scenarios").iterdir()}
     lifts = {f"{path.parent.name}.yaml": path for path in (ROOT / "scenarios").glob("*/scenario.yaml")}
-    named = {path.name: path for kind in ("3docx", "nc") for path in (ROOT / "scenarios").glob(f"*/*.{kind}")}
+    files = [path.resolve() for kind in ("3docx", "nc") for path in (ROOT / "scenarios").glob(f"*/*.{kind}")]
+    named = {path.name: path for path in files}
     assert links.keys() == (lifts | named).keys()
     for name, link in links.items():
         assert link.is_symlink() and link.resolve() == (lifts | named)[name], "one copy, and links to it"

@@ -38,6 +38,9 @@ _LEVEL = 1  # of gzip: higher ones take longer and save nothing
 _COMPRESS_FROM = 1 << 16  # bytes; smaller variables are not worth a chunk index
 _COMPONENTS = frozenset({"xyz", "wxyz"})  # each in chunks of its own: its values are like their neighbours
 
+#: Infinite where there is nothing left that they could be of: ropes that have all parted.
+_ENDLESS = frozenset({"clearance"})
+
 
 def save_recording(recording: Recording, path: Path) -> Path:
     """Write a recording to `path` at once: under another name first, then renamed.
@@ -225,7 +228,7 @@ def _read(file: h5netcdf.File) -> Recording:
         hold_variable(name, tuple(stored.dimensions), stored.dtype)
         if "units" not in stored.attrs and stored.dimensions != (name,):
             raise FormError(f"variable '{name}' has no attribute 'units'")
-        values = _without_infinity(np.asarray(stored[...]))
+        values = _without_infinity(np.asarray(stored[...]), endless=name in _ENDLESS)
         values.flags.writeable = False
         if "units" not in stored.attrs:
             coordinates[name] = [str(label) for label in _text(values)]
@@ -244,14 +247,19 @@ def _read(file: h5netcdf.File) -> Recording:
     return recording
 
 
-def _without_infinity(values: np.ndarray[Any, np.dtype[Any]]) -> np.ndarray[Any, np.dtype[Any]]:
-    """The same with no number where one is infinite: no run leaves any, and no mean of it is known."""
+def _without_infinity(
+    values: np.ndarray[Any, np.dtype[Any]], *, endless: bool
+) -> np.ndarray[Any, np.dtype[Any]]:
+    """The same with no number where one is infinite: no run leaves any, and no mean of it is known.
+
+    Where values may be `endless`, positive ones stay.
+    """
     if values.dtype.kind != "f":
         return values
     with np.errstate(over="ignore", invalid="ignore"):
         if np.isfinite(values.sum()):
             return values
-    return np.where(np.isinf(values), np.nan, values)
+    return np.where(np.isneginf(values) if endless else np.isinf(values), np.nan, values)
 
 
 def _text(values: np.ndarray[Any, np.dtype[Any]]) -> np.ndarray[Any, np.dtype[np.str_]]:

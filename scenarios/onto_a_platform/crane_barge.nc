@@ -1,0 +1,1 @@
+../crane_barge_in_swell/crane_barge.nc
