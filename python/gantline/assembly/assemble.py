@@ -16,6 +16,7 @@ from gantline.assembly.doubtful_fenders import doubtful_fenders
 from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_heights import doubtful_heights
+from gantline.assembly.doubtful_lee import doubtful_lee
 from gantline.assembly.doubtful_rails import doubtful_rails
 from gantline.assembly.doubtful_sheaves import doubtful_sheaves
 from gantline.assembly.doubtful_stops import doubtful_stops
@@ -159,6 +160,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         *doubtful_turns(scenario),
         *doubtful_waits(parts, scenario),
         *doubtful_fenders(parts, scenario),
+        *doubtful_lee(parts, scenario),
         *doubtful_heights(scenario),
         *doubtful_stops(scenario),
         *doubtful_rails(scenario),
