@@ -20,4 +20,4 @@ def test_what_a_rope_pushed_before_it_went_slack_is_told() -> None:
     settings = json.dumps({"integrator": integrator, "duration": 1.0, "sample_interval": 0.001})
     run = _core.Simulation(json.dumps(system), settings)
     run.run()
-    assert 0.0 < run.columns()["complementarity_residual"].max() <= 5.0 * tolerance
+    assert 0.0 < run.columns()["residual_complementarity"].max() <= 5.0 * tolerance

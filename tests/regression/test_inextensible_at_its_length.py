@@ -59,7 +59,7 @@ def test_a_load_thrown_away_from_its_anchor_is_caught_at_once() -> None:
     run = tight(pendulum(-1.0), 0.1)
     assert run.energy("impact")[-1] == pytest.approx(MASS / 2, rel=1e-6)
     assert abs(run.energy("method")[-1]) < 1e-6
-    assert run.columns["constraint_residual"].max() < CAUGHT
+    assert run.columns["residual_constraint"].max() < CAUGHT
     # T = m (v²/L + g) right after.
     assert run.tension("r")[1] == pytest.approx(MASS * (ASIDE**2 / LENGTH + G), rel=1e-3)
 

@@ -12,6 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.results.derive import recording_of
+from gantline.results.direct import DIRECT
+from gantline.results.layout import COUNTED, DIMS, FIXED
 from gantline.results.recording import Recording
 
 Array = npt.NDArray[np.float64]
@@ -245,12 +247,9 @@ def sample_columns(
     columns = {
         "time": time,
         "rope_tension": rope_tension,
-        "rope_lengthening": np.zeros((len(time), 0)),
         "segment_tension": tension,
         "segment_length": np.linalg.norm(slings[:, ::2] - slings[:, 1::2], axis=-1),
         "rope_point": np.concatenate([equalizing, slings], axis=1),
-        "wrap_angle": np.zeros((count, 0)),
-        "fleet_angle": np.zeros((count, 0, 2)),
         "body_position": np.concatenate([lift, centre, sheave, load], axis=1),
         "body_orientation": np.concatenate([upright * 0 + [1, 0, 0, 0], *[upright] * 6, tilted], axis=1),
         "body_velocity": np.zeros((count, 8, 3)),
@@ -260,14 +259,9 @@ def sample_columns(
         "joint_position": np.column_stack([hook - hook[0], yaw, travel]),
         "joint_force": joint_force,
         "contact_force": contact,
-        "pin_force": np.zeros((count, 0)),
-        "clearance": np.zeros((count, 0)),
-        "clearance_point": np.zeros((count, 0, 2, 3)),
         "energy": np.column_stack([kinds[kind] for kind in ENERGIES]),
-        "constraint_residual": zero,
-        "displaced_volume": np.zeros((len(zero), 0)),
-        "heave_compensation": np.zeros((len(zero), 0)),
-        "complementarity_residual": zero,
+        "residual_constraint": zero,
+        "residual_complementarity": zero,
         "rope_peak_tension": rope_tension.max(axis=0),
         "rope_peak_time": time[rope_tension.argmax(axis=0)],
         "event_time": np.array([e[0] for e in events], dtype=np.float64),
@@ -276,18 +270,23 @@ def sample_columns(
         "rope": ["e1.equalizing", *SLINGS],
         "segment": [f"{name}/0" for name in SLINGS],
         "rope_point": ["e1.equalizing"] * equalizing.shape[1] + [name for name in SLINGS for _ in range(2)],
-        "wrapped_sheave": [],
         "body": ["test_hook", "e1", *SHEAVES, "block"],
         "joint": ["test_hook", "e1", *SHEAVES],
         "contact": CORNERS,
-        "pin": [],
-        "pair": [],
-        "hull": [],
-        "compensated_hook": [],
         "energy_kind": ENERGIES,
         "event_kind": [e[1] for e in events],
         "event_name": [e[2] for e in events],
     }
+    return with_empty_ones(columns, names)
+
+
+def with_empty_ones(columns: dict[str, Any], names: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The same with the columns and names that the core hands out empty, of what the lift has none of."""
+    for name in DIRECT:
+        dims = DIMS[name]
+        columns.setdefault(name, np.zeros([len(columns["time"]) if dim == "time" else 0 for dim in dims]))
+        for dim in set(dims) - COUNTED - set(FIXED):
+            names.setdefault(dim, [])
     return columns, names
 
 

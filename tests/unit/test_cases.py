@@ -52,6 +52,15 @@ def test_a_path_that_leads_nowhere(path: str, says: str) -> None:
     assert str(caught.value) == says
 
 
+def test_an_entry_of_a_list_that_is_named_has_its_place_said() -> None:
+    """The plan is a list, and people know its steps by name."""
+    plan = parse_text("plan: [{step: lift off, speed: v}, {step: hold}, {step: hold}]\n", "lift.yaml")
+    with pytest.raises(PathError, match=r"no part of the list 'plan' by name; it is 'plan\.1'$"):
+        node_at(plan, "plan.lift off.speed")
+    with pytest.raises(PathError, match=r"no part of the list 'plan'; a place from 1 to 3 is right$"):
+        node_at(plan, "plan.hold.speed")
+
+
 def test_what_is_put_into_a_tree_leaves_the_tree_as_it_was() -> None:
     before = tree()
     after = put(before, "a.list.z", text_node("new", 7))

@@ -7,7 +7,6 @@ use std::sync::{Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
 use gantline_core::record::named::Named;
-use gantline_core::record::names::Names;
 use gantline_core::stepper::StepError;
 use numpy::ndarray::{ArrayD, IxDyn};
 use numpy::{IntoPyArray, PyArrayDyn};
@@ -126,7 +125,7 @@ impl Simulation {
     /// Names that go with the columns.
     fn names<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let inner = self.inner(py)?;
-        let out = name_lists(py, inner.names())?;
+        let out = inner.names().lists().into_py_dict(py)?;
         let events = inner.events();
         out.set_item("event_kind", events.iter().map(|event| event.1).collect::<Vec<_>>())?;
         out.set_item("event_name", events.iter().map(|event| event.2.as_str()).collect::<Vec<_>>())?;
@@ -230,25 +229,6 @@ fn dictionary(py: Python<'_>, columns: Vec<Named>) -> PyResult<Bound<'_, PyDict>
         out.set_item(name, array(py, values, &shape)?)?;
     }
     Ok(out)
-}
-
-/// Names along the dimensions of the columns, but for events.
-fn name_lists(py: Python<'_>, names: Names) -> PyResult<Bound<'_, PyDict>> {
-    let lists = [
-        ("rope", names.rope),
-        ("segment", names.segment),
-        ("rope_point", names.rope_point),
-        ("wrapped_sheave", names.wrapped_sheave),
-        ("body", names.body),
-        ("joint", names.joint),
-        ("contact", names.contact),
-        ("pin", names.pin),
-        ("pair", names.pair),
-        ("hull", names.hull),
-        ("compensated_hook", names.compensator),
-        ("energy_kind", names.energy_kind.into_iter().map(str::to_owned).collect()),
-    ];
-    lists.into_py_dict(py)
 }
 
 fn array<'py>(py: Python<'py>, values: Vec<f64>, shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {

@@ -8,9 +8,9 @@ use gantline_core::statics::sensitivity::Parameter;
 use gantline_core::statics::{NoEquilibrium, Rest};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{IntoPyDict, PyDict};
 
-use super::{array, dictionary, name_lists, value_error};
+use super::{array, dictionary, value_error};
 
 /// A system at rest.
 #[pyclass(module = "gantline._core")]
@@ -201,7 +201,7 @@ impl Statics {
 
     /// Names that go with the columns.
     fn names<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let out = name_lists(py, self.inner.names())?;
+        let out = self.inner.names().lists().into_py_dict(py)?;
         let (kinds, names): (Vec<_>, Vec<_>) = self.inner.events().into_iter().unzip();
         out.set_item("event_kind", kinds)?;
         out.set_item("event_name", names)?;

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from gantline.assembly.foundering import foundered
 from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart, Problem, StartError
+from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.mooring import is_moored
 from gantline.scenario.rigging import resolve
 from gantline.scenario.slinging import starts_off
@@ -36,7 +37,6 @@ _PREFIXED = {
 }
 #: Keys whose elements, and what is made of them, bear their names.
 _NAMED = ("vessels", "equalizers", "cranes", "structures", "extension_sheaves", "spreaders", "slings")
-_OF_MECHANICS = ("bodies", "drums", "ropes", "contacts")
 
 
 def refused(scenario: Scenario, message: str) -> StartError:
@@ -109,7 +109,7 @@ def origin_of(scenario: Scenario, element: str) -> tuple[PathPart, ...] | None:
         element: A body, rope, contact, drive or step as the core names it, such as `mooring.bow`.
     """
     if scenario.mechanics is not None:
-        for kind in _OF_MECHANICS:
+        for kind in Mechanics.model_fields:
             name = _longest(element, getattr(scenario.mechanics, kind) or {})
             if name is not None:
                 return "mechanics", kind, name

@@ -6,142 +6,56 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from gantline.results.layout import COUNTED, DIMS, FIXED
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
-__all__ = ["commands", "direct", "only", "round_path"]
+__all__ = ["DIRECT", "commands", "direct", "only", "round_path"]
 
 #: A drawn path is kept to 60 nm; a power of two, so that the last bits of its numbers are zeros, which pack.
 _POINTS_PER_METRE = 2.0**24
 #: Samples that are rounded at once: few enough to stay in the cache.
 _AT_ONCE = 32
 
-# name in the columns -> name in the recording, dimensions, unit, description
-_DIRECT: dict[str, tuple[str, tuple[str, ...], str, str]] = {
-    "rope_tension": (
-        "rope_tension",
-        ("time", "rope"),
-        "N",
-        "tension of a rope: mean over its segments, or the largest of its nodes' segments",
-    ),
-    "rope_lengthening": (
-        "rope_lengthening",
-        ("time", "rope"),
-        "m",
-        "what adjusting has added to the natural length of a rope",
-    ),
-    "segment_tension": ("segment_tension", ("time", "segment"), "N", "tension of a segment of rope"),
-    "segment_length": ("segment_length", ("time", "segment"), "m", "length of a segment of rope, stretched"),
-    "rope_point": ("rope_point", ("time", "rope_point", "xyz"), "m", "points on the drawn path of a rope"),
-    "wrap_angle": (
-        "wrap_angle",
-        ("time", "wrapped_sheave"),
-        "rad",
-        "angle over which a rope lies on a sheave; 0 where it runs straight past",
-    ),
-    "fleet_angle": (
-        "fleet_angle",
-        ("time", "wrapped_sheave", "sheave_side"),
-        "rad",
-        "angle of a rope to the plane of a sheave, positive to where its axis points",
-    ),
-    "body_position": ("body_position", ("time", "body", "xyz"), "m", "centre of gravity of a body"),
-    "body_orientation": (
-        "body_orientation",
-        ("time", "body", "wxyz"),
-        "1",
-        "unit quaternion world from body",
-    ),
-    "body_velocity": (
-        "body_velocity",
-        ("time", "body", "xyz"),
-        "m/s",
-        "velocity of the centre of gravity, world axes",
-    ),
-    "body_angular_velocity": (
-        "body_angular_velocity",
-        ("time", "body", "xyz"),
-        "rad/s",
-        "angular velocity of a body, world axes",
-    ),
-    "momentum": ("momentum", ("time", "xyz"), "kg m/s", "momentum of all bodies together"),
-    "angular_momentum": (
-        "angular_momentum",
-        ("time", "xyz"),
-        "kg m^2/s",
-        "angular momentum of all bodies together about the world's origin",
-    ),
-    "joint_position": (
-        "joint_position",
-        ("time", "joint"),
-        "m or rad",
-        "position of a slider or hinge; rope that passed a sheave or left a drum",
-    ),
+#: Unit and description of each, by the name that column and variable have; `layout` has the dimensions.
+DIRECT: dict[str, tuple[str, str]] = {
+    "rope_tension": ("N", "tension of a rope: mean over its segments, or the largest of its nodes' segments"),
+    "rope_lengthening": ("m", "what adjusting has added to the natural length of a rope"),
+    "segment_tension": ("N", "tension of a segment of rope"),
+    "segment_length": ("m", "length of a segment of rope, stretched"),
+    "rope_point": ("m", "points on the drawn path of a rope"),
+    "wrap_angle": ("rad", "angle over which a rope lies on a sheave; 0 where it runs straight past"),
+    "fleet_angle": ("rad", "angle of a rope to the plane of a sheave, positive to where its axis points"),
+    "body_position": ("m", "centre of gravity of a body"),
+    "body_orientation": ("1", "unit quaternion world from body"),
+    "body_velocity": ("m/s", "velocity of the centre of gravity, world axes"),
+    "body_angular_velocity": ("rad/s", "angular velocity of a body, world axes"),
+    "momentum": ("kg m/s", "momentum of all bodies together"),
+    "angular_momentum": ("kg m^2/s", "angular momentum of all bodies together about the world's origin"),
+    "joint_position": ("m or rad", "position of a slider or hinge; rope that passed a sheave or left a drum"),
     "pin_force": (
-        "pin_force",
-        ("time", "pin"),
         "N",
         "force that a locking pin takes, positive where its sheave is pulled down; 0 while it is out",
     ),
-    "contact_force": ("contact_force", ("time", "contact"), "N", "normal force of a contact point"),
-    "clearance": (
-        "clearance",
-        ("time", "pair"),
-        "m",
-        "smallest distance of a watched pair, 0 or less where they touch",
-    ),
-    "displaced_volume": (
-        "displaced_volume",
-        ("time", "hull"),
-        "m^3",
-        "volume of a hull, or of what a load displaces, below the water",
-    ),
+    "contact_force": ("N", "normal force of a contact point"),
+    "clearance": ("m", "smallest distance of a watched pair, 0 or less where they touch"),
+    "displaced_volume": ("m^3", "volume of a hull, or of what a load displaces, below the water"),
     "clearance_point": (
-        "clearance_point",
-        ("time", "pair", "pair_side", "xyz"),
         "m",
         "where a watched pair is nearest: a point of each side, of a rope on its centre line",
     ),
-    "energy": (
-        "energy",
-        ("time", "energy_kind"),
-        "J",
-        "energy by kind; gravity from the start, losses add up",
-    ),
+    "energy": ("J", "energy by kind; gravity from the start, losses add up"),
     "heave_compensation": (
-        "heave_compensation",
-        ("time", "compensated_hook"),
         "m",
         "by how much heave compensation has raised a hook; 0 once it has ended, the hook staying where it is",
     ),
-    "constraint_residual": (
-        "residual_constraint",
-        ("time",),
-        "m",
-        "largest excess length of an inextensible rope",
-    ),
-    "complementarity_residual": (
-        "residual_complementarity",
-        ("time",),
-        "N",
-        "largest distance of a force from its law",
-    ),
-    "rope_peak_tension": ("rope_peak_tension", ("rope",), "N", "largest tension of a rope over all steps"),
-    "rope_peak_time": ("rope_peak_time", ("rope",), "s", "time of the largest tension of a rope"),
-    "event_time": ("event_time", ("event",), "s", "time of an event"),
+    "residual_constraint": ("m", "largest excess length of an inextensible rope"),
+    "residual_complementarity": ("N", "largest distance of a force from its law"),
+    "rope_peak_tension": ("N", "largest tension of a rope over all steps"),
+    "rope_peak_time": ("s", "time of the largest tension of a rope"),
+    "event_time": ("s", "time of an event"),
 }
-_NAMED = (
-    "rope",
-    "segment",
-    "wrapped_sheave",
-    "body",
-    "joint",
-    "contact",
-    "pin",
-    "pair",
-    "hull",
-    "compensated_hook",
-    "energy_kind",
-)
+#: Dimensions whose entries have names.
+_NAMED = {dim for name in DIRECT for dim in DIMS[name]} - COUNTED
 # name in the recording, name among the names, dimension, description
 _TEXTS = (
     ("rope_of_point", "rope_point", "rope_point", "rope to which a drawn point belongs"),
@@ -153,32 +67,31 @@ _TEXTS = (
 def direct(columns: Columns, names: Names, of_nodes: Mapping[str, Variable]) -> Derived:
     """Variables that are columns of the core as they are, and the names along dimensions."""
     variables = {"time": Variable(("time",), columns["time"], "s", "time since the start of the lift")}
-    for column, (name, dims, unit, description) in _DIRECT.items():
+    for name, (unit, description) in DIRECT.items():
+        dims, values = DIMS[name], columns[name]
         # Before there are samples, what a lift has is there without values.
-        is_there = dims[0] == "time" and 0 not in columns[column].shape[1:]
-        if is_there or columns[column].size or "event" in dims:
+        is_there = dims[0] == "time" and 0 not in values.shape[1:]
+        if is_there or values.size or "event" in dims:
             # Nobody else has them: no copy is needed to keep them as they are.
-            columns[column].flags.writeable = False
-            variables[name] = Variable(dims, columns[column], unit, description)
+            values.flags.writeable = False
+            variables[name] = Variable(dims, values, unit, description)
     for name, source, dim, description in _TEXTS:
         variables[name] = Variable((dim,), np.array(names[source], dtype=np.str_), "1", description)
-    coordinates: dict[str, Sequence[str]] = {kind: names[kind] for kind in _NAMED if len(names[kind])}
-    coordinates |= {"xyz": ("x", "y", "z"), "wxyz": ("w", "x", "y", "z")}
-    coordinates["sheave_side"] = ("arriving", "leaving")
-    coordinates["pair_side"] = ("first", "second")
+    coordinates: dict[str, Sequence[str]] = {dim: names[dim] for dim in names if dim in _NAMED and names[dim]}
+    coordinates |= {dim: FIXED[dim] for dim in ("xyz", "wxyz", "sheave_side", "pair_side")}
     if of_nodes:
         variables |= of_nodes
-        coordinates["rope_end"] = ("first", "last")
+        coordinates["rope_end"] = FIXED["rope_end"]
     return variables, coordinates
 
 
 def only(columns: Columns, names: Names, wanted: str) -> tuple[Variable, dict[str, Sequence[str]]] | None:
     """One such variable and the names along its dimensions; None where no column is that, or it is empty."""
-    for column, (name, dims, unit, description) in _DIRECT.items():
-        if name == wanted and columns[column].size:
-            labels = {dim: names[dim] for dim in dims if dim in _NAMED}
-            return Variable(dims, columns[column], unit, description), labels
-    return None
+    if wanted not in DIRECT or not columns[wanted].size:
+        return None
+    dims = DIMS[wanted]
+    labels = {dim: names[dim] for dim in dims if dim in names and dim in _NAMED}
+    return Variable(dims, columns[wanted], *DIRECT[wanted]), labels
 
 
 # name in columns and recording -> unit, description

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Self
+from functools import cache
+from typing import Any, Self, get_args, get_origin, get_type_hints
 
 from gantline.results.boom import Boom
 from gantline.results.crane import Crane, CraneHook
@@ -260,40 +261,10 @@ class Rig(FromJson):
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:
         """Make one from its JSON object."""
-        parts = {
-            "loads": tuple(Load.from_json(d) for d in document.get("loads") or ()),
-            "supports": tuple(Support.from_json(d) for d in document.get("supports") or ()),
-            "watches": tuple(Watch.from_json(d) for d in document.get("watches") or ()),
-            "hooks": tuple(Hook.from_json(d) for d in document.get("hooks") or ()),
-            "sea": Sea.from_json(document["sea"]) if document.get("sea") else None,
-            "wind": Wind.from_json(document["wind"]) if document.get("wind") else None,
-            "current": Current.from_json(document["current"]) if document.get("current") else None,
-            "vessels": tuple(Vessel.from_json(d) for d in document.get("vessels") or ()),
-            "mooring_lines": tuple(MooringLine.from_json(d) for d in document.get("mooring_lines") or ()),
-            "fenders": tuple(Fender.from_json(d) for d in document.get("fenders") or ()),
-            "tag_lines": tuple(TagLine.from_json(d) for d in document.get("tag_lines") or ()),
-            "cranes": tuple(Crane.from_json(d) for d in document.get("cranes") or ()),
-            "booms": tuple(Boom.from_json(d) for d in document.get("booms") or ()),
-            "crawlers": tuple(Crawler.from_json(d) for d in document.get("crawlers") or ()),
-            "ranges": tuple(DriveRange.from_json(d) for d in document.get("ranges") or ()),
-            "equalizers": tuple(Equalizer.from_json(d) for d in document.get("equalizers") or ()),
-            "spreaders": tuple(Spreader.from_json(d) for d in document.get("spreaders") or ()),
-            "slings": tuple(Sling.from_json(d) for d in document.get("slings") or ()),
-            "ropes": tuple(Rope.from_json(d) for d in document.get("ropes") or ()),
-            "sheaves": tuple(Sheave.from_json(d) for d in document.get("sheaves") or ()),
-            "drums": tuple(Drum.from_json(d) for d in document.get("drums") or ()),
-            "tanks": tuple(Tank.from_json(d) for d in document.get("tanks") or ()),
-            "wrapped_sheaves": tuple(
-                WrappedSheave.from_json(d) for d in document.get("wrapped_sheaves") or ()
-            ),
-            "plan": tuple(Step.from_json(d) for d in document.get("plan") or ()),
-            "limits": document.get("limits") or {},
-            "factors": {name: Factor.from_json(one) for name, one in (document.get("factors") or {}).items()},
-            "shackle_side_load": SideLoad.from_json(document.get("shackle_side_load") or {}),
-            "ratings": _ratings(document),
-            "rating_charts": tuple(RatingChart.from_json(d) for d in document.get("rating_charts") or ()),
-            "bends": tuple(Bend.from_json(d) for d in document.get("bends") or ()),
-        }
+        parts = {key: _made(form, document[key]) for key, form in _forms().items() if key in document}
+        parts["limits"] = document.get("limits") or {}
+        parts["shackle_side_load"] = SideLoad.from_json(document.get("shackle_side_load") or {})
+        parts["ratings"] = _ratings(document)
         return super().from_json({**document, **parts})
 
     @property
@@ -351,6 +322,24 @@ def at_rest(rig: Mapping[str, Any]) -> dict[str, Any]:
     if wind := rig.get("wind"):
         found["wind"] = {key: wind[key] for key in ("speed", "direction")}
     return found
+
+
+@cache
+def _forms() -> dict[str, Any]:
+    """Types of the fields of a rig, by name."""
+    return get_type_hints(Rig)
+
+
+def _made(form: Any, given: Any) -> Any:
+    """What a field of that type holds, from its JSON: a class, or None, or a list or mapping of a class."""
+    kind = next((one for one in get_args(form) if hasattr(one, "from_json")), None)
+    if kind is None:
+        return given
+    if get_origin(form) is Sequence:
+        return tuple(kind.from_json(one) for one in given or ())
+    if get_origin(form) is Mapping:
+        return {name: kind.from_json(one) for name, one in (given or {}).items()}
+    return kind.from_json(given) if given else None
 
 
 def _ratings(document: Mapping[str, Any]) -> tuple[Rating, ...]:

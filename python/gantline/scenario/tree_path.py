@@ -180,12 +180,17 @@ def _paths(node: MapNode, before: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
 
 
 def _index(node: ListNode, part: str, walked: str) -> int:
-    if len(node) == len(_AXES) and part in _AXES:
+    mappings = [(place, one) for place, one in enumerate(node, 1) if isinstance(one, MapNode)]
+    has_axes = len(node) == len(_AXES) and not mappings
+    if has_axes and part in _AXES:
         return _AXES.index(part)
     if part.isascii() and part.isdecimal() and 1 <= int(part[:9]) <= len(node):
         return int(part) - 1
-    right = "'x', 'y', 'z' or a place" if len(node) == len(_AXES) else "a place"
+    right = "'x', 'y', 'z' or a place" if has_axes else "a place"
     sentence = f"'{shorten(part)}' is no part of the list '{shorten(walked)}'"
+    named = [place for place, one in mappings if part in one.values()]
+    if len(named) == 1:
+        raise PathError(f"{sentence} by name; it is '{shorten(walked)}.{named[0]}'")
     raise PathError(f"{sentence}; {right} from 1 to {len(node)} is right")
 
 

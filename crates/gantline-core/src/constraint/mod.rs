@@ -108,7 +108,8 @@ pub struct Line {
     pub direction: DVec3,
     /// Couples on the two bodies per unit of force [m]; zero but for parts of a rope on sheaves.
     pub couple: [DVec3; 2],
-    /// ∂g/∂L of the span of a rope that starts with this line, where rope is fed into it; else 0.
+    /// ∂g/∂L of the span of a rope that starts with this line, where rope is fed into it; of a row on a joint whose gradient
+    /// changes ∂g/∂q, which [`Constraint::rates`] and [`Constraint::feed`] have from nowhere else; else 0.
     pub supply: f64,
 }
 

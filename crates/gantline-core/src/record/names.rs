@@ -83,4 +83,22 @@ impl Names {
         }
         names
     }
+
+    /// Each list with the dimension that it has in recordings.
+    pub fn lists(self) -> [(&'static str, Vec<String>); 12] {
+        [
+            ("rope", self.rope),
+            ("segment", self.segment),
+            ("rope_point", self.rope_point),
+            ("wrapped_sheave", self.wrapped_sheave),
+            ("body", self.body),
+            ("joint", self.joint),
+            ("contact", self.contact),
+            ("pin", self.pin),
+            ("pair", self.pair),
+            ("hull", self.hull),
+            ("compensated_hook", self.compensator),
+            ("energy_kind", self.energy_kind.into_iter().map(str::to_owned).collect()),
+        ]
+    }
 }

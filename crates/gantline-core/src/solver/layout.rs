@@ -144,7 +144,10 @@ fn unknown_order(system: &System, unknown: &[usize], free: usize, pairs: &[(usiz
         let holds = match system.constraint_of_row(row) {
             AnyConstraint::Brake(brake) => Some(node_of_body[tree.owner[brake.dof]]),
             AnyConstraint::Pin(pin) => Some(node_of_body[tree.owner[pin.dof]]),
-            _ => None,
+            AnyConstraint::Rope(_)
+            | AnyConstraint::Contact(_)
+            | AnyConstraint::Touch(_)
+            | AnyConstraint::Stop(_) => None,
         };
         nodes.push(Node { size: 1, kind: NodeKind::Row { compliant: law.compliance() > 0.0, holds } });
         members.push(vec![free + row]);

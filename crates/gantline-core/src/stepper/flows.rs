@@ -240,20 +240,24 @@ impl Change<'_> {
         for (index, constraint) in system.constraints.iter().enumerate().skip(system.rope_count) {
             let first = system.rows.first[index];
             let modes = |row: usize| (state.modes[row], self.modes[row]);
-            if matches!(constraint, AnyConstraint::Stop(_)) {
-                let kind = match modes(first) {
-                    (Mode::Slack, Mode::Acting) => EventKind::StopHit,
-                    (Mode::Acting, Mode::Slack) => EventKind::StopLeft,
-                    _ => continue,
-                };
-                log.push(self.crossing(state, first), kind, index);
-            } else if matches!(constraint, AnyConstraint::Contact(_) | AnyConstraint::Touch(_)) {
-                let kind = match modes(first + 1) {
-                    (Mode::Acting, Mode::Slipping) => EventKind::Slip,
-                    (Mode::Slipping, Mode::Acting) => EventKind::Stick,
-                    _ => continue,
-                };
-                log.push(self.start, kind, index);
+            match constraint {
+                AnyConstraint::Stop(_) => {
+                    let kind = match modes(first) {
+                        (Mode::Slack, Mode::Acting) => EventKind::StopHit,
+                        (Mode::Acting, Mode::Slack) => EventKind::StopLeft,
+                        _ => continue,
+                    };
+                    log.push(self.crossing(state, first), kind, index);
+                }
+                AnyConstraint::Contact(_) | AnyConstraint::Touch(_) => {
+                    let kind = match modes(first + 1) {
+                        (Mode::Acting, Mode::Slipping) => EventKind::Slip,
+                        (Mode::Slipping, Mode::Acting) => EventKind::Stick,
+                        _ => continue,
+                    };
+                    log.push(self.start, kind, index);
+                }
+                AnyConstraint::Rope(_) | AnyConstraint::Pin(_) | AnyConstraint::Brake(_) => {}
             }
         }
         for &(row, _) in &system.motors {

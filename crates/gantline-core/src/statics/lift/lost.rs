@@ -43,10 +43,10 @@ impl StaticLift {
 fn let_go(system: &System, state: &mut State, lost: &[usize]) {
     let is_lost = |dof: &usize| lost.contains(&system.tree.owner[*dof]);
     for (index, constraint) in system.constraints.iter().enumerate() {
-        let holds = matches!(
-            constraint,
-            AnyConstraint::Rope(_) | AnyConstraint::Contact(_) | AnyConstraint::Touch(_)
-        );
+        let holds = match constraint {
+            AnyConstraint::Rope(_) | AnyConstraint::Contact(_) | AnyConstraint::Touch(_) => true,
+            AnyConstraint::Stop(_) | AnyConstraint::Pin(_) | AnyConstraint::Brake(_) => false,
+        };
         let rows = system.rows.first[index]..system.rows.first[index + 1];
         let entries = system.rows.start[rows.start]..system.rows.start[rows.end];
         if holds && system.rows.dofs[entries].iter().any(is_lost) {
