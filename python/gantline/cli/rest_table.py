@@ -189,14 +189,33 @@ def checks_at_rest(rest: Equilibrium, checks: Sequence[Check]) -> list[str]:
 _SLIPPING = {"forward": "along the rope", "backward": "against the rope"}
 
 
-def bounds_at_rest(bounds: Sequence[Equilibrium]) -> list[str]:
+def bounds_at_rest(rest: Equilibrium, bounds: Sequence[Equilibrium]) -> list[str]:
     """The verdict with all sheaves slipping one way, and the other: losses may hold as much."""
     lines = []
     for bound in bounds:
         verdict = verdict_of(check_recording(bound.recording))
         said = f"With all sheaves slipping {_SLIPPING[bound.losses]}: {verdict}"
         lines += textwrap.wrap(said, max(width_of_terminal(), 60), subsequent_indent="  ")
+        still = _standing(rest, bound)
+        if still:
+            stand = "stands" if len(still) == 1 else "stand"
+            said = f"  {', '.join(still)} still {stand} in that, at {bound.time:g} s: its plan waits"
+            said += " longer, and it is no bound of what slings carry once clear"
+            lines += textwrap.wrap(said, max(width_of_terminal(), 60), subsequent_indent="  ")
     return lines
+
+
+def _standing(rest: Equilibrium, bound: Equilibrium) -> list[str]:
+    """Loads that something supports in a bound, and nothing in the equilibrium that it is a bound of.
+
+    A plan that waits for conditions is followed with the losses of the bound, and may be behind there.
+    """
+    return [
+        load.name
+        for load in rest.recording.rig.loads
+        if series.load_is_clear(rest.recording, load)[-1]
+        and not series.load_is_clear(bound.recording, load)[-1]
+    ]
 
 
 def statics_json(
@@ -212,7 +231,12 @@ def statics_json(
     return {
         **rest_json(rest),
         "bounds": [
-            {**rest_json(one), "verdict": verdict_of(check_recording(one.recording))} for one in bounds
+            {
+                **rest_json(one),
+                "verdict": verdict_of(check_recording(one.recording)),
+                "still_standing": _standing(rest, one),
+            }
+            for one in bounds
         ],
         "contacts": [
             {"name": one.contact, "support": one.support, "friction": list(one.friction), "bound": one.bound}

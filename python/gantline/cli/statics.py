@@ -200,7 +200,7 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
         rest_table.motions(answer.shown),
         *(rest_table.changes(rest, question.sensitivities()) if sensitivities else []),
         rest_table.checks_at_rest(rest, answer.checks),
-        rest_table.bounds_at_rest(answer.bounds),
+        rest_table.bounds_at_rest(rest, answer.bounds),
     ]
     if not rest.is_stable:
         parts += _beyond(question, rest)
