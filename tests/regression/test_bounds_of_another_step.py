@@ -26,7 +26,7 @@ ropes:
   sling: {axial_stiffness: 300 MN, damping_time: 10 ms, mass: none}
   eq: {axial_stiffness: 100 MN, damping_time: 10 ms, mass: 8 kg/m}
 load:
-  name: block
+  name: module
   shape: {box: [8 m, 4 m, 3 m]}
   position: [0 m, 0 m, 0 m]
   weight: {calculated: 80 t}
@@ -50,15 +50,15 @@ equalizers:
       guided: vertical}
     travel: {up: 1 m, down: 1 m}
 slings:
-  S1: {from: e1.1, to: block.L1, length: 8 m, rope: sling}
-  S2: {from: e1.2, to: block.L2, length: 8 m, rope: sling}
+  S1: {from: e1.1, to: module.L1, length: 8 m, rope: sling}
+  S2: {from: e1.2, to: module.L2, length: 8 m, rope: sling}
 plan:
   - {step: lift off, hoist: hook, speed: 0.5 m/min, until: {supports: clear}}
   - {step: end, hold: until_end}
 """
 
 
-@pytest.mark.parametrize(("duration", "still"), [(60, ["block"]), (400, [])])
+@pytest.mark.parametrize(("duration", "still"), [(60, ["module"]), (400, [])])
 def test_a_load_that_still_stands_in_a_bound_is_told(tmp_path: Path, duration: int, still: list[str]) -> None:
     """Spans go by exp(0.1 pi), and slings by exp(0.2 pi) = 1.87: they pull 0.61 m off the middle.
 
@@ -70,4 +70,4 @@ def test_a_load_that_still_stands_in_a_bound_is_told(tmp_path: Path, duration: i
     said = CliRunner().invoke(app, ["statics", str(lift), "--json"]).stdout
     assert [one["still_standing"] for one in json.loads(said)["bounds"]] == [still, still]
     shown = " ".join(CliRunner().invoke(app, ["statics", str(lift)]).stdout.split())
-    assert ("block still stands in that, at 60 s" in shown) is bool(still)
+    assert ("module still stands in that, at 60 s" in shown) is bool(still)
