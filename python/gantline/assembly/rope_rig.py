@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from gantline.assembly.catenary import end_mass
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import reeved_hooks
@@ -129,24 +131,48 @@ def drum_rig(scenario: Scenario) -> list[Json]:
     """Every drum of the lift, those of hoists too."""
     plain = scenario.mechanics.drums if scenario.mechanics is not None else None
     ropes = scenario.ropes or {}
-    on_drums = {
-        (guide.drum, guide.wound or "with"): ropes[rope.rope].diameter
-        for rope in ((scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}).values()
-        for guide in rope.route
-        if isinstance(guide, RopeEnd) and guide.drum is not None
-    }
     drums = []
     for name, drum in (plain or {}).items():
-        own, against = _drum(name, drum, 1.0, on_drums.get((name, "with"))), (name, "against")
-        drums.append(own)
-        if against in on_drums:  # it pays out what the others haul in, and has turns of its own
-            drums.append(_drum(_wound_against(name), drum, -1.0, on_drums[against]) | {"flow": name})
-            if (name, "with") not in on_drums:
-                own |= {"wraps_at_start": None, "asks_for_turns": False}
+        lying = _lying_on(scenario, name, drum)
+        drums += _parts_of_drum(name, drum, 1.0, lying["with"] or {drum.diameter: None})
+        if lying["against"]:  # it pays out what the others haul in, and has turns of its own
+            if not lying["with"]:
+                drums[-1] |= {"wraps_at_start": None, "asks_for_turns": False}
+            drums += _parts_of_drum(_wound_against(name), drum, -1.0, lying["against"], name)
     for hook in reeved_hooks(scenario):
-        paid_out = -float(hook.reeving.parts_each)
-        drums.append(_drum(hoist_drum(hook.name), hook.drum, paid_out, ropes[hook.reeving.rope].diameter))
+        paid_out, rope_diameter = -float(hook.reeving.parts_each), ropes[hook.reeving.rope].diameter
+        name, on = hoist_drum(hook.name), hook.drum.diameter
+        drums.append(_drum(name, hook.drum, on, paid_out, rope_diameter))
     return drums
+
+
+def _lying_on(scenario: Scenario, name: str, drum: Drum) -> dict[str, dict[float, float | None]]:
+    """Diameters of the ropes on a drum by the pitch diameters on which they lie [m], either way round."""
+    ropes = scenario.ropes or {}
+    lying: dict[str, dict[float, float | None]] = {"with": {}, "against": {}}
+    for rope in ((scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}).values():
+        for guide in rope.route:
+            if isinstance(guide, RopeEnd) and guide.drum == name:
+                on = guide.drum_diameter or drum.diameter
+                lying[guide.wound or "with"][on] = ropes[rope.rope].diameter
+    return lying
+
+
+def _parts_of_drum(
+    name: str, drum: Drum, way: float, lying: Mapping[float, float | None], flow: str = ""
+) -> list[Json]:
+    """What a drum pays out, one for each diameter on which rope lies: all have its turns, and other ways.
+
+    That on its own diameter, or else the first, has the name.
+    """
+    main = drum.diameter if drum.diameter in lying else next(iter(lying))
+    rest = [one for one in lying if one != main]
+    own = _drum(name, drum, main, way * main / drum.diameter, lying[main]) | {"flow": flow}
+    return [own] + [
+        _drum(_on_diameter(name, one), drum, one, way * one / drum.diameter, lying[one])
+        | {"flow": flow or name}
+        for one in rest
+    ]
 
 
 def _wound_against(drum: str) -> str:
@@ -154,10 +180,17 @@ def _wound_against(drum: str) -> str:
     return f"{drum}/against"
 
 
-def _drum(name: str, drum: Drum | HoistDrum, paid_out: float, rope_diameter: float | None) -> Json:
+def _on_diameter(name: str, diameter: float) -> str:
+    """Name of what lies on another diameter of a drum [m] than that of the drum."""
+    return f"{name}/{1e3 * diameter:.10g} mm"
+
+
+def _drum(
+    name: str, drum: Drum | HoistDrum, diameter: float, paid_out: float, rope_diameter: float | None
+) -> Json:
     return {
         "name": name,
-        "diameter": drum.diameter,
+        "diameter": diameter,
         "paid_out": paid_out,
         "wraps_at_start": drum.wraps_at_start,
         "wraps_per_layer": drum.wraps_per_layer,

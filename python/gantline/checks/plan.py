@@ -228,9 +228,17 @@ def _slipped(recording: Recording, drum: Drum) -> Check | None:
         return None
     remark = f"from {spans[0][0]:.4g} s on, for {lasted:.3g} s, motor or brake pull all they can"
     if lost <= _LOST:
+        rise = sum(_risen(recording, drum, span) for span in spans)
+        remark += f", while the hook goes {'down' if rise < 0.0 else 'up'} by {abs(rise):.2f} m"
         return replace(check, remark=remark)
     remark += f", and do not hold: the hook runs away, {lost:.2f} m lower than at the speed that it had"
     return replace(check, verdict=Verdict.FAILED, time=since, remark=remark)
+
+
+def _risen(recording: Recording, drum: Drum, span: tuple[float, float]) -> float:
+    """How far a hook goes up from the first to the last moment of a span of time [m]."""
+    out = np.interp(span, recording.time, recording.column("rope_paid_out", drum.name))
+    return float(out[1] - out[0]) / drum.paid_out
 
 
 def _ran_away(recording: Recording, drum: Drum) -> float:

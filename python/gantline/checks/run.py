@@ -85,6 +85,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         for check in _check_step(recording, step, ending):
             steps.append(_cautioned(check, whole + steps))
     every = whole + unknown + steps + [_parted(one) for one in partings(recording) if one.kind not in PLANNED]
+    every += _would_part(recording)
     every += taken_off(recording) + fell_behind(recording) + ran_out(recording) + idle(recording)
     every += turns_left(recording) + on_their_tip(recording)
     every += (
@@ -399,6 +400,27 @@ def _parted(parting: Parting) -> Check:
         time=parting.time,
         remark=f"{parting.kind}, it carried {carried}",
     )
+
+
+def _would_part(recording: Recording) -> list[Check]:
+    """One that failed for each rope that carries at rest what breaks it in a run; an equilibrium keeps it."""
+    if not recording.is_equilibrium:
+        return []
+    found = []
+    for rope in recording.rig.ropes:
+        carries = float(series.tightest_tension(recording, rope.name)[-1])
+        if rope.breaks_at is not None and carries >= rope.breaks_at:
+            found.append(
+                Check(
+                    "rope_parted",
+                    Verdict.FAILED,
+                    "a rope was cut or broke",
+                    element=rope.name,
+                    remark=f"it carries {format_quantity(carries, 'kN', 1)} and breaks at "
+                    f"{format_quantity(rope.breaks_at, 'kN', 1)}; what comes of that a run tells",
+                )
+            )
+    return found
 
 
 def _told(recording: Recording) -> list[Check]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -13,7 +13,8 @@ from gantline.cli.friction import slid_loads
 from gantline.cli.summary import heading, weights
 from gantline.cli.table import ABSENT, show, table
 from gantline.results import series
-from gantline.statics import Equilibrium, Mode, Sensitivity, Statics
+from gantline.results.saved import LOSSES
+from gantline.statics import Equilibrium, Losses, Mode, NoEquilibriumError, Sensitivity, Statics
 from gantline.study.state import rest_json
 from gantline.study.tilting import Margin
 
@@ -70,7 +71,7 @@ def slings_of(rest: Equilibrium, bounds: list[Equilibrium]) -> list[str]:
         "of the mean",
         "angle",
         "",
-        *(("slip along", "slip against") if bounds else ()),
+        *(LOSSES[bound.losses] for bound in bounds),
     )
     return table(head, rows, "lrrrl" + "r" * len(bounds)) if rows else []
 
@@ -189,19 +190,44 @@ def checks_at_rest(rest: Equilibrium, checks: Sequence[Check]) -> list[str]:
 _SLIPPING = {"forward": "along the rope", "backward": "against the rope"}
 
 
-def bounds_at_rest(bounds: Sequence[Equilibrium]) -> list[str]:
+def bounds_at_rest(
+    rest: Equilibrium, bounds: Sequence[Equilibrium], nowhere: Mapping[Losses, NoEquilibriumError]
+) -> list[str]:
     """The verdict with all sheaves slipping one way, and the other: losses may hold as much."""
     lines = []
     for bound in bounds:
         verdict = verdict_of(check_recording(bound.recording))
         said = f"With all sheaves slipping {_SLIPPING[bound.losses]}: {verdict}"
         lines += textwrap.wrap(said, max(width_of_terminal(), 60), subsequent_indent="  ")
+        still = _standing(rest, bound)
+        if still:
+            stand = "stands" if len(still) == 1 else "stand"
+            said = f"  {', '.join(still)} still {stand} in that, at {bound.time:g} s: its plan waits"
+            said += " longer, and it is no bound of what slings carry once clear"
+            lines += textwrap.wrap(said, max(width_of_terminal(), 60), subsequent_indent="  ")
+    for way, problem in nowhere.items():
+        said = f"With all sheaves slipping {_SLIPPING[way]} {problem}"
+        lines += textwrap.wrap(said, max(width_of_terminal(), 60), subsequent_indent="  ")
     return lines
+
+
+def _standing(rest: Equilibrium, bound: Equilibrium) -> list[str]:
+    """Loads that something supports in a bound, and nothing in the equilibrium that it is a bound of.
+
+    A plan that waits for conditions is followed with the losses of the bound, and may be behind there.
+    """
+    return [
+        load.name
+        for load in rest.recording.rig.loads
+        if series.load_is_clear(rest.recording, load)[-1]
+        and not series.load_is_clear(bound.recording, load)[-1]
+    ]
 
 
 def statics_json(
     rest: Equilibrium,
     bounds: list[Equilibrium],
+    nowhere: Mapping[Losses, NoEquilibriumError],
     modes: list[Mode],
     sensitivities: list[Sensitivity],
     margins: list[Margin],
@@ -212,7 +238,16 @@ def statics_json(
     return {
         **rest_json(rest),
         "bounds": [
-            {**rest_json(one), "verdict": verdict_of(check_recording(one.recording))} for one in bounds
+            {
+                **rest_json(one),
+                "verdict": verdict_of(check_recording(one.recording)),
+                "still_standing": _standing(rest, one),
+            }
+            for one in bounds
+        ],
+        "bounds_without_equilibrium": [
+            {"losses": way, "element": problem.element, "cause": problem.cause}
+            for way, problem in nowhere.items()
         ],
         "contacts": [
             {"name": one.contact, "support": one.support, "friction": list(one.friction), "bound": one.bound}

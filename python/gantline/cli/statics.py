@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from concurrent.futures import Future
 
     from gantline.checks import Check
-    from gantline.statics import Equilibrium, Losses, Mode, Statics
+    from gantline.statics import Equilibrium, Losses, Mode, NoEquilibriumError, Statics
     from gantline.study.side_by_side import SideBySide
     from gantline.study.tilting import Margin
 
@@ -114,7 +114,8 @@ class _Answer:
 
     Attributes:
         rest: The equilibrium.
-        bounds: With all sheaves slipping one way and the other.
+        bounds: With all sheaves slipping one way and the other, as far as there is an equilibrium.
+        nowhere: Why there is none, by the way that they slip.
         ranges: Lines on what friction may hold.
         found: The slowest natural motions, of which the first are shown.
         shown: Those that are shown.
@@ -124,6 +125,7 @@ class _Answer:
 
     rest: Equilibrium
     bounds: list[Equilibrium]
+    nowhere: dict[Losses, NoEquilibriumError]
     ranges: list[str]
     found: list[Mode]
     shown: list[Mode]
@@ -136,6 +138,8 @@ class _Answer:
         from gantline.checks import check_recording, has_failed
         from gantline.cli.check_table import exit_code
 
+        if self.nowhere:
+            return COULD_NOT_GO_ON
         of_bounds = (check_recording(bound.recording) for bound in self.bounds)
         if not self.rest.is_stable or any(has_failed(checks) for checks in of_bounds):
             return CHECK_FAILED
@@ -156,10 +160,10 @@ def _answer(
 ) -> _Answer:
     from gantline.checks import check_recording
 
-    rest, bounds, ranges = _settled(question, moment, state, held=held)
+    rest, bounds, nowhere, ranges = _settled(question, moment, state, held=held)
     found = question.modes(max(modes, _MODES) + rest.unstable + rest.neutral)
     shown = found[: max(modes, rest.unstable)]
-    return _Answer(rest, bounds, ranges, found, shown, check_recording(rest.recording))
+    return _Answer(rest, bounds, nowhere, ranges, found, shown, check_recording(rest.recording))
 
 
 def _as_json(question: Statics, answer: _Answer, sensitivities: bool) -> str:
@@ -168,6 +172,7 @@ def _as_json(question: Statics, answer: _Answer, sensitivities: bool) -> str:
     numbers = statics_json(
         answer.rest,
         answer.bounds,
+        answer.nowhere,
         answer.shown,
         question.sensitivities() if sensitivities else [],
         answer.margins,
@@ -200,7 +205,7 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
         rest_table.motions(answer.shown),
         *(rest_table.changes(rest, question.sensitivities()) if sensitivities else []),
         rest_table.checks_at_rest(rest, answer.checks),
-        rest_table.bounds_at_rest(answer.bounds),
+        rest_table.bounds_at_rest(rest, answer.bounds, answer.nowhere),
     ]
     if not rest.is_stable:
         parts += _beyond(question, rest)
@@ -209,8 +214,11 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
 
 def _settled(
     question: Statics, moment: float | None, state: Path | None, *, held: bool
-) -> tuple[Equilibrium, list[Equilibrium], list[str]]:
-    """The equilibrium; with all sheaves slipping one way and the other; lines on what friction may hold."""
+) -> tuple[Equilibrium, list[Equilibrium], dict[Losses, NoEquilibriumError], list[str]]:
+    """The equilibrium; with all sheaves slipping one way and the other; lines on what friction may hold.
+
+    Of a way to slip with which there is none why not: that takes nothing from the equilibrium itself.
+    """
     from gantline.cli.friction import stick_ranges
     from gantline.results import series
     from gantline.statics import NoEquilibriumError
@@ -218,20 +226,36 @@ def _settled(
 
     with SideBySide() as pool:
         try:
-            pending = _bounds(pool, question, moment) if state is None else []
+            pending = _bounds(pool, question, moment) if state is None else {}
             rest = _rest(question, moment, state, held=held)
             ranges = []
             if held and state is None and any(contact.bound > 0.0 for contact in rest.contacts):
                 ranges = stick_ranges(question, rest)
                 # Motions are those of the equilibrium found last.
                 rest = _rest(question, moment, state, held=held)
-            bounds = [one.result() for one in pending]
+            bounds, nowhere = _found(pending)
             if held and rest.recording.rig.loads and not series.is_clear(rest.recording)[-1]:
                 # In them contacts slide freely: a load that friction holds would stand elsewhere.
-                bounds = []
+                bounds, nowhere = [], {}
         except NoEquilibriumError as problem:
             stop(str(problem), COULD_NOT_GO_ON)
-    return rest, bounds, ranges
+    return rest, bounds, nowhere, ranges
+
+
+def _found(
+    pending: dict[Losses, Future[Equilibrium]],
+) -> tuple[list[Equilibrium], dict[Losses, NoEquilibriumError]]:
+    """Equilibria that are asked for, and why there are none where there are none."""
+    from gantline.statics import NoEquilibriumError
+
+    bounds: list[Equilibrium] = []
+    nowhere: dict[Losses, NoEquilibriumError] = {}
+    for way, one in pending.items():
+        try:
+            bounds.append(one.result())
+        except NoEquilibriumError as problem:
+            nowhere[way] = problem
+    return bounds, nowhere
 
 
 def _rest(question: Statics, moment: float | None, state: Path | None, *, held: bool) -> Equilibrium:
@@ -269,12 +293,13 @@ def _beyond(question: Statics, rest: Equilibrium) -> list[list[str]]:
     ]
 
 
-def _bounds(pool: SideBySide, question: Statics, moment: float | None) -> list[Future[Equilibrium]]:
+def _bounds(pool: SideBySide, question: Statics, moment: float | None) -> dict[Losses, Future[Equilibrium]]:
     """With all sheaves slipping one way and the other; none where no sheave has losses."""
     if not any(sheave.has_losses for sheave in question.rig.sheaves):
-        return []
+        return {}
     ways: tuple[Losses, ...] = ("forward", "backward")
-    return [pool.submit(pool.question(question.scenario).equilibrium, moment, losses=way) for way in ways]
+    ask = pool.question(question.scenario).equilibrium
+    return {way: pool.submit(ask, moment, losses=way) for way in ways}
 
 
 def _margins(question: Statics, rest: Equilibrium) -> list[Margin]:

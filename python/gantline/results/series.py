@@ -24,7 +24,7 @@ import numpy as np
 
 from gantline.results.alike import earliest_peak, first_peak
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
-from gantline.results.parting import DETACHED, PARTING, while_there
+from gantline.results.parting import DETACHED, PARTING, PIN_PULLED, while_there
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.rotation import axes, heading, tilt
@@ -114,7 +114,8 @@ def quiet_window(recording: Recording) -> BoolArray:
 def quiet_windows(recording: Recording) -> list[BoolArray]:
     """Times that the loads hung still, in order, each of shape (time,); the last is the quiet window.
 
-    None goes on where a rope parts: what others carry before and after has no mean.
+    None goes on where a rope parts or a locking pin is pulled: what slings carry before and after has no
+    mean.
     """
     return list(recording.kept("quiet_windows", lambda: np.array(_found_quiet(recording), dtype=np.bool_)))
 
@@ -124,7 +125,7 @@ def _found_quiet(recording: Recording) -> list[BoolArray]:
         return [last_sample(recording)]
     clear = is_clear(recording)
     for time, kind, _ in recording.events():
-        if kind in PARTING:
+        if kind in (*PARTING, PIN_PULLED):
             clear[np.searchsorted(recording.time, time) :][:1] = False
     found, wet = _hung_still(recording, clear), is_wet(recording)
     if any(not (one & wet).any() for one in found) or not wet.any():

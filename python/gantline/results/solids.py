@@ -79,8 +79,8 @@ def crossings(first: FloatArray, last: FloatArray, skin: FloatArray) -> FloatArr
     volume = np.einsum("ijk,jk->ij", across, one)
     off = first[:, None] - corner
     turned = np.cross(off, one)
-    # Lines in the plane of a triangle touch it and do not go through.
-    with np.errstate(divide="ignore", invalid="ignore"):
+    # Lines in the plane of a triangle, or but for rounding, touch it and do not go through.
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
         u = np.einsum("ijk,ijk->ij", across, off) / volume
         v = np.einsum("ijk,ijk->ij", np.broadcast_to(along, turned.shape), turned) / volume
         share = np.einsum("ijk,jk->ij", turned, other) / volume

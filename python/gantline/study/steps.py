@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from gantline.statics import Losses, Statics
@@ -15,6 +15,11 @@ __all__ = ["END", "START", "StepAtRest", "run_steps"]
 
 #: What the moments are called at which no step ends.
 START, END = "start", "end of the lift"
+#: Keys of a step by which something is otherwise from its beginning on, but for drives.
+_AS_IT_BEGINS = ("cut", "detach", "attach", "remove_supports", "pull_pins", "put_in_pins")
+#: How much earlier a step is looked at that ends as another one begins, which must not have begun [s]. When
+#: one ends that waited for something is found to a millisecond, anew for every time that is asked for.
+_EARLIER = (1e-9, 2e-3, 4e-3, 8e-3)
 #: What is told of a vessel: variables less their first word.
 _OF_VESSELS = ("displacement", "draft_aft", "draft_forward", "heel", "trim", "freeboard")
 
@@ -67,16 +72,32 @@ def run_steps(question: Statics, losses: Losses = "none") -> Iterator[StepAtRest
     settled(question, None, asked)
     duration = question.scenario.duration
     ended: dict[float, list[str]] = {}
+    changing: dict[float, list[str]] = {}
     for step in question.scenario.plan:
-        end = question.times_of(step.step)[1]
+        begin, end = question.times_of(step.step)
         if end is not None:
             ended.setdefault(end, []).append(step.step)
+        if begin is not None and any(getattr(step, key) for key in _AS_IT_BEGINS):
+            changing.setdefault(begin, []).append(step.step)
     for moment in sorted({0.0, duration, *ended}):
         steps = tuple(ended.get(moment, ()))
-        state = settled(question, moment, asked, steps)
+        state = _ended(question, moment, asked, steps, changing.get(moment, ()))
         heights = {} if state.rest is None else metacentric_heights(question, state.rest)
         name = ", ".join(steps) or (END if moment > 0.0 else START)
         yield StepAtRest(steps, name, state, heights)
+
+
+def _ended(
+    question: Statics, moment: float, asked: State, steps: Sequence[str], changing: Sequence[str]
+) -> State:
+    """A lift as steps end, without what others, `changing`, do to it as they begin at that moment [s]."""
+    if not (steps and changing):
+        return settled(question, moment, asked, steps)
+    for earlier in _EARLIER:
+        state = settled(question, moment - earlier, asked, steps)
+        if all(question.times_of(name)[0] is None for name in changing):
+            break
+    return replace(state, time=moment)
 
 
 def _finite(number: float) -> float | None:
