@@ -30,8 +30,8 @@ SKEW = "skew_load_factor"
 OWN_WEIGHT = "own weight"
 NO_STATIC = "no static force: the load never hung still, clear of its supports"
 HUNG_OTHERWISE = (
-    "at its peak other slings are on than whenever the load hung still, or it is turned by more than 10 deg "
-    "from there, so that nothing tells what of it is static; a hold there does"
+    "at its peak other slings are on or sheaves pinned than whenever the load hung still, or it is turned by "
+    "more than 10 deg from there, so that nothing tells what of it is static; a hold there does"
 )
 UNRAISED = "peak of the simulated weight alone: the load never hung still"
 NO_DYNAMIC = f"an equilibrium has no peak, and the rules no {DYNAMIC}"

@@ -124,7 +124,7 @@ def sling_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fi
             yield Missing(sling.name, "an equilibrium has no peak")
         elif not static:
             yield Missing(sling.name, NO_STATIC if static is None else "carries nothing at rest")
-        elif not series.has_hung_so(recording, time):
+        elif not series.has_hung_so(recording, time, pinned=True):
             yield Missing(sling.name, HUNG_OTHERWISE)
         else:
             text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"

@@ -213,7 +213,7 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
         top, time = series.rope_peak(recording, sling.rope)
         static, _ = series.greatest_static(recording, tension)
         yield f"static_sling_tension.{sling.rope}", static
-        if static and series.has_hung_so(recording, time):
+        if static and series.has_hung_so(recording, time, pinned=True):
             amplification.append(top / static)
         used = upper_end.utilisation(recording, sling.rope)
         if used:

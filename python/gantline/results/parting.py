@@ -18,8 +18,6 @@ PARTING = ("cut", "broken", DETACHED)
 PLANNED = (DETACHED, "let go")
 #: Kind of the event from which on a sling may carry.
 ATTACHED = "attached"
-#: Kind of the event from which on a moving sheave goes, and slings under it share anew.
-PIN_PULLED = "pin_pulled"
 #: A sample at the time of an event shows the rope before it parted; rounding of that time [s].
 _AT_ONCE = 1e-9
 

@@ -24,7 +24,8 @@ import numpy as np
 
 from gantline.results.alike import earliest_peak, first_peak
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
-from gantline.results.parting import DETACHED, PARTING, PIN_PULLED, while_there
+from gantline.results.parting import DETACHED, PARTING, while_there
+from gantline.results.pinned import PIN_PULLED, pinned_as_at
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.rotation import axes, heading, tilt
@@ -263,14 +264,17 @@ def greatest_static(recording: Recording, values: FloatArray) -> tuple[float | N
     return static, window
 
 
-def has_hung_so(recording: Recording, time: float) -> bool:
+def has_hung_so(recording: Recording, time: float, *, pinned: bool = False) -> bool:
     """Whether the loads ever hung still on the slings that are on at a time [s], turned as they are then.
 
     Where they did not, a force of that time has no static value to be compared with: what slings that came or
-    went left to the others, or what one hook hands to another as a load is turned, is no dynamics.
+    went left to the others, or what one hook hands to another as a load is turned, is no dynamics. Nor is how
+    slings share under locking pins: for them the same sheaves count that are `pinned`.
     """
     on = while_there(recording, [sling.rope for sling in recording.rig.slings], [DETACHED])
     still = np.any([_no_sample(recording), *quiet_windows(recording)], axis=0)
+    if pinned:
+        still &= pinned_as_at(recording, time)
     # Between two samples either may be right: what comes or goes is slack.
     last = len(recording.time) - 1
     after = min(int(np.searchsorted(recording.time, time, side="right")), last)

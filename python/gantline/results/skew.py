@@ -24,14 +24,14 @@ s = A+ A s. `docs/concepts/checks.md` derives it.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from gantline.results import series
-from gantline.results.gear import Equalizer, Sling
+from gantline.results.gear import Sling
+from gantline.results.pinned import pinned_sheaves
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray, FloatArray
@@ -235,19 +235,6 @@ def perfect_forces(gradient: FloatArray, stiffness: FloatArray, tension: FloatAr
     forces = gradient * root
     perfect: FloatArray = root * (np.linalg.pinv(forces, rcond=_NO_LEVER) @ forces @ (tension / root))
     return perfect
-
-
-def pinned_sheaves(recording: Recording, equalizer: Equalizer, until: float = math.inf) -> set[str]:
-    """Moving sheaves that pins hold, at the end or at a time [s]."""
-    pinned = set(equalizer.locked)
-    for time, kind, sheave in recording.events():
-        if time > until:
-            break
-        if kind == "pin_put_in" and sheave in equalizer.moving_sheaves:
-            pinned.add(sheave)
-        elif kind == "pin_pulled":
-            pinned.discard(sheave)
-    return pinned
 
 
 def _static(recording: Recording, window: BoolArray, values: FloatArray) -> float:

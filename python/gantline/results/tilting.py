@@ -16,10 +16,10 @@ import numpy as np
 from gantline.results import series
 from gantline.results.alike import first_peak
 from gantline.results.gear import Sling
+from gantline.results.pinned import pinned_sheaves
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes
-from gantline.results.skew import pinned_sheaves
 from gantline.units import format_quantity
 
 __all__ = ["LooseTilt", "loose_tilt"]

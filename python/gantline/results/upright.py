@@ -23,9 +23,9 @@ import numpy as np
 from gantline.results import series
 from gantline.results.gear import Sling, Spreader
 from gantline.results.parting import DETACHED, while_there
+from gantline.results.pinned import pinned_sheaves
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
-from gantline.results.skew import pinned_sheaves
 from gantline.results.variable import BoolArray, FloatArray
 
 __all__ = ["TopHeavy", "top_heavy"]
