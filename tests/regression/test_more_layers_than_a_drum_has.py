@@ -2,7 +2,7 @@
 
 A drum that winds more than it has room for is warned of and goes on, each layer one step farther out, as the
 core has it. `rope_paid_out` stopped climbing at `layers`: of 45 turns on a drum for 20 it was 5 m short of
-136 m.
+136 m. And `gantline statics` warned of nothing.
 """
 
 from __future__ import annotations
@@ -12,18 +12,11 @@ import math
 import pytest
 
 import gantline
+from gantline.statics import Statics
 
 DIAMETER, TURNS, LAYERS, ROPE = 0.8, 10, 2, 20e-3
 WAY = 50.0
-
-
-def test_paid_out_is_what_the_load_rises() -> None:
-    """A load of one tension throughout rises by what the drum winds, 18 turns farther than there is room for.
-
-    Less what its speed changes: it hangs still at both ends, to 1e-6 of its way.
-    """
-    found = gantline.simulate(
-        gantline.parse_scenario(f"""\
+LIFT = f"""\
 format: 1
 lift: {{title: More than there is room for}}
 duration: 120 s
@@ -41,8 +34,15 @@ mechanics:
 plan:
   - {{step: haul, haul_in: winch, speed: 60 m/min, by: {WAY} m}}
   - {{step: wait, hold: until_end}}
-""")
-    )
+"""
+
+
+def test_paid_out_is_what_the_load_rises() -> None:
+    """A load of one tension throughout rises by what the drum winds, 18 turns farther than there is room for.
+
+    Less what its speed changes: it hangs still at both ends, to 1e-6 of its way.
+    """
+    found = gantline.simulate(gantline.parse_scenario(LIFT))
     places = found.column("body_position", "load")[:, 2]
     risen = float(places[-1] - places[0])
     assert found.column("drum_wraps", "winch")[-1] > LAYERS * TURNS + 1
@@ -51,3 +51,10 @@ plan:
     assert risen > WAY + 2 * math.pi * turns * ROPE / 2
     assert -found.column("rope_paid_out", "winch")[-1] == pytest.approx(risen, rel=1e-6)
     assert any("it has room for 20" in warning for warning in found.attributes["warnings"])
+
+
+def test_an_equilibrium_warns_too() -> None:
+    rest = Statics(gantline.parse_scenario(LIFT)).equilibrium(120.0).recording
+    (warning,) = rest.attributes["warnings"]
+    turns = rest.column("drum_wraps", "winch")[-1]
+    assert warning == f"winch would have {turns:.1f} turns at 120.00 s; it has room for 20" and turns > 21

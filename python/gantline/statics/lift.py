@@ -18,6 +18,7 @@ from gantline.assembly import assemble
 from gantline.assembly.origin import FALLS, refused, with_advice
 from gantline.overrides import is_number
 from gantline.results.derive import recording_of
+from gantline.results.flows import drum_warnings
 from gantline.results.immersion import dry_hulls, loads_in_bed
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, at_rest
@@ -446,6 +447,7 @@ class Statics:
         depth = None if self.scenario.water is None else self.scenario.water.depth
         warnings = [*self.assembly.warnings, *dry_hulls(self.assembly.document, columns, names)]
         warnings += loads_in_bed(columns, names, self.assembly.scene, loads, depth)
+        warnings += drum_warnings(self.rig, columns, names)
         return recording_of(
             columns,
             names,
