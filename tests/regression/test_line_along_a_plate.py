@@ -24,10 +24,10 @@ def test_a_line_along_a_triangle_goes_through_nowhere() -> None:
     first = np.array([[0.2, 0.2, 1.0]])
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert len(crossings(first, first + np.array([1.0, 0.0, LEAST]), TRIANGLE)) == 0
+        assert len(crossings(first, first + np.array([1.0, 0.0, LEAST]), TRIANGLE)[0]) == 0
 
 
 def test_a_line_across_it_goes_through() -> None:
     first = np.array([[0.2, 0.2, 1.0]])
-    found = crossings(first, first + np.array([0.0, 0.0, -2.0]), TRIANGLE)
+    found, _ = crossings(first, first + np.array([0.0, 0.0, -2.0]), TRIANGLE)
     assert found.tolist() == [[0.2, 0.2, 0.0]]

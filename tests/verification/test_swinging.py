@@ -88,5 +88,5 @@ def test_energy_on_inextensible_ropes_over_1000_s() -> None:
     assert abs(lost(run)) < 1e-8 * above_the_minimum(SIDEWAYS)
     assert run.energy("method")[-1] == pytest.approx(lost(run), rel=0.1)
     assert run.energy("impact")[-1] == 0.0
-    assert run.columns["constraint_residual"].max() < 1e-9
+    assert run.columns["residual_constraint"].max() < 1e-9
     assert unsaid("docs/verification/index.md", row(run, SIDEWAYS)) == []

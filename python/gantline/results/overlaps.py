@@ -257,6 +257,6 @@ def _pierce(one: _Body, other: _Body, look: int) -> bool:
             own = (body.centres[0] + SIGNS * body.sizes[0])[box_faces(1)]
         skins.append(body.place[look] + own @ body.turn[look].T)
     return any(
-        len(crossings(edges.reshape(-1, 3), np.roll(edges, -1, axis=1).reshape(-1, 3), surface))
+        len(crossings(edges.reshape(-1, 3), np.roll(edges, -1, axis=1).reshape(-1, 3), surface)[0])
         for edges, surface in (skins, skins[::-1])
     )

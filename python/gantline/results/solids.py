@@ -62,7 +62,7 @@ def skin_of(body: Mapping[str, Any] | None) -> FloatArray:
     return skin
 
 
-def crossings(first: FloatArray, last: FloatArray, skin: FloatArray) -> FloatArray:
+def crossings(first: FloatArray, last: FloatArray, skin: FloatArray) -> tuple[FloatArray, Indices]:
     """Where lines go through triangles; Moeller and Trumbore 1997.
 
     Args:
@@ -71,20 +71,22 @@ def crossings(first: FloatArray, last: FloatArray, skin: FloatArray) -> FloatArr
         skin: Triangles, shape (triangles, 3, 3) [m].
 
     Returns:
-        Points, shape (n, 3) [m].
+        Points, shape (n, 3) [m], and which line each is on, in order, shape (n,).
     """
-    along = (last - first)[:, None]
-    corner, one, other = skin[:, 0], skin[:, 1] - skin[:, 0], skin[:, 2] - skin[:, 0]
+    # Most triangles are far from most lines: pairs whose boxes do not meet are left out.
+    low, high = np.minimum(first, last)[:, None], np.maximum(first, last)[:, None]
+    line, face = np.nonzero(((low <= skin.max(axis=1)) & (high >= skin.min(axis=1))).all(axis=-1))
+    start, along, corner = first[line], (last - first)[line], skin[face, 0]
+    one, other = skin[face, 1] - corner, skin[face, 2] - corner
     across = np.cross(along, other)
-    volume = np.einsum("ijk,jk->ij", across, one)
-    off = first[:, None] - corner
+    volume = np.einsum("ij,ij->i", across, one)
+    off = start - corner
     turned = np.cross(off, one)
     # Lines in the plane of a triangle, or but for rounding, touch it and do not go through.
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-        u = np.einsum("ijk,ijk->ij", across, off) / volume
-        v = np.einsum("ijk,ijk->ij", np.broadcast_to(along, turned.shape), turned) / volume
-        share = np.einsum("ijk,jk->ij", turned, other) / volume
+        u = np.einsum("ij,ij->i", across, off) / volume
+        v = np.einsum("ij,ij->i", along, turned) / volume
+        share = np.einsum("ij,ij->i", turned, other) / volume
         inside = (u >= 0) & (v >= 0) & (u + v <= 1) & (share >= 0) & (share <= 1) & np.isfinite(share)
-    line, _ = np.nonzero(inside)
-    points: FloatArray = first[line] + share[inside][:, None] * (last - first)[line]
-    return points
+    points: FloatArray = start[inside] + share[inside, None] * along[inside]
+    return points, line[inside]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -55,7 +54,7 @@ def slings_through_loads(recording: Recording) -> list[Through]:
         for sling in recording.rig.slings if len(skin) else ():
             if _is_watched(recording, load.name, sling.rope):
                 continue
-            seen = next(_looks(recording, load, sling.rope, skin), None)
+            seen = _first_seen(recording, load, sling.rope, skin)
             if seen is not None:
                 found.append(Through(sling.name, load.name, *seen))
     return found
@@ -67,27 +66,27 @@ def _is_watched(recording: Recording, load: str, rope: str) -> bool:
     return any(load in pair and not names.isdisjoint(pair) for pair in pairs)
 
 
-def _looks(
+def _first_seen(
     recording: Recording, load: Load, rope: str, skin: FloatArray
-) -> Iterator[tuple[float, float | None]]:
-    """Times at which a rope that carries goes through a skin [s], and `Through.at` [m]."""
+) -> tuple[float, float | None] | None:
+    """When a rope that carries goes through a skin for the first time [s], and `Through.at` [m]."""
     carries = np.flatnonzero(series.is_carrying(recording.column("rope_tension", rope)))
     if not len(carries):
-        return
-    columns = recording.points_of_ropes[rope]
-    places = recording["rope_point"].values
-    position = recording.column("body_position", load.body)
-    orientation = recording.column("body_orientation", load.body)
+        return None
     picked = np.unique(carries[np.linspace(0, len(carries) - 1, _LOOKS).astype(int)])
-    for at in picked:
-        # World from body: rows times the matrix are components along the body's axes.
-        own = axes(orientation[at])
-        points = (places[at, columns] - position[at]) @ own
-        top = points[[int(np.argmax(places[at, columns, 2]))]]
-        if len(crossings(top, top + _UP @ own, skin)):
-            yield float(recording.time[at]), None
-            continue
-        through = crossings(points[:-1], points[1:], skin)
-        apart = np.linalg.norm(through[:, None] - points[[0, -1]], axis=-1).min(axis=1)
-        if apart.max(initial=0.0) > _NEAR_ENDS:
-            yield float(recording.time[at]), float(apart.max())
+    # World from body: rows times the matrix are components along the body's axes.
+    own = axes(recording.column("body_orientation", load.body)[picked])
+    places = recording["rope_point"].values[picked][:, recording.points_of_ropes[rope]]
+    points = (places - recording.column("body_position", load.body)[picked, None]) @ own
+    top = points[np.arange(len(picked)), places[:, :, 2].argmax(axis=1)]
+    _, below = crossings(top, top + _UP @ own, skin)
+    starts, ends = (part.reshape(-1, 3) for part in (points[:, :-1], points[:, 1:]))
+    through, line = crossings(starts, ends, skin)
+    look = line // (points.shape[1] - 1)
+    apart = np.linalg.norm(through[:, None] - points[look][:, [0, -1]], axis=-1).min(axis=1)
+    far = look[apart > _NEAR_ENDS]
+    if not len(below) and not len(far):
+        return None
+    first = min([*below[:1], *far[:1]])
+    at = None if first in below else float(apart[look == first].max())
+    return float(recording.time[picked[first]]), at
