@@ -107,6 +107,11 @@ class Statics:
         Or where `goes_on`, which is asked before every part of the way, says no.
         """
 
+    def when(
+        self, step: str, ends: bool, time: float, goes_on: Callable[[], bool] | None = None
+    ) -> float | None:
+        """When a step begins or ends [s], followed no farther; for errors see `settle`."""
+
     def settle_saved(
         self, saved: bytes, losses: str = "none", slide: list[float] | None = None
     ) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 //! Statics at the border: a document in, equilibria, modes and sensitivities out.
 
 use gantline_core::record::named::named;
-use gantline_core::statics::lift::StaticLift;
+use gantline_core::statics::lift::{GoesOn, StaticLift};
 use gantline_core::statics::losses::Losses;
 use gantline_core::statics::modes::Mode;
 use gantline_core::statics::sensitivity::Parameter;
@@ -76,20 +76,23 @@ impl Statics {
             return Err(value_error(format!("the time is {time} s; it must be zero or more")));
         }
         let losses = losses_of(losses, slide)?;
-        self.modes.clear();
-        let mut answer = Ok(true);
-        let found = py.detach(|| {
-            let mut ask = || {
-                answer = Python::attach(|py| {
-                    py.check_signals()?;
-                    goes_on.as_ref().map_or(Ok(true), |asked| asked.call0(py)?.is_truthy(py))
-                });
-                matches!(answer, Ok(true))
-            };
-            self.inner.settle(time, increment.as_deref(), losses, &mut ask)
-        });
-        answer?;
-        self.found(py, found.map_err(no_equilibrium)?)
+        let rest =
+            self.following(py, goes_on, |lift, ask| lift.settle(time, increment.as_deref(), losses, ask))?;
+        self.found(py, rest)
+    }
+
+    /// When a step of the plan begins or ends, of a lift that is followed no farther than that; none where that is not
+    /// before `time` [s]. For the rest see `settle`.
+    #[pyo3(signature = (step, ends, time, goes_on=None))]
+    fn when(
+        &mut self,
+        py: Python<'_>,
+        step: &str,
+        ends: bool,
+        time: f64,
+        goes_on: Option<Py<PyAny>>,
+    ) -> PyResult<Option<f64>> {
+        self.following(py, goes_on, |lift, ask| lift.when(step, ends, time, ask))
     }
 
     /// Finds the equilibrium of where a simulation of the same document has got to, from what it has saved.
@@ -210,6 +213,29 @@ impl Statics {
 }
 
 impl Statics {
+    /// Follows the plan without the interpreter; before every part it is asked whether to go on.
+    fn following<T: Send>(
+        &mut self,
+        py: Python<'_>,
+        goes_on: Option<Py<PyAny>>,
+        follow: impl FnOnce(&mut StaticLift, GoesOn) -> Result<T, NoEquilibrium> + Send,
+    ) -> PyResult<T> {
+        self.modes.clear();
+        let mut answer = Ok(true);
+        let found = py.detach(|| {
+            let mut ask = || {
+                answer = Python::attach(|py| {
+                    py.check_signals()?;
+                    goes_on.as_ref().map_or(Ok(true), |asked| asked.call0(py)?.is_truthy(py))
+                });
+                matches!(answer, Ok(true))
+            };
+            follow(&mut self.inner, &mut ask)
+        });
+        answer?;
+        found.map_err(no_equilibrium)
+    }
+
     fn found<'py>(&self, py: Python<'py>, rest: Rest) -> PyResult<Bound<'py, PyDict>> {
         let out = PyDict::new(py);
         out.set_item("time", self.inner.state().time)?;

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from functools import wraps
+from functools import cached_property, wraps
 from itertools import islice
 from numbers import Integral
 from pathlib import Path
 from threading import RLock
-from typing import Any, Concatenate, ParamSpec, TypeVar
+from typing import Any, Concatenate, Literal, ParamSpec, TypeVar
 
 import numpy as np
 
@@ -107,7 +107,7 @@ class Statics:
     def __repr__(self) -> str:
         return f"<Statics {self.assembly.rig.get('title', '')!r}>"
 
-    @property
+    @cached_property
     def rig(self) -> Rig:
         """Who carries whom, in still water and steady wind."""
         return Rig.from_json(at_rest(self.assembly.rig))
@@ -429,10 +429,30 @@ class Statics:
         Raises:
             ValueError: If the plan has no such step.
         """
+        self._refuse_unknown(step)
+        return self._core.times_of(step)
+
+    @_one_at_a_time
+    def when(self, step: str, moment: Literal["begins", "ends"]) -> float | None:
+        """When a step of the plan begins or ends [s]; None if that is not before the end of the lift.
+
+        The lift is followed from rest to rest, no farther than that. No equilibrium has been asked for then.
+
+        Raises:
+            NoEquilibriumError: If there is none on the way.
+            ValueError: If the plan has no such step.
+        """
+        self._refuse_unknown(step)
+        self._last = None
+        try:
+            return self._core.when(step, moment == "ends", self.scenario.duration, self._goes_on)
+        except RuntimeError as problem:
+            raise self._nowhere(self._core.time(), *problem.args) from None
+
+    def _refuse_unknown(self, step: str) -> None:
         known = [one.step for one in self.scenario.plan]
         if step not in known:
             raise ValueError(f"the plan has no step {step!r}; its steps are {', '.join(known)}")
-        return self._core.times_of(step)
 
     def _uncertain(self) -> list[tuple[str, str]]:
         rig = self.rig

@@ -18,7 +18,7 @@ def begin_of_step(scenario: Scenario, name: str) -> float | None:
     Raises:
         NoEquilibriumError: If the lift cannot be followed.
     """
-    return _times(scenario, name)[0]
+    return Statics(scenario).when(name, "begins")
 
 
 def end_of_step(scenario: Scenario, name: str) -> float | None:
@@ -26,11 +26,6 @@ def end_of_step(scenario: Scenario, name: str) -> float | None:
 
     For arguments and exceptions see `begin_of_step`.
     """
-    begin, end = _times(scenario, name)
-    return None if begin is None else scenario.duration if end is None else end
-
-
-def _times(scenario: Scenario, name: str) -> tuple[float | None, float | None]:
     question = Statics(scenario)
-    question.equilibrium()
-    return question.times_of(name)
+    end = question.when(name, "ends")
+    return scenario.duration if end is None and question.times_of(name)[0] is not None else end

@@ -17,9 +17,9 @@ __all__ = ["END", "START", "StepAtRest", "run_steps"]
 START, END = "start", "end of the lift"
 #: Keys of a step by which something is otherwise from its beginning on, but for drives.
 _AS_IT_BEGINS = ("cut", "detach", "attach", "remove_supports", "pull_pins", "put_in_pins")
-#: How much earlier a step is looked at that ends as another one begins, which must not have begun [s]. When
-#: one ends that waited for something is found to a millisecond, anew for every time that is asked for.
-_EARLIER = (1e-9, 2e-3, 4e-3, 8e-3)
+#: How much earlier a step is looked at that ends at a given time, as another one begins, which must not have
+#: begun [s]. Where one waited for something the other has not begun at that very moment.
+_EARLIER = 1e-9
 #: What is told of a vessel: variables less their first word.
 _OF_VESSELS = ("displacement", "draft_aft", "draft_forward", "heel", "trim", "freeboard")
 
@@ -91,13 +91,10 @@ def _ended(
     question: Statics, moment: float, asked: State, steps: Sequence[str], changing: Sequence[str]
 ) -> State:
     """A lift as steps end, without what others, `changing`, do to it as they begin at that moment [s]."""
-    if not (steps and changing):
-        return settled(question, moment, asked, steps)
-    for earlier in _EARLIER:
-        state = settled(question, moment - earlier, asked, steps)
-        if all(question.times_of(name)[0] is None for name in changing):
-            break
-    return replace(state, time=moment)
+    state = settled(question, moment, asked, steps)
+    if steps and any(question.times_of(name)[0] is not None for name in changing):
+        return replace(settled(question, moment - _EARLIER, asked, steps), time=moment)
+    return state
 
 
 def _finite(number: float) -> float | None:

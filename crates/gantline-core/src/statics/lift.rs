@@ -43,8 +43,8 @@ pub struct StaticLift {
     log: EventLog,
     /// Groups of contacts that slid on that way since their friction found no balance, and when [s].
     slides: Vec<(f64, usize)>,
-    /// Where it was followed to last.
-    trail: Option<way::Trail>,
+    /// Where it was followed to.
+    trail: way::Trail,
     /// The system as it is given, while a load of it is lost.
     whole: Option<System>,
     fingerprint: u64,
@@ -69,7 +69,7 @@ impl StaticLift {
         let statics = Statics::new(&system);
         let fingerprint = fingerprint([document]);
         let (state, samples, log) = (first.clone(), Samples::default(), EventLog::new());
-        let (slides, trail, whole) = (Vec::new(), None, None);
+        let (slides, trail, whole) = (Vec::new(), way::Trail::default(), None);
         Ok(Self { state, samples, log, slides, trail, first, statics, system, whole, fingerprint })
     }
 
@@ -91,6 +91,40 @@ impl StaticLift {
         losses: Losses,
         goes_on: GoesOn,
     ) -> Result<Rest, NoEquilibrium> {
+        let rest = self.reach(time, increment, losses, None, goes_on)?;
+        self.sample(time > 0.0);
+        Ok(rest)
+    }
+
+    /// When a step of the plan begins or ends [s], of a lift that is followed as [`StaticLift::settle`] does, its contacts
+    /// sliding freely; none where that is not before `time` [s]. It is followed no farther than to that moment.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn when(
+        &mut self,
+        step: &str,
+        ends: bool,
+        time: f64,
+        goes_on: GoesOn,
+    ) -> Result<Option<f64>, NoEquilibrium> {
+        let Some(until) = self.step_event(step, if ends { EventKind::StepEnd } else { EventKind::StepBegin })
+        else {
+            return Ok(None);
+        };
+        self.reach(time, None, Losses::NONE, Some(until), goes_on)?;
+        Ok(until.time(&self.log))
+    }
+
+    /// To the equilibrium at `time` [s], or to the first that is found where `until` has been.
+    fn reach(
+        &mut self,
+        time: f64,
+        increment: Option<&[f64]>,
+        losses: Losses,
+        until: Option<way::StepEvent>,
+        goes_on: GoesOn,
+    ) -> Result<Rest, NoEquilibrium> {
         self.find_again();
         let Self { system, first, state, .. } = self;
         state.copy_from(first);
@@ -109,13 +143,12 @@ impl StaticLift {
             let on_the_way = losses.on_the_way();
             let is_same = losses.sheaves == on_the_way.sheaves
                 && (losses.contacts == on_the_way.contacts || self.system.friction.is_empty());
-            let rest = self.follow(time, increment, on_the_way, goes_on)?;
+            let rest = self.follow(time, increment, on_the_way, until, goes_on)?;
             if is_same { rest } else { self.statics.settle_again(&self.system, &mut self.state, losses)? }
         } else {
             self.jump(time, losses)?
         };
         way::note(&mut self.slides, &mut self.statics, self.state.time);
-        self.sample(time > 0.0);
         Ok(rest)
     }
 
@@ -401,10 +434,12 @@ impl StaticLift {
 
     /// When a step of the plan began and ended on the way to the equilibrium found last [s]; none where it had not.
     pub fn times_of(&self, step: &str) -> [Option<f64>; 2] {
-        let named = |event: &&Event| self.system.plan.steps[event.subject].name == step;
-        [EventKind::StepBegin, EventKind::StepEnd].map(|kind| {
-            self.log.events.iter().filter(|event| event.kind == kind).find(named).map(|event| event.time)
-        })
+        [EventKind::StepBegin, EventKind::StepEnd].map(|kind| self.step_event(step, kind)?.time(&self.log))
+    }
+
+    fn step_event(&self, step: &str, kind: EventKind) -> Option<way::StepEvent> {
+        let number = self.system.plan.steps.iter().position(|one| one.name == step)?;
+        Some(way::StepEvent { kind, step: number })
     }
 
     /// Number of a rope.

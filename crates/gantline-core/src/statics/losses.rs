@@ -3,9 +3,10 @@
 use glam::DVec3;
 
 /// What friction of sheaves does.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum Sheaves {
     /// Nothing: one tension on both sides, the middle of what they may hold.
+    #[default]
     Ideal,
     /// All slip towards the end of their ropes' routes (1) or towards the start (−1).
     Slip(f64),
@@ -14,9 +15,10 @@ pub enum Sheaves {
 }
 
 /// What friction of contacts does.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum Contacts {
     /// Nothing: they slide freely.
+    #[default]
     Free,
     /// They hold where the state has them, each with no more than its friction.
     Held,
@@ -25,7 +27,7 @@ pub enum Contacts {
 }
 
 /// What friction of sheaves and contacts does.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Losses {
     /// Of sheaves.
     pub sheaves: Sheaves,

@@ -1,7 +1,7 @@
 //! The way of a lift at rest to a time of its plan: at once, or from rest to rest where what has been matters.
 
 use super::{GoesOn, StaticLift, placed};
-use crate::event::{Event, EventLog};
+use crate::event::{Event, EventKind, EventLog};
 use crate::plan::condition::Seen;
 use crate::plan::switching::Switching;
 use crate::solver::complementarity::Mode;
@@ -21,12 +21,24 @@ const SHORTEST: f64 = 1e-3;
 /// Unstretched rope, wound in one part, that may be in doubt [m]: the error is of second order in it.
 const DOUBT: f64 = 1e-6;
 
-/// Where a lift that was followed has got to, so that the same way need not be gone twice. No part before that ends because
-/// of the time that was asked for: whoever goes on from here finds the same as from the start, to the last bit.
-#[derive(Debug, Clone)]
+/// Where a lift that was followed has come by, so that the same way need not be gone twice: where steps of its plan began or
+/// ended, and how far it got last. No part before these ends because of the time that was asked for: whoever goes on from there
+/// finds the same as from the start, to the last bit.
+#[derive(Debug, Clone, Default)]
 pub(super) struct Trail {
+    /// Of the lift that was followed, from its start.
     increment: Option<Vec<f64>>,
     losses: Losses,
+    /// In the order of time.
+    steps: Vec<Mark>,
+    /// Events that were known at the last of these.
+    events: usize,
+    last: Option<Mark>,
+}
+
+/// A place on the way.
+#[derive(Debug, Clone)]
+struct Mark {
     stride: f64,
     state: State,
     statics: Statics,
@@ -35,9 +47,25 @@ pub(super) struct Trail {
 }
 
 impl Trail {
-    /// Whether it is part of the way to `time` [s] of a lift that begins `increment` from its start.
-    fn leads_to(&self, time: f64, increment: Option<&[f64]>, losses: Losses) -> bool {
-        self.state.time <= time && self.increment.as_deref() == increment && self.losses == losses
+    /// Is of the lift that begins `increment` from its start from now on; what was known of others is forgotten.
+    fn is_of(&mut self, increment: Option<&[f64]>, losses: Losses) {
+        if self.increment.as_deref() != increment || self.losses != losses {
+            *self = Self { increment: increment.map(<[f64]>::to_vec), losses, ..Self::default() };
+        }
+    }
+
+    /// The place known that is nearest before `time` [s].
+    fn before(&self, time: f64) -> Option<Mark> {
+        let known = self.steps.iter().chain(&self.last).filter(|mark| mark.state.time <= time);
+        known.max_by(|one, other| one.state.time.total_cmp(&other.state.time)).cloned()
+    }
+
+    /// Keeps a place where there are as many events, if that is news.
+    fn keep(&mut self, events: usize, mark: impl FnOnce() -> Mark) {
+        if self.events < events {
+            self.events = events;
+            self.steps.push(mark());
+        }
     }
 }
 
@@ -61,30 +89,31 @@ impl StaticLift {
         statics.settle(system, state, losses)
     }
 
-    /// From rest to rest, the start being where `increment` has brought it. A condition is met within `SHORTEST` of where
-    /// it begins to hold: what holds for less than `AHEAD`, and not at its end, may be missed.
+    /// From rest to rest, the start being where `increment` has brought it; no farther than to where `until` is known, if
+    /// that is given. A condition is met within `SHORTEST` of where it begins to hold: what holds for less than `AHEAD`,
+    /// and not at its end, may be missed.
     pub(super) fn follow(
         &mut self,
         time: f64,
         increment: Option<&[f64]>,
         losses: Losses,
+        until: Option<StepEvent>,
         goes_on: GoesOn,
     ) -> Result<Rest, NoEquilibrium> {
-        let known = self.trail.take().filter(|trail| trail.leads_to(time, increment, losses));
-        let (mut rest, mut stride) = match known {
-            Some(trail) => (None, self.take_up(trail)),
+        self.trail.is_of(increment, losses);
+        let (mut rest, mut stride) = match self.trail.before(time) {
+            Some(mark) => (None, self.take_up(mark)),
             None => (Some(self.set_out(losses)?), LONGEST),
         };
         let leave = |stride, state: &State, statics: &Statics, events: &[Event], slides: &[(f64, usize)]| {
             let (state, statics, slides) = (state.clone(), statics.clone(), slides.to_vec());
-            let (increment, events) = (increment.map(<[f64]>::to_vec), events.to_vec());
-            Trail { increment, losses, stride, state, statics, events, slides }
+            Mark { stride, state, statics, events: events.to_vec(), slides }
         };
-        let mut trail = None;
+        let mut last = None;
         let mut before = self.state.clone();
-        let Self { system, state, statics, log, slides, .. } = self;
+        let Self { system, state, statics, log, slides, trail, .. } = self;
         let mut support = vec![0.0; system.groups.len()];
-        while state.time < time {
+        while state.time < time && until.is_none_or(|until| until.time(log).is_none()) {
             unless_stopped(goes_on)?;
             before.copy_from(state);
             let (now, stride_before) = (state.time, stride);
@@ -101,9 +130,12 @@ impl StaticLift {
                 due = f64::INFINITY;
             }
             let end = (now + stride).min(due);
-            let next = end.min(time);
-            if next < end && trail.is_none() {
-                trail = Some(leave(stride_before, &before, statics, &log.events[..known], slides));
+            // The way goes on past the time that is asked for; only where it does is there a part that ends at that time.
+            let next = if last.is_some() { end.min(time) } else { end };
+            let mark = || leave(stride_before, &before, statics, &log.events[..known], slides);
+            let left = (next > time).then(mark);
+            if last.is_none() {
+                trail.keep(log.events.len(), mark);
             }
             flows::advance_plan(system, state, &placed(system, state), (next, &support), log);
             state.time = next;
@@ -114,20 +146,26 @@ impl StaticLift {
             let found = statics.follow(system, state, losses);
             statics.may_slide = true;
             let is_late = found.is_ok() && waits && is_fulfilled(system, state, &mut support);
-            if is_short || (found.is_ok() && statics.doubt <= DOUBT && !is_late) {
+            let is_good = is_short || (found.is_ok() && statics.doubt <= DOUBT && !is_late);
+            if is_good && next <= time {
                 found?;
                 note(slides, statics, next);
                 rest = None;
                 // The doubt is of second order in the length of a part: twice as long, four times as much.
                 stride *= if statics.doubt > 0.25 * DOUBT { 1.0 } else { 2.0 };
+                continue;
+            }
+            statics.slid.clear();
+            state.copy_from(&before);
+            log.events.truncate(known);
+            statics.resume(system, state);
+            if is_good {
+                last = left;
             } else {
-                state.copy_from(&before);
-                log.events.truncate(known);
-                statics.resume(system, state);
                 stride = 0.5 * (next - now);
             }
         }
-        self.trail = trail.or_else(|| Some(leave(stride, state, statics, &log.events, slides)));
+        trail.last = last.or_else(|| Some(leave(stride, state, statics, &log.events, slides)));
         rest.map_or_else(|| self.statics.rest(&self.system, &self.state), Ok)
     }
 
@@ -141,11 +179,26 @@ impl StaticLift {
     }
 
     /// To where it has been before; how long the next part may be [s].
-    fn take_up(&mut self, trail: Trail) -> f64 {
-        let Trail { stride, state, statics, events, slides, .. } = trail;
+    fn take_up(&mut self, mark: Mark) -> f64 {
+        let Mark { stride, state, statics, events, slides } = mark;
         (self.state, self.statics, self.slides) = (state, statics, slides);
         self.log.events = events;
         stride
+    }
+}
+
+/// That a step of the plan begins or ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StepEvent {
+    pub kind: EventKind,
+    pub step: usize,
+}
+
+impl StepEvent {
+    /// When it was [s], if it is in the log.
+    pub fn time(self, log: &EventLog) -> Option<f64> {
+        let mut events = log.events.iter();
+        events.find(|event| event.kind == self.kind && event.subject == self.step).map(|event| event.time)
     }
 }
 
