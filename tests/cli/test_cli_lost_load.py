@@ -37,26 +37,30 @@ def with_opening(folder: Path, at: str) -> Path:
     return path
 
 
-def test_tables_and_picture(tmp_path: Path) -> None:
-    code, said, _ = lost("floating_crane", "--lost", "load", "--output", tmp_path)
+@pytest.fixture(scope="module")
+def at_its_end(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, tuple[int, str, str]]:
+    """The load lost at the end of the lift: the folder that was written, and what was said."""
+    folder = tmp_path_factory.mktemp("lost")
+    return folder, lost("floating_crane", "--lost", "load", "--output", folder)
+
+
+def test_tables_and_picture(at_its_end: tuple[Path, tuple[int, str, str]]) -> None:
+    folder, (code, said, _) = at_its_end
     assert code == 0
     assert "'load' lost at 2750 s; at rest without it: stable" in said
     assert re.search(r"barge +stern +-0\.01 deg +1\.3\d deg +2\.6\d deg +0\.8\d m +3\.57 deg", said)
     assert "barge has no 'openings' in the lift file" in said
-    saved = json.loads((tmp_path / "lost_load.json").read_text(encoding="utf-8"))
-    assert saved["load"] == "load" and saved["swings"][0]["towards"] == "stern"
-    with Image.open(tmp_path / "lost_load_barge.png") as picture:
+    with Image.open(folder / "lost_load_barge.png") as picture:
         assert picture.width > 1000
         assert len(picture.convert("RGB").resize((200, 100)).getcolors(20_000) or []) > 50
 
 
-def test_numbers_in_si_units() -> None:
-    code, said, _ = lost("floating_crane", "--lost", "load", "--json")
-    assert code == 0
-    found = json.loads(said)
+def test_numbers_in_si_units(at_its_end: tuple[Path, tuple[int, str, str]]) -> None:
+    found = json.loads((at_its_end[0] / "lost_load.json").read_text(encoding="utf-8"))
     (swing,) = found["swings"]
     assert found["load"] == "load" and found["sound"] is True
     assert swing["vessel"] == "barge" and abs(swing["away"]) == pytest.approx(math.pi)
+    assert swing["towards"] == "stern"
     assert swing["before"] < swing["after"] < swing["farthest"] < swing["under"]["deck_edge"]
     assert swing["ratio"] == pytest.approx(swing["taken"] / swing["left"])
     assert len(swing["angle"]) == len(swing["arm"]) > 20
