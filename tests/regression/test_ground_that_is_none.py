@@ -26,10 +26,10 @@ load:
   weight: {{calculated: 60 t}}
   inertia: homogeneous
   centre_of_gravity: {{at: [0.4 m, -0.1 m, 3 m]}}
-  stands_on: blocks
+  stands_on: stands
   lugs: {{a: {{at: [0 m, 0 m, 6 m]}}}}
 supports:
-  blocks: {{under: box, grid: {{x: [-5 m, 5 m], y: [-1.5 m, 1.5 m]}}, height: 0.5 m, stiffness: {stiffness}}}
+  stands: {{under: box, grid: {{x: [-5 m, 5 m], y: [-1.5 m, 1.5 m]}}, height: 0.5 m, stiffness: {stiffness}}}
 """
 
 
@@ -47,7 +47,7 @@ def warned(text: str) -> list[str]:
 def test_supports_that_are_too_soft() -> None:
     """60 t on four supports of 20 kN/m: 60e3 * 9.81 / (4 * 20e3) = 7.36 m."""
     said = told(_STANDS.format(stiffness="20 kN/m"))
-    assert said.startswith("supports.blocks.stiffness: the load of 60 t would sink 7.36 m into 'blocks'")
+    assert said.startswith("supports.stands.stiffness: the load of 60 t would sink 7.36 m into 'stands'")
     assemble(parse_scenario(_STANDS.format(stiffness="2 MN/m")))  # 74 mm
 
 
