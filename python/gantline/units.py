@@ -23,6 +23,7 @@ __all__ = [
     "quantity",
     "si_text",
     "telling_digits",
+    "unit_of",
     "units_of",
 ]
 
@@ -211,6 +212,20 @@ def si_text(value: float, dimension: str) -> str:
     """A value [SI] as a text that reads back to the last digit."""
     unit = next(unit for unit, factor in DIMENSIONS[dimension].items() if factor == 1.0)
     return f"{value!r} {unit}".strip()
+
+
+def unit_of(*texts: str, dimension: str) -> str:
+    """Unit in which quantities of one dimension are written: that of the last which has one.
+
+    Args:
+        texts: as written; a bare zero has no unit.
+        dimension: theirs, a key of `DIMENSIONS`, whose first unit counts where none has one.
+    """
+    for text in reversed(texts):
+        match = _QUANTITY.fullmatch(text.strip())
+        if match is not None and (unit := _plain(match.group(2) or "")) in DIMENSIONS[dimension] and unit:
+            return unit
+    return units_of(dimension)[0]
 
 
 def _is_quantity(text: str, dimension: str) -> bool:

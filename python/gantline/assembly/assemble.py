@@ -15,6 +15,7 @@ from gantline.assembly.doubtful_empty import doubtful_empty
 from gantline.assembly.doubtful_fenders import doubtful_fenders
 from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
+from gantline.assembly.doubtful_ground import doubtful_ground
 from gantline.assembly.doubtful_heights import doubtful_heights
 from gantline.assembly.doubtful_lee import doubtful_lee
 from gantline.assembly.doubtful_rails import doubtful_rails
@@ -165,6 +166,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         *doubtful_stops(scenario),
         *doubtful_rails(scenario),
         *doubtful_cranes(scenario),
+        *doubtful_ground(scenario),
         *doubtful_gear(scenario, rigging),
         *doubtful_sheaves(scenario, rigging),
         *doubtful_following(scenario, rigging),

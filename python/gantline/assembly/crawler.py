@@ -37,6 +37,8 @@ from gantline.scenario.slewing import upper_body
 
 __all__ = ["add_crawlers", "crawler_rig", "crawler_shape", "crawlers", "track_contact"]
 
+#: Tracks may sink into ground and mats by so much [m]: more is a unit that has slipped, and cranes go over.
+_DEEPEST = 0.25
 #: Parts of pictures that no mechanics depends on: height of tracks, thickness of mats, sizes of machinery and
 #: counterweight [m].
 _TRACK = 1.4
@@ -118,6 +120,11 @@ def _stands(scenario: Scenario, name: str, crane: Crawler) -> tuple[float, float
     leans = rotation_matrix(rotation_vector((math.atan(fits[1]), -math.atan(fits[0]), 0.0)))
     corners = (feet - centre) @ leans.T
     corners[:, 2] -= levels  # ground that is lower is a foot that is shorter
+    depth = mass * scenario.simulation.gravity / (4 * tracks.stiffness)
+    if depth > _DEEPEST:
+        sentence = f"'{name}' of {mass / 1e3:.4g} t would sink {depth:.3g} m into this ground"
+        right = "a greater stiffness is right, such as 200 MN/m"
+        raise scenario.start_error(("cranes", name, "tracks", "stiffness"), f"{sentence}; {right}")
     try:
         resting = rest_on_ground(corners, mass * scenario.simulation.gravity, tracks.stiffness)
     except TipsOver:

@@ -30,7 +30,7 @@ __all__ = ["LiftedLoad", "add_load", "lifted_load"]
 
 #: Lugs that a warning names.
 _MOST_NAMED = 5
-#: A load may sink into the ground by this share of its height.
+#: A load may sink into ground and supports by this share of its height.
 _DEEPEST = 0.05
 
 
@@ -174,6 +174,11 @@ def _on_supports(
     bottom[:, 2] = float(lifted.corners[:, 2].min()) + np.array([highest - one.height for one in supports])
     stiffness = float(np.mean([one.stiffness for one in supports]))
     weight = lifted.mass * scenario.simulation.gravity
+    depth = weight / (len(supports) * stiffness)
+    if depth > min(highest, _DEEPEST * float(np.ptp((lifted.corners @ turned.T)[:, 2]))):
+        sentence = f"the load of {lifted.mass / 1e3:.7g} t would sink {depth:.3g} m into '{load.stands_on}'"
+        right = "a greater stiffness is right, such as 100 MN/m, or a smaller weight"
+        raise scenario.start_error(("supports", load.stands_on, "stiffness"), f"{sentence}; {right}")
     try:
         resting = rest_on_ground(bottom, weight, stiffness)
     except TipsOver:

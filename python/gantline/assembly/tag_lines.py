@@ -131,7 +131,7 @@ def line_drive(line: str) -> str:
 
 def tag_rig(scenario: Scenario) -> Json:
     """What results need to know of tag lines; nothing in a lift without."""
-    let_go = {rope for step in scenario.plan for rope in step.cut}
+    let_go = {(rope, step.step) for step in scenario.plan for rope in step.cut}
     lines = [
         {
             "name": name,
@@ -139,7 +139,7 @@ def tag_rig(scenario: Scenario) -> Json:
             "pull": line.pull,
             "slipping_winch": tag_tugger(name) if line.winch is not None and line.winch.capacity else None,
             "speed": None if line.pull is None else line.speed or TUGGER_SPEED,
-            "is_let_go": tag_rope(name) in let_go,
+            "let_go_in": [step for rope, step in sorted(let_go) if rope == tag_rope(name)],
         }
         for name, line in (scenario.tag_lines or {}).items()
     ]

@@ -1,4 +1,4 @@
-"""Load, equalizer frames, cranes, hulls and structures that run into each other and nobody watches."""
+"""Loads, gear, cranes, hulls, structures and supports that run into each other and nobody watches."""
 
 from __future__ import annotations
 
@@ -7,6 +7,12 @@ from gantline.results.overlaps import overlaps
 from gantline.results.recording import Recording
 
 __all__ = ["run_into"]
+
+#: Why a load may go through a support, and what holds it up.
+_UNDERSIDE = (
+    "supports carry the underside of a load as it stands level, no other side; a box under 'structures' is "
+    "touched by all"
+)
 
 
 def run_into(recording: Recording) -> list[Check]:
@@ -19,14 +25,14 @@ def run_into(recording: Recording) -> list[Check]:
     for found in overlaps(recording):
         one, other = found.between
         remark = f"{one} and {other} are drawn in the same place, {found.depth:.2f} m deep"
-        if found.is_past_middle:
-            verdict, more = Verdict.FAILED, "no drawing makes that good"
+        verdict = Verdict.FAILED if found.is_past_middle else Verdict.WARNING
+        if found.support is not None:
+            more = f"{found.support} carries nothing then: {_UNDERSIDE}"
+        elif found.is_past_middle:
+            more = "no drawing makes that good"
         else:
-            verdict, more = (
-                Verdict.WARNING,
-                "drawn sizes of cranes are rough: a pair under 'watch' takes the place of this",
-            )
-        meaning = "load, equalizer frames, cranes, hulls and structures stay outside of each other"
+            more = "drawn sizes of cranes are rough: a pair under 'watch' takes the place of this"
+        meaning = "load, equalizer frames, cranes, hulls, structures and supports stay outside of each other"
         checks.append(
             Check(
                 "no_overlap",

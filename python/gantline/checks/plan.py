@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +11,8 @@ from gantline.checks.check import LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
 from gantline.results import progress
 from gantline.results.gear import Drum
+from gantline.results.lift_off import hangs_from_the_start
+from gantline.results.parting import PLANNED, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.variable import FloatArray
@@ -25,6 +28,10 @@ _LONG = 1.0
 _HOISTS = ("hoist", "lower")
 #: Steps that take a load along and do not lower it.
 _TAKES_ALONG = {"luff", "slew", "traverse", "travel"}
+#: Steps that lower a load, or that bring what it hangs from or stands over somewhere else.
+_LOWERS = {"lower", "pay_out", "haul_in", "pump", *_TAKES_ALONG}
+#: A load that has hung clear for so long was not being set down; one that comes off bounces for less [s].
+_HUNG = 5.0
 #: Share of a load's weight from which it is told that it hangs at the start.
 _HANGS = 0.02
 #: Speed at which a load that is set down makes nobody wonder, beyond rounding of a hoist's own [m/s].
@@ -109,7 +116,34 @@ def came_down(recording: Recording) -> list[Check]:
             meaning = "loads that are taken along stay clear"
             check = Check("stays_clear", verdict, meaning, element=name, time=time, remark=remark)
             first.setdefault(name, check)
-    return list(first.values())
+    return list(first.values()) + [one for one in _driven_against(recording) if one.element not in first]
+
+
+def _driven_against(recording: Recording) -> Iterator[Check]:
+    """A warning for each load that hangs clear and meets what stands still, while no step lowers or moves it.
+
+    Wind does that, a tag line that is hauled or let go, or a swing. Where a rope has parted, that is told.
+    """
+    kinds = {step.step: step.kind for step in recording.rig.plan}
+    spans = progress.spans(recording)
+    lost = min((one.time for one in partings(recording) if one.kind not in PLANNED), default=np.inf)
+    for load in recording.rig.loads:
+        since = 0.0 if hangs_from_the_start(recording, load) else None
+        for time, kind, name in recording.events():
+            if name != load.name or kind not in ("lift_off", "set_down"):
+                continue
+            steps = [step for step, (begin, end) in spans.items() if begin < time <= end]
+            is_lowered = any(kinds.get(step) in _LOWERS for step in steps)
+            hung = 0.0 if since is None or kind == "lift_off" else time - since
+            since = time if kind == "lift_off" else None
+            stands = any(contact not in load.meets for contact in _met(recording, load, time))
+            if hung >= _HUNG and stands and not is_lowered and time < lost:
+                where = f" in '{progress.BESIDE.join(steps)}'" if steps else ""
+                remark = f"it meets what is in its way{where}, after {hung:.3g} s of hanging clear: see"
+                remark = f"{remark} wind, tag lines and how it swings"
+                meaning = "loads that hang clear stay so until a step lowers them"
+                yield Check("stays_clear", Verdict.WARNING, meaning, element=name, time=time, remark=remark)
+                break
 
 
 def hit(recording: Recording) -> list[Check]:
@@ -133,20 +167,23 @@ def hit(recording: Recording) -> list[Check]:
     return checks
 
 
+def _met(recording: Recording, load: Load, time: float) -> list[str]:
+    """Contacts of a load that bear at the first sample from a time [s] on at which any does."""
+    after = int(np.searchsorted(recording.time, time, side="left"))
+    forces = {contact: recording.column("contact_force", contact)[after:] for contact in load.contacts}
+    bears = np.flatnonzero(np.any([force > 0.0 for force in forces.values()], axis=0))
+    return [contact for contact, force in forces.items() if bears.size and force[bears[0]] > 0.0]
+
+
 def _closing(recording: Recording, load: Load, time: float) -> float:
     """How fast a load comes down on what it meets at a time [m/s]; of several the one that it meets fastest.
 
     Which that is tell the contacts that bear at the first sample from then on at which any does.
     """
-    after = int(np.searchsorted(recording.time, time, side="left"))
-    before = max(after - 1, 0)
+    before = max(int(np.searchsorted(recording.time, time, side="left")) - 1, 0)
     place = recording.column("body_position", load.body)[before]
     down = -float(recording.column("body_velocity", load.body)[before, 2])
-    forces = {contact: recording.column("contact_force", contact)[after:] for contact in load.contacts}
-    bears = np.flatnonzero(np.any([force > 0.0 for force in forces.values()], axis=0))
-    met = {
-        load.meets.get(contact) for contact, force in forces.items() if bears.size and force[bears[0]] > 0.0
-    }
+    met = {load.meets.get(contact) for contact in _met(recording, load, time)}
     return down + max((_rise(recording, body, place, before) for body in met), default=0.0)
 
 

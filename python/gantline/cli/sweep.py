@@ -135,5 +135,4 @@ def _runs(points: Sequence[SweepPoint], found: Sequence[int]) -> str:
 def _shown(point: SweepPoint) -> str:
     from gantline.units import DIMENSIONS
 
-    unit, factor = next(iter(DIMENSIONS[point.dimension].items()))
-    return f"{point.value / factor:.6g} {unit}"
+    return f"{point.value / DIMENSIONS[point.dimension][point.unit]:.6g} {point.unit}"

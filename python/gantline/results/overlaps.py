@@ -1,9 +1,9 @@
-"""Load, equalizer frames, cranes, hulls and structures that are drawn in the same place.
+"""Load, equalizer frames, cranes, hulls, structures and supports that are drawn in the same place.
 
 What bodies of cranes and hulls are in the way of is no part of a simulation: a load goes through a boom as if
-it were not there. Here boxes are held against boxes by the separating axes of Gottschalk, Lin and Manocha
-1996; what is drawn as triangles has its bounding box for that, and goes through the other only where edges
-of one go through triangles of the other.
+it were not there, and with any side but its underside through a support. Here boxes are held against boxes by
+the separating axes of Gottschalk, Lin and Manocha 1996; what is drawn as triangles has its bounding box for
+that, and goes through the other only where edges of one go through triangles of the other.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import numpy as np
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.solids import box_faces, crossings, skin_of
-from gantline.results.surroundings import SIGNS, structures_of
+from gantline.results.surroundings import SIGNS, Structure, structures_of
 from gantline.results.variable import BoolArray, FloatArray, Indices
 
 __all__ = ["Overlap", "overlaps"]
@@ -29,6 +29,8 @@ _LOOKS = 600
 _EXACT_LOOKS = 60
 #: What is drawn less deep in the other touches it [m].
 _TOUCH = 0.01
+#: A support that carries nothing may be as deep in a load, whose underside tilts over its top [m].
+_TILTS = 0.1
 #: Directions shorter than this are those of parallel edges [1].
 _PARALLEL = 1e-6
 
@@ -42,12 +44,14 @@ class Overlap:
         time: When first, as far as it was looked at [s].
         depth: How far one is in the other at most, the shortest way out [m].
         is_past_middle: Whether one reaches past the middle of the other: no matter of how it is drawn.
+        support: That of the two which is a support; None where none is.
     """
 
     between: tuple[str, str]
     time: float
     depth: float
     is_past_middle: bool
+    support: str | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,13 +61,14 @@ class _Body:
     Attributes:
         name: Of the body.
         of: What it belongs to: a crane, itself.
-        kind: `load`, `frame`, `hook`, `hull`, `crane`, `tracks` or `structure`.
+        kind: `load`, `frame`, `hook`, `hull`, `crane`, `tracks`, `structure` or `support`.
         sizes: Of its boxes, half, shape (boxes, 3) [m].
         centres: Of its boxes from its centre of gravity, its axes, shape (boxes, 3) [m].
         place: Of that centre of gravity, shape (looks, 3) [m].
         turn: World from body, shape (looks, 3, 3).
         skin: Triangles from there, its axes, shape (triangles, 3, 3) [m].
         is_mesh: Whether its one box is only about it.
+        counts: When it is looked at, shape (looks,); at every look if not given.
     """
 
     name: str
@@ -75,14 +80,16 @@ class _Body:
     turn: FloatArray
     skin: FloatArray
     is_mesh: bool
+    counts: BoolArray | None = None
 
 
-#: Kinds that are held against each other. A load touches structures in the simulation, and what a crane that
-#: stands on a hull may reach is not known.
+#: Kinds that are held against each other. A load touches structures in the simulation, and supports with its
+#: underside; what a crane that stands on a hull may reach is not known.
 _LOOKED_AT = {
     frozenset(pair)
     for pair in (
         *(("load", "crane"), ("load", "tracks"), ("load", "hull"), ("load", "frame"), ("load", "hook")),
+        ("load", "support"),
         *(("frame",), ("frame", "crane"), ("frame", "tracks"), ("frame", "hull"), ("frame", "structure")),
         *(("crane",), ("crane", "tracks"), ("tracks",), ("crane", "structure")),
         *(("hull",), ("hull", "structure")),
@@ -110,9 +117,14 @@ def overlaps(recording: Recording) -> list[Overlap]:
         ):
             continue
         depth, is_past = _depths(one, other)
-        if depth.max() > _TOUCH:
-            since = float(recording.time[looks[int(np.argmax(depth > _TOUCH))]])
-            found.append(Overlap((one.name, other.name), since, float(depth.max()), bool(is_past.any())))
+        for counts in (body.counts for body in (one, other) if body.counts is not None):
+            depth, is_past = np.where(counts, depth, 0.0), is_past & counts
+        support = next((body.name for body in (one, other) if body.kind == "support"), None)
+        least = _TOUCH if support is None else _TILTS
+        if depth.max() > least:
+            since = float(recording.time[looks[int(np.argmax(depth > least))]])
+            deep = float(depth.max())
+            found.append(Overlap((one.name, other.name), since, deep, bool(is_past.any()), support))
     return found
 
 
@@ -158,7 +170,9 @@ def _bodies(recording: Recording, looks: Indices) -> Iterator[_Body]:
         if name in names and any(kind in pair for pair in _LOOKED_AT):
             yield from _drawn(recording, looks, body, (of, kind))
     for structure in structures_of(recording):
-        if structure.kind == "structure":
+        if structure.kind == "support":
+            yield _support(recording, looks, structure)
+        elif structure.kind == "structure":
             vertices = structure.boxes.reshape(-1, 3)
             still = np.zeros((len(looks), 3)), np.broadcast_to(np.eye(3), (len(looks), 3, 3))
             yield _Body(
@@ -170,6 +184,20 @@ def _bodies(recording: Recording, looks: Indices) -> Iterator[_Body]:
                 vertices[box_faces(len(structure.boxes))],
                 False,
             )
+
+
+def _support(recording: Recording, looks: Indices, support: Structure) -> _Body:
+    """A support, which counts while it stands and carries nothing: what it carries sinks into it."""
+    corners = support.boxes[0]
+    sides = (corners[[4, 2, 1]] - corners[0]) / 2  # half, along its axes
+    half = np.linalg.norm(sides, axis=1)
+    place = np.broadcast_to(corners.mean(axis=0), (len(looks), 3))
+    turn = np.broadcast_to((sides / half[:, None]).T, (len(looks), 3, 3))
+    stands = np.array([support.stands(time) for time in recording.time[looks]])
+    counts = stands & (recording.column("contact_force", support.name)[looks] == 0.0)
+    name, skin = support.name.removeprefix("support."), corners[box_faces(1)] - corners.mean(axis=0)
+    own = skin @ turn[0]
+    return _Body(name, name, "support", half[None], np.zeros((1, 3)), place, turn, own, False, counts)
 
 
 def _sizes(corners: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -65,7 +65,11 @@ def partings(recording: Recording) -> list[Parting]:
     found: list[Parting] = []
     gone: set[str] = set()
     breaks_at = {rope.name: rope.breaks_at for rope in recording.rig.ropes}
-    let_go = {line.rope for line in recording.rig.tag_lines if line.is_let_go}
+    begins = {name: time for time, _, name in recording.events("step_begin")}
+    let_go = {
+        line.rope: None if line.is_let_go else [begins.get(step) for step in line.let_go_in]
+        for line in recording.rig.tag_lines
+    }
     for time, kind, rope in recording.events():
         if kind == ATTACHED:
             gone.discard(rope)
@@ -76,7 +80,8 @@ def partings(recording: Recording) -> list[Parting]:
         tension = float(recording.column("rope_tension", rope)[max(before, 0)])
         if kind == "broken":
             tension = breaks_at.get(rope) or tension
-        elif rope in let_go:
+        elif rope in let_go and ((times := let_go[rope]) is None or time in times):
+            # One that was lost before its step lets go of it is lost.
             kind = "let go"
         found.append(Parting(rope, kind, time, tension))
     return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from gantline.results.strength import FromJson
@@ -19,7 +20,8 @@ class TagLine(FromJson):
         pull: Tension that is kept in it [N]; None of one that is made fast.
         slipping_winch: Joint of its winch if that has a capacity, at which it slips.
         speed: At which its tugger would haul in if nothing held it [m/s]; None of one that is made fast.
-        is_let_go: Whether a step of the plan lets go of it.
+        let_go_in: Steps of the plan that let go of it.
+        is_let_go: The same of recordings that do not know which: whether any does.
     """
 
     name: str
@@ -27,4 +29,5 @@ class TagLine(FromJson):
     pull: float | None = None
     slipping_winch: str | None = None
     speed: float | None = None
+    let_go_in: Sequence[str] = ()
     is_let_go: bool = False

@@ -67,8 +67,8 @@ def _check_group(findings: Findings, name: str, group: Supports) -> list[str]:
     own = [one.name[len(name) + 1 :] for one in supports]
     for key in group.each or {}:
         if key not in own:
-            sentence = f"'{key}' is not a support of the grid; {nearest(key, own)}"
-            findings.add((*path, "each", key), f"{sentence}, number along x and number along y")
+            sentence = f"'{key}' is not a support of the grid, number along x and number along y"
+            findings.add((*path, "each", key), f"{sentence}; {nearest(key, own)}")
     for key in {key for key in own if own.count(key) > 1}:
         findings.add((*path, "places", key), f"'{key}' is a support of the grid already")
     for one in supports:

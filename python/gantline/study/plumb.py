@@ -19,13 +19,14 @@ from gantline.scenario.errors import nearest
 from gantline.scenario.hooks import Hook
 from gantline.scenario.movers import mover
 from gantline.scenario.steps import TravelStep, TraverseStep
+from gantline.scenario.stream import Stream
 from gantline.scenario.variants import without_cases
 from gantline.statics import Equilibrium, Statics
 from gantline.study.bearers import Bearer, bearers_of, why_not
 from gantline.study.hanging import Hanging, Row
 from gantline.study.newton import AdjustError, CannotBeError, Search, Unknown
 from gantline.study.state import rest_json
-from gantline.units import format_by_size
+from gantline.units import format_by_size, format_quantity
 
 __all__ = ["HookAnswer", "plumb_hooks"]
 
@@ -149,7 +150,7 @@ def plumb_hooks(
         changes = [float(change) for change in search.run()]
     except CannotBeError as problem:
         if not placed or search.first.residual > _PLUMB:
-            why = _where_the_plan_says(placed) + _what_pulls(search.first.hanging)
+            why = _where_the_plan_says(placed) + _what_pulls(scenario, search.first.hanging)
             raise CannotBeError(f"{problem}{why}") from None
         # What the plan has made plumb no place at the start makes plumber.
         search.stay()
@@ -211,11 +212,18 @@ def _where_the_plan_says(placed: Sequence[Bearer]) -> str:
     return f"; {' and '.join(names)} {they}: ask at a time before that"
 
 
-def _what_pulls(hanging: Hanging) -> str:
-    """That tag lines pull the load aside: then falls cannot all be plumb, wherever their hooks are."""
+def _what_pulls(scenario: Scenario, hanging: Hanging) -> str:
+    """What pulls or pushes the load aside: then falls cannot all be plumb, wherever their hooks are."""
     tensions = {line.name: hanging.rest.tension(line.rope) for line in hanging.rig.tag_lines}
     pulls = [f"{name} with {format_by_size(pull, 'force')}" for name, pull in tensions.items() if pull > 0.0]
-    return f"; tag lines pull the load aside: {', '.join(pulls)}" if pulls else ""
+    found = f"; tag lines pull the load aside: {', '.join(pulls)}" if pulls else ""
+    load = scenario.load
+    for kind in ("wind", "current"):
+        stream = getattr(scenario, kind)
+        if isinstance(stream, Stream) and stream.speed > 0.0 and getattr(load, f"{kind}_areas", None):
+            pushes = f"the {kind} of {format_quantity(stream.speed, 'm/s', 1)} pushes the load aside"
+            found += f"; {pushes}"
+    return found
 
 
 def _place_of(hanging: Hanging, hook: Hook) -> tuple[float, float]:

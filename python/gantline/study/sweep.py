@@ -16,7 +16,7 @@ from gantline.scenario.tree_path import PathError, node_at
 from gantline.scenario.variants import with_value
 from gantline.statics import Statics
 from gantline.study.state import State, settled, unstartable
-from gantline.units import common_dimension, is_quantity, quantity, si_text
+from gantline.units import common_dimension, is_quantity, quantity, si_text, unit_of
 
 __all__ = ["SweepError", "SweepPoint", "run_sweep"]
 
@@ -44,11 +44,13 @@ class SweepPoint:
     Attributes:
         value: The value [SI].
         dimension: Its dimension, a key of `gantline.units.DIMENSIONS`.
+        unit: The unit of that dimension in which the sweep is written.
         state: How the lift hangs with it.
     """
 
     value: float
     dimension: str
+    unit: str
     state: State
 
 
@@ -84,6 +86,7 @@ def run_sweep(
     like = [] if given is None or not is_quantity(given) else [str(given)]
     first, last = str(first), str(last)  # a number is answered as text without a unit is
     dimension = common_dimension(*like, first, last)
+    unit = unit_of(*like, first, last, dimension=dimension)
     for value in np.linspace(quantity(first, dimension), quantity(last, dimension), count):
         text = si_text(float(value), dimension)
         state = State("", path, "none", 0.0)
@@ -93,4 +96,4 @@ def run_sweep(
             found = unstartable(state, scenario.duration if time is None else time, error)
         except ScenarioError as error:
             raise SweepError(error.source, error.problems, text) from None
-        yield SweepPoint(float(value), dimension, found)
+        yield SweepPoint(float(value), dimension, unit, found)
