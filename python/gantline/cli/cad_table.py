@@ -65,6 +65,8 @@ def _kinds(model: CadModel) -> list[str]:
         declared = [mass for part in parts if (mass := _masses(part)[1]) is not None]
         both = model.compared(kind)
         worst = both.worst
+        pairs = sum(None not in _masses(part) for part in parts)
+        of_some = f" of {pairs}" if both.declared and pairs < max(len(computed), len(declared)) else ""
         pair = (None, None) if worst is None else _masses(worst)
         rows.append(
             (
@@ -72,7 +74,7 @@ def _kinds(model: CadModel) -> list[str]:
                 str(len(parts)),
                 _mass(sum(computed) if computed else None),
                 _mass(sum(declared) if declared else None),
-                _share(both.computed, both.declared),
+                f"{_share(both.computed, both.declared)}{of_some}",
                 ABSENT if worst is None else worst.name or "(no name)",
                 _mass(pair[0]),
                 _mass(pair[1]),

@@ -226,6 +226,7 @@ def _hooks(recording: Recording) -> list[str]:
             force = recording.column(name, hook.name)
             static, _ = series.greatest_static(recording, force)
             highest, time = float(force.max()), float(recording.time[first_peak(force)])
+            is_dynamic = bool(static) and series.has_hung_so(recording, time)
             is_rated_for = name == ("hoist_load" if hook.rating_includes_hook_block else "hook_load")
             used = shares.get(hook.name) if is_rated_for else None
             rows.append(
@@ -235,7 +236,7 @@ def _hooks(recording: Recording) -> list[str]:
                     show(static, "kN", 1),
                     show(highest, "kN", 1),
                     show(time, "s", 2),
-                    ABSENT if not static else f"{highest / static:.3f}",
+                    f"{highest / static:.3f}" if static and is_dynamic else ABSENT,
                     show(used, "%", 1),
                 )
             )

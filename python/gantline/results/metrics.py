@@ -22,7 +22,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   `gantline.results.skew` defines it
 - `least_sling_tension_when_clear` [N]: smallest tension of any sling while the loads are clear
 - `dynamic_amplification_factor` [1]: largest of peak/static tension of the same sling, of those whose peak is
-  at a time with slings on on which the loads also hung still
+  at a time with slings on on which the loads also hung still; absent of a lift at rest
 - `least_factor_on_breaking_force` [1]: smallest of minimum breaking force/peak tension of the same sling at
   its upper end, its own weight counted
 - `peak_tension_spread_when_clear` [1]: largest (max - min)/mean over one equalizer's slings while clear
@@ -33,7 +33,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_sling_angle_from_vertical` [rad]: largest angle of a carrying sling from the vertical
 - `peak_fleet_angle` [rad]: largest angle of a carrying rope to the plane of a sheave
 - `lift_off_time` [s]: when the last contact force under the last load first became zero; absent where all
-  hang clear from the start
+  hang clear from the start, and of a lift at rest
 - `peak_support_force.<support>` [N]: largest force of that support at any sample
 - `peak_support_force` [N]: the largest of them
 - `smallest_clearance.<pair>` [m]: smallest distance of that watched pair at any sample of its steps
@@ -83,6 +83,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -121,6 +122,7 @@ def metrics_of(recording: Recording) -> dict[str, float]:
     """
     if not len(recording.time):
         return {}
+    counted = _at_rest_alone(recording)
     parts = (
         _ropes,
         _parted,
@@ -139,7 +141,19 @@ def metrics_of(recording: Recording) -> dict[str, float]:
         _lengthening,
         _audit,
     )
-    return {name: value for part in parts for name, value in part(recording) if value is not None}
+    found = [*(one for part in parts for one in part(counted)), *_from_the_start(recording)]
+    return {name: value for name, value in found if value is not None}
+
+
+def _at_rest_alone(recording: Recording) -> Recording:
+    """Of an equilibrium what counts, its last sample: the one before is where the lift starts."""
+    if not recording.is_equilibrium or len(recording.time) == 1:
+        return recording
+    last = {
+        name: replace(one, values=one.values[-1:]) if one.dims[:1] == ("time",) else one
+        for name, one in recording.variables.items()
+    }
+    return Recording(last, recording.coordinates, recording.attributes)
 
 
 def _ropes(recording: Recording) -> Iterator[_Metric]:
@@ -213,7 +227,7 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
         top, time = series.rope_peak(recording, sling.rope)
         static, _ = series.greatest_static(recording, tension)
         yield f"static_sling_tension.{sling.rope}", static
-        if static and series.has_hung_so(recording, time, pinned=True):
+        if static and not recording.is_equilibrium and series.has_hung_so(recording, time, pinned=True):
             amplification.append(top / static)
         used = upper_end.utilisation(recording, sling.rope)
         if used:
@@ -265,6 +279,13 @@ def _loads(recording: Recording) -> Iterator[_Metric]:
         return
     yield "final_load_transferred", float(recording["load_transferred"].values[-1].min())
     yield "peak_load_tilt", float(recording["load_tilt"].values.max())
+
+
+def _from_the_start(recording: Recording) -> Iterator[_Metric]:
+    """What is told against the first sample, of an equilibrium too."""
+    for joint in recording.coordinates.get("joint", ()):
+        position = recording.column("joint_position", joint)
+        yield f"final_joint_travel.{joint}", float(position[-1] - position[0])
     yaws = (series.load_yaw(recording, load) for load in recording.rig.loads)
     yield "peak_load_yaw", _largest(float(np.abs(yaw).max()) for yaw in yaws if yaw is not None)
     drifts = []
@@ -335,9 +356,6 @@ def _travel(recording: Recording) -> Iterator[_Metric]:
             yield f"travel_used_{way}_when_clear", _largest(float(share[clear].max()) for share in used)
     for sheave in recording.coordinates.get("moving_sheave", ()):
         yield f"final_sheave_travel.{sheave}", float(recording.column("sheave_travel", sheave)[-1])
-    for joint in recording.coordinates.get("joint", ()):
-        position = recording.column("joint_position", joint)
-        yield f"final_joint_travel.{joint}", float(position[-1] - position[0])
     for drum in recording.coordinates.get("counted_drum", ()):
         yield f"least_drum_wraps.{drum}", float(recording.column("drum_wraps", drum).min())
 

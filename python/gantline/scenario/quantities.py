@@ -68,9 +68,9 @@ def refuse(sentence: str, key: str | None = None) -> PydanticCustomError:
 def found(value: object) -> str:
     """What a value is, for the first half of a message."""
     if isinstance(value, dict):
-        return "a mapping"
+        return "a mapping" if value else "an empty mapping"
     if isinstance(value, list):
-        return "a list"
+        return "a list" if value else "an empty list"
     return f"'{shorten(str(value))}'"
 
 

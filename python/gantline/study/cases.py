@@ -23,7 +23,7 @@ from gantline.scenario.variants import (
     without_cases,
 )
 from gantline.statics import Losses, NoEquilibriumError, Statics
-from gantline.study.effect import with_effect
+from gantline.study.effect import as_given_at, with_effect
 from gantline.study.moment import begin_of_step
 from gantline.study.pattern import (
     Floats,
@@ -163,8 +163,9 @@ def run_cases(
             states += each.result()
     given = states[0]
     as_given = {state.losses: state for state in states if not state.case}
+    earlier = as_given_at(base)
     states = [
-        with_effect(replace(state, stands=stands(state, given)), as_given.get(state.losses, given), base)
+        with_effect(replace(state, stands=stands(state, given)), as_given.get(state.losses, given), earlier)
         for state in states
     ]
     return CasesResult(scenario.lift.title, scenario.text, given, states, scenario.left_out_at_rest)

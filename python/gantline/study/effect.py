@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import cache
 
 from gantline.checks import Check
 from gantline.results import series
 from gantline.scenario import Scenario
-from gantline.scenario.parting import partings
 from gantline.statics import Equilibrium, NoEquilibriumError, Statics
 from gantline.study.state import State, differs, values_of
 
-__all__ = ["is_as", "with_effect"]
+__all__ = ["as_given_at", "is_as", "with_effect"]
 
 #: Times that differ by less are one [s]: a cut is looked at just after it.
 _AT_ONCE = 1e-6
@@ -21,48 +21,51 @@ _AT_ONCE = 1e-6
 _ALIKE, _NOTHING = 1e-9, 1e-9
 
 
-def with_effect(state: State, given: State, base: Scenario) -> State:
+def with_effect(state: State, given: State, earlier: Callable[[float], Equilibrium | None]) -> State:
     """A state of a case with what it asks for in vain, and whether it changes anything.
 
     Args:
         state: Of a case, settled.
         given: The lift as it is given, with the same losses.
-        base: That lift.
+        earlier: The lift as it is given at rest at another time [s], see `as_given_at`.
     """
     if state.rest is None or given.rest is None or not state.case:
         return state
-    in_vain = tuple(_in_vain(state, given, base))
+    in_vain = tuple(_in_vain(state, given, earlier)) if state.cut else ()
     nothing = len(in_vain) == len(state.cut) if state.cut else is_as(state, given)
     return replace(state, in_vain=in_vain, changes_nothing=nothing)
 
 
-def _in_vain(state: State, given: State, base: Scenario) -> Iterator[str]:
+def as_given_at(base: Scenario) -> Callable[[float], Equilibrium | None]:
+    """The lift as it is given at rest at a time [s], sought once for all cuts of that time.
+
+    None where it does not come to rest then.
+    """
+
+    @cache
+    def at(time: float) -> Equilibrium | None:
+        try:
+            return Statics(base).equilibrium(min(time, base.duration))
+        except NoEquilibriumError:
+            return None
+
+    return at
+
+
+def _in_vain(state: State, given: State, earlier: Callable[[float], Equilibrium | None]) -> Iterator[str]:
     """Of ropes that a case cuts, those that are not on then, or carry nothing."""
-    ropes = {f"sling.{name}" if name in (base.slings or {}) else name: name for name in state.cut}
-    before = given.rest
-    if abs(state.time - given.time) > _AT_ONCE:
-        before = _before(base, state.time) if any(_comes_or_goes(base, rope) for rope in ropes) else None
+    is_then = abs(state.time - given.time) <= _AT_ONCE
+    before = given.rest if is_then else earlier(state.time)
     if before is None:
         return
-    for rope, name in ropes.items():
+    ropes = {f"sling.{sling.name}" for sling in before.recording.rig.slings}
+    when = f"{round(state.time, 6):.4g} s"  # a cut is looked at a rounding after its time
+    for name in state.cut:
+        rope = f"sling.{name}" if f"sling.{name}" in ropes else name
         if not series.is_on(before.recording, rope)[-1]:
-            yield f"{name} is not on at {state.time:.4g} s"
+            yield f"{name} is not on at {when}"
         elif before.tension(rope) == 0.0:
-            yield f"{name} carries nothing at {state.time:.4g} s as given"
-
-
-def _comes_or_goes(base: Scenario, rope: str) -> bool:
-    """Whether a rope is put on, taken off or cut in the lift as it is given."""
-    by_steps = any(rope in (*step.attach, *step.detach, *step.cut) for step in base.plan)
-    return by_steps or partings(base)[rope].cut_at is not None
-
-
-def _before(base: Scenario, time: float) -> Equilibrium | None:
-    """The lift as it is given at rest at a time [s]; None if it does not come to rest."""
-    try:
-        return Statics(base).equilibrium(min(time, base.duration))
-    except NoEquilibriumError:
-        return None
+            yield f"{name} carries nothing at {when} as given"
 
 
 def is_as(state: State, given: State) -> bool:

@@ -42,6 +42,10 @@ class CannotBeError(RuntimeError):
     """What is wanted cannot be had by these changes; the message is a plain sentence."""
 
 
+class _NoAnswerError(CannotBeError):
+    """The lift does not answer smoothly to what is changed, as with slings that are slack there."""
+
+
 class AdjustError(ValueError):
     """A sling or hook that may change is none."""
 
@@ -147,7 +151,7 @@ class Search:
         return target
 
     def _step(self, changes: Floats, target: Floats) -> Floats:
-        """Towards a target, as far as it betters things."""
+        """Towards a target, as far as it betters things; where slings are slack half as far may do."""
         cause = "no change betters it any more"
         for halving in range(_HALVINGS):
             step = changes + (target - changes) * 0.5**halving
@@ -158,6 +162,9 @@ class Search:
                 continue
             except NoEquilibriumError as problem:
                 cause = f"{problem.cause} ({problem.element})"
+                continue
+            except _NoAnswerError as problem:
+                cause = str(problem)
                 continue
             if found.residual < self.now.residual:
                 self.now = found
@@ -182,7 +189,11 @@ class Search:
             hanging = Hanging(question, rest, [one.parameter for one in self._unknowns])
         except (RuntimeError, ValueError) as problem:
             cause = ": ".join(str(part) for part in problem.args)
-            raise CannotBeError(f"the lift has no sensitivities to these quantities ({cause})") from None
+            slack = [sling.name for sling in question.rig.slings if rest.tension(sling.rope) == 0.0]
+            sentence = f"the lift has no sensitivities to these quantities ({cause})"
+            if slack and changes.any():
+                sentence = f"slack on the way: {', '.join(slack)}"
+            raise _NoAnswerError(sentence) from None
         return _Try(scenario, hanging, self._rows(hanging))
 
     def _too_far(self, one: Unknown, more: float) -> str:
