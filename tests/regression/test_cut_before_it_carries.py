@@ -1,9 +1,9 @@
 """A sling that was cut before it carried anything, and a case that said "ok".
 
 What a case cuts at a time of its own was held against the lift as it is given at that time only where a
-step puts the rope on, takes it off or cuts it. A block of 20 t on four slings that are slack as the plan
+step puts the rope on, takes it off or cuts it. A load of 20 t on four slings that are slack as the plan
 begins, `{cut: D, at_step: hoist}`: its line had 0.0 kN and ended with `ok`, the last line was `all sound`,
-and the program ended with 0, as if the block hung as well without D. Cut while it hangs, D leaves two of
+and the program ended with 0, as if the load hung as well without D. Cut while it hangs, D leaves two of
 the others with twice what they had.
 """
 

@@ -1,6 +1,6 @@
 """A dynamic factor of 8.7 in the table of a run, of a hook that had let a load down to turn it.
 
-A block of 20 t is turned by 54 deg between two hooks. The tailing hook bore 91 kN as it was lifted off and
+A load of 20 t is turned by 54 deg between two hooks. The tailing hook bore 91 kN as it was lifted off and
 12 kN in the hold at the end; its peak of 107 kN over these 12 kN stood in the column `dynamic factor` of
 `gantline run` as 8.745, while the check `hook_dynamic_factor` says of the same hook that nothing tells what
 of its peak is static.

@@ -1,6 +1,6 @@
 """Places of hooks that cannot be, told as sensitivities that are missing.
 
-A block that two hooks turn hangs with its tailing hook so far below the other that no place of them makes
+A load that two hooks turn hangs with its tailing hook so far below the other that no place of them makes
 both plumb: its lugs are 6.02 m apart, and plumb slings would put one 6.7 m above the other. A step of the
 search on which the tailing slings were slack ended it at once: `the lift has no sensitivities to these
 quantities (nothing holds what place_x of tail sets going)`, which says nothing of the slings. A shorter
