@@ -15,7 +15,7 @@ unexport PYTHONPATH PYTHONHOME
 # Tests start the program some hundred times, which compiles its modules anew each time where this is set.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help setup demo test test-core test-viewer lint lint-core lint-python lint-viewer bench docs packages pictures lock clean
+.PHONY: help setup demo test lint bench docs packages pictures lock clean
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 16
@@ -26,33 +26,19 @@ setup: ## make .venv: locked packages, gantline, its compiled core and its playe
 demo: setup ## simulate the lift of scenarios/equalizer; table, numerical error, pictures and report in build/demo
 	@gantline run scenarios/equalizer --refine -o build/demo
 
-# What needs one core alone goes beside what does not: the core is compiled for Python, by one core, while its tests
-# are; Python is looked at while they run. Files of tests in their order: the browser has one long test, which begins first.
-test: ## all tests and lints
-	@tools/prerequisites.sh >/dev/null
-	@$(MAKE) --jobs 2 setup test-core test-viewer lint
+# Files of tests in their order: the browser has one long test, which begins first.
+test: setup lint ## all tests and lints
+	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
+	npm --prefix viewer test --silent
 	pytest --numprocesses auto --maxprocesses 8 --dist loadfile --no-loadscope-reorder --hypothesis-seed=$(SEED)
 
-# The core and its tests need no Python, and so no set-up.
-test-core:
-	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
-
-test-viewer: setup
-	npm --prefix viewer test --silent
-
-lint: lint-python lint-viewer lint-core ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
-
-lint-core: setup
+lint: setup ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
-
-lint-python: setup
 	ruff check --quiet
 	ruff format --check --quiet
 	mypy python/gantline tests benchmarks tools docs
 	lint-imports --no-cache
-
-lint-viewer: setup
 	npm --prefix viewer run lint --silent
 	npm --prefix viewer run check --silent
 
