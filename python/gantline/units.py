@@ -19,6 +19,7 @@ __all__ = [
     "example",
     "format_by_size",
     "format_quantity",
+    "in_unit",
     "is_quantity",
     "quantity",
     "si_text",
@@ -212,6 +213,11 @@ def si_text(value: float, dimension: str) -> str:
     """A value [SI] as a text that reads back to the last digit."""
     unit = next(unit for unit, factor in DIMENSIONS[dimension].items() if factor == 1.0)
     return f"{value!r} {unit}".strip()
+
+
+def in_unit(value: float, dimension: str, unit: str, digits: int = 6) -> str:
+    """A value [SI] in a unit of its dimension, with so many digits at most: ``3 t``."""
+    return f"{value / DIMENSIONS[dimension][unit]:.{digits}g} {unit}".strip()
 
 
 def unit_of(*texts: str, dimension: str) -> str:

@@ -230,7 +230,7 @@ def test_a_sweep_says_which_check_failed_and_where(lift: Path) -> None:
         ("lood.weight=1 t..2 t/3", "there is no 'lood' of this file; did you mean 'load'?"),
         (
             "load.weight.calculated=-1 t..2 t/3",
-            "--sweep: load.weight.calculated=-1000.0 kg: '-1000.0 kg' is negative",
+            "--sweep: load.weight.calculated=-1 t: '-1 t' is negative",
         ),
     ],
 )

@@ -29,6 +29,14 @@ def test_values_stand_in_the_unit_that_was_asked_for(swept: str, shown: tuple[st
     assert tuple(lines) == shown
 
 
+def test_a_value_that_cannot_be_stands_in_it_too() -> None:
+    """`3000.0 kg` stood for 3 t."""
+    swept = "load.weight.calculated=-3 t..3 t/2"
+    result = CliRunner().invoke(app, ["statics", "equalizer", "--sweep", swept])
+    assert result.exit_code == 2
+    assert "-3 t" in result.stderr and "kg" not in result.stderr
+
+
 def test_values_without_a_unit_of_their_own_have_that_of_their_dimension() -> None:
     assert unit_of("0", "0", dimension="length") == "m"
     assert unit_of("3 m/min", "0", dimension="speed") == "m/min"

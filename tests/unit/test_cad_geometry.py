@@ -382,6 +382,12 @@ def test_a_file_that_is_not_there(tmp_path: Path) -> None:
             read_geometry(tmp_path / name, Assumptions())
 
 
+def test_a_file_whose_name_is_nearly_that_of_one(tmp_path: Path) -> None:
+    (tmp_path / "Module.stl").touch()
+    with pytest.raises(CadError, match=r"no such file or directory\); is 'Module\.stl' meant\?"):
+        read_geometry(tmp_path / "module.stl", Assumptions())
+
+
 @pytest.mark.parametrize(
     ("given", "says"),
     [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import math
 import re
 import time
@@ -156,6 +157,8 @@ def replaced(old: str, new: str) -> bytes:
 BROKEN: dict[str, tuple[Callable[[], bytes], str]] = {
     "empty": (lambda: b"", r"ends in the middle, at line 1"),
     "truncated": (lambda: W.file(PLATE)[:900], r"ends in the middle, at line 1; is it complete\?"),
+    "zip": (lambda: b"PK\x03\x04" + W.file(PLATE), r"is packed by zip; unpack it"),
+    "gzip": (lambda: gzip.compress(W.file(PLATE)), r"is packed by gzip; unpack it"),
     "no XML": (lambda: b"ISO-10303-21;", r"line 1: is not well-formed XML \(invalid token\)"),
     "tags crossed": (
         lambda: replaced("</ocx:Plate>", "</ocx:Panel>"),

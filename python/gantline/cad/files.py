@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+from difflib import get_close_matches
 from pathlib import Path
 
 from gantline.cad.errors import CadError
@@ -11,6 +12,8 @@ __all__ = ["content", "missing"]
 
 #: Bytes of a file, unpacked.
 _LARGEST = 500_000_000
+#: How alike a name has to be that may be meant, of 1.
+_ALIKE = 0.8
 
 
 def content(path: Path) -> bytes:
@@ -29,12 +32,22 @@ def content(path: Path) -> bytes:
             data = path.read_bytes()
     except (OSError, EOFError) as problem:
         reason = getattr(problem, "strerror", None) or str(problem)
-        raise CadError(f"{path}: cannot be read ({reason.lower()})") from None
+        raise CadError(f"{path}: cannot be read ({reason.lower()}){_instead(path)}") from None
     if len(data) > _LARGEST:
         raise CadError(f"{path}: larger than {_LARGEST // 1_000_000} MB when unpacked, so it is not read")
     if not data:
         raise CadError(f"{path}: the file is empty")
     return data
+
+
+def _instead(path: Path) -> str:
+    """Which file beside one that is not there may be meant."""
+    try:
+        beside = {one.name.lower(): one.name for one in path.parent.iterdir()}
+    except OSError:
+        return ""
+    near = [] if path.exists() else get_close_matches(path.name.lower(), beside, 1, _ALIKE)
+    return f"; is '{beside[near[0]]}' meant?" if near else ""
 
 
 def missing(path: Path, package: str) -> CadError:

@@ -133,6 +133,6 @@ def _runs(points: Sequence[SweepPoint], found: Sequence[int]) -> str:
 
 
 def _shown(point: SweepPoint) -> str:
-    from gantline.units import DIMENSIONS
+    from gantline.units import in_unit
 
-    return f"{point.value / DIMENSIONS[point.dimension][point.unit]:.6g} {point.unit}"
+    return in_unit(point.value, point.dimension, point.unit)

@@ -5,7 +5,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 `gantline.results.series`.
 
 - `peak_sling_tension`, `peak_sling_tension_time` [N, s]: largest tension of any sling over all steps, and
-  when
+  when; of a lift at rest there is no when
 - `peak_equalizing_rope_tension` [N]: largest tension of any equalizing rope over all steps
 - `peak_rope_tension.<rope>` [N]: largest tension of that rope over all steps
 - `final_rope_tension.<rope>` [N]: its tension at the last sample
@@ -220,7 +220,7 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
     clear = series.is_clear(recording)
     highest = earliest_peak(*(series.rope_peak(recording, sling.rope) for sling in slings))
     yield "peak_sling_tension", highest[0]
-    yield "peak_sling_tension_time", highest[1]
+    yield "peak_sling_tension_time", None if recording.is_equilibrium else highest[1]
     amplification, factors, least, angles = [], [], [], []
     for sling in slings:
         tension = series.sling_tension(recording, sling)

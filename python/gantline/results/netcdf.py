@@ -14,7 +14,7 @@ import os
 import zlib
 from collections import deque
 from collections.abc import Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from itertools import product
 from pathlib import Path
@@ -39,6 +39,7 @@ _OF_THE_FORMAT = frozenset({"recording_format", "_NCProperties"})
 _NO_VARIABLE, _BESIDE_DIMENSION = "This is a netCDF dimension but not a netCDF variable", "_nc4_non_coord_"
 _LEVEL = 1  # of gzip: higher ones take longer and save nothing
 _COMPRESS_FROM = 1 << 16  # bytes; smaller variables are not worth a chunk index
+_WORKERS = os.cpu_count() or 1
 _COMPONENTS = frozenset({"xyz", "wxyz"})  # each in chunks of its own: its values are like their neighbours
 
 #: Infinite where there is nothing left that they could be of: ropes that have all parted.
@@ -149,14 +150,15 @@ def _write(recording: Recording, file: h5netcdf.File) -> None:
         names = file.create_variable(dim, (dim,), dtype=h5py.string_dtype())
         if labels:
             names[...] = np.array(labels, dtype=object)
-    for name, variable in recording.variables.items():
-        _write_variable(file, name, variable)
+    with ThreadPoolExecutor(_WORKERS) as pool:
+        for name, variable in recording.variables.items():
+            _write_variable(file, name, variable, pool)
     file.attrs["recording_format"] = _FORMAT
     for name, value in recording.attributes.items():
         file.attrs[name] = value if name in _PLAIN_TEXT else json.dumps(value, allow_nan=False)
 
 
-def _write_variable(file: h5netcdf.File, name: str, variable: Variable) -> None:
+def _write_variable(file: h5netcdf.File, name: str, variable: Variable, pool: Executor) -> None:
     values = variable.values
     options: dict[str, Any] = {}
     is_large = not variable.is_text and values.nbytes >= _COMPRESS_FROM
@@ -171,7 +173,7 @@ def _write_variable(file: h5netcdf.File, name: str, variable: Variable) -> None:
         name, variable.dims, dtype=h5py.string_dtype() if variable.is_text else "<f8", **options
     )
     if is_large:
-        _write_chunks(target._h5ds, values, options["chunks"])
+        _write_chunks(target._h5ds, values, options["chunks"], pool)
     elif values.size:
         target[...] = values.astype(object) if variable.is_text else values
     target.attrs["units"] = variable.unit
@@ -179,7 +181,7 @@ def _write_variable(file: h5netcdf.File, name: str, variable: Variable) -> None:
 
 
 def _write_chunks(
-    target: h5py.Dataset, values: np.ndarray[Any, np.dtype[Any]], shape: tuple[int, ...]
+    target: h5py.Dataset, values: np.ndarray[Any, np.dtype[Any]], shape: tuple[int, ...], pool: Executor
 ) -> None:
     """Write a dataset in chunks of whole rows, or of a component of them, compressed on all processors.
 
@@ -187,18 +189,16 @@ def _write_chunks(
     to it as they are to stand in the file. Only so many are under way that memory stays small.
     """
     pending: deque[tuple[tuple[int, ...], Future[bytes]]] = deque()
-    workers = os.cpu_count() or 1
     whole = np.asarray(values, dtype="<f8")
     starts = product(*(range(0, size, chunk) for size, chunk in zip(whole.shape, shape, strict=True)))
-    with ThreadPoolExecutor(workers) as pool:
-        for start in starts:
-            chunk = whole[tuple(slice(at, at + size) for at, size in zip(start, shape, strict=True))]
-            pending.append((start, pool.submit(_filtered, chunk, shape[0])))
-            if len(pending) > 2 * workers:
-                place, packed = pending.popleft()
-                target.id.write_direct_chunk(place, packed.result())
-        for place, packed in pending:
+    for start in starts:
+        chunk = whole[tuple(slice(at, at + size) for at, size in zip(start, shape, strict=True))]
+        pending.append((start, pool.submit(_filtered, chunk, shape[0])))
+        if len(pending) > 2 * _WORKERS:
+            place, packed = pending.popleft()
             target.id.write_direct_chunk(place, packed.result())
+    for place, packed in pending:
+        target.id.write_direct_chunk(place, packed.result())
 
 
 def _filtered(chunk: np.ndarray[Any, np.dtype[Any]], rows: int) -> bytes:

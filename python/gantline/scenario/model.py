@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, PrivateAttr
@@ -210,7 +211,7 @@ class Scenario(Element):
         rows += [(f"step {number}", step.step) for number, step in enumerate(self.plan, 1)]
         return facts_table(head.title, rows)
 
-    @property
+    @cached_property
     def hooks(self) -> dict[str, Hook]:
         """Hooks of all cranes by their full names."""
         return hooks_of(self.cranes or {}, self.hook_types or {})
@@ -237,7 +238,7 @@ class Scenario(Element):
         is_held = len(lines_at(self, vessel)) > 1 and is_moored(self, vessel)
         return is_held and self.starts_at_rest and forces is not None and forces.drift is not False
 
-    @property
+    @cached_property
     def booms(self) -> dict[str, PlacedBoom]:
         """Booms of all cranes that have one, by the name of the crane."""
         return booms_of(self.cranes or {}, self.vessels or {})

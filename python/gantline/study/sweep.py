@@ -16,7 +16,7 @@ from gantline.scenario.tree_path import PathError, node_at
 from gantline.scenario.variants import with_value
 from gantline.statics import Statics
 from gantline.study.state import State, settled, unstartable
-from gantline.units import common_dimension, is_quantity, quantity, si_text, unit_of
+from gantline.units import common_dimension, in_unit, is_quantity, quantity, si_text, unit_of
 
 __all__ = ["SweepError", "SweepPoint", "run_sweep"]
 
@@ -25,7 +25,7 @@ class SweepError(ScenarioError):
     """A value of a sweep cannot be in the lift file; the message is that of the file with the value.
 
     Attributes:
-        value: The value, as a lift file would have it.
+        value: The value, in the unit of the sweep.
     """
 
     def __init__(self, source: str, problems: Sequence[Problem], value: str) -> None:
@@ -88,12 +88,15 @@ def run_sweep(
     dimension = common_dimension(*like, first, last)
     unit = unit_of(*like, first, last, dimension=dimension)
     for value in np.linspace(quantity(first, dimension), quantity(last, dimension), count):
-        text = si_text(float(value), dimension)
+        text = in_unit(float(value), dimension, unit, 15)
+        if quantity(text, dimension) != value:
+            text = si_text(float(value), dimension)  # to the last bit
         state = State("", path, "none", 0.0)
         try:
             found = settled(Statics(with_value(scenario, path, text)), time, state)
         except StartError as error:
             found = unstartable(state, scenario.duration if time is None else time, error)
         except ScenarioError as error:
-            raise SweepError(error.source, error.problems, text) from None
+            shown = in_unit(float(value), dimension, unit)
+            raise SweepError(error.source, error.problems, shown) from None
         yield SweepPoint(float(value), dimension, unit, found)

@@ -79,8 +79,8 @@ impl StaticLift {
     /// The samples are then the start of the lift, as it is given, and the equilibrium; at time 0 that alone.
     /// A plan that waits for a condition, in which a drive follows, or that has put in a pin is followed from rest to rest,
     /// contacts holding; so is a lift whose drums remember what they wind, or whose friction holds. What slides does so from
-    /// there. Before every part `goes_on` is asked. The same way is gone once: who asks again, or for a later time, goes on
-    /// from there, with the same answer.
+    /// there. Before every part `goes_on` is asked. The same way is gone once: who asks again goes on from the nearest place
+    /// that it has come by, with the same answer.
     ///
     /// # Errors
     /// [`NoEquilibrium`] says why there is none, or that the search was stopped.
@@ -91,13 +91,24 @@ impl StaticLift {
         losses: Losses,
         goes_on: GoesOn,
     ) -> Result<Rest, NoEquilibrium> {
-        let rest = self.reach(time, increment, losses, None, goes_on)?;
+        self.set_back(increment);
+        let rest = if self.has_history(time, losses) {
+            let on_the_way = losses.on_the_way();
+            let is_same = losses.sheaves == on_the_way.sheaves
+                && (losses.contacts == on_the_way.contacts || self.system.friction.is_empty());
+            let rest = self.follow(time, increment, on_the_way, None, goes_on)?;
+            if is_same { rest } else { self.statics.settle_again(&self.system, &mut self.state, losses)? }
+        } else {
+            self.jump(time, losses)?
+        };
+        way::note(&mut self.slides, &mut self.statics, self.state.time);
         self.sample(time > 0.0);
         Ok(rest)
     }
 
-    /// When a step of the plan begins or ends [s], of a lift that is followed as [`StaticLift::settle`] does, its contacts
-    /// sliding freely; none where that is not before `time` [s]. It is followed no farther than to that moment.
+    /// When a step of the plan begins or ends [s], of a lift that is followed as [`StaticLift::settle`] does, with sheaves
+    /// ideal; none where that is not before `time` [s]. It is followed no farther than to that moment, and not at all where
+    /// the plan alone says when that is.
     ///
     /// # Errors
     /// As there.
@@ -108,23 +119,19 @@ impl StaticLift {
         time: f64,
         goes_on: GoesOn,
     ) -> Result<Option<f64>, NoEquilibrium> {
-        let Some(until) = self.step_event(step, if ends { EventKind::StepEnd } else { EventKind::StepBegin })
-        else {
-            return Ok(None);
-        };
-        self.reach(time, None, Losses::NONE, Some(until), goes_on)?;
+        let kind = if ends { EventKind::StepEnd } else { EventKind::StepBegin };
+        let Some(until) = self.step_event(step, kind) else { return Ok(None) };
+        self.set_back(None);
+        if self.has_history(time, Losses::NONE) {
+            self.follow(time, None, Losses::NONE.on_the_way(), Some(until), goes_on)?;
+        } else {
+            self.advance(time);
+        }
         Ok(until.time(&self.log))
     }
 
-    /// To the equilibrium at `time` [s], or to the first that is found where `until` has been.
-    fn reach(
-        &mut self,
-        time: f64,
-        increment: Option<&[f64]>,
-        losses: Losses,
-        until: Option<way::StepEvent>,
-        goes_on: GoesOn,
-    ) -> Result<Rest, NoEquilibrium> {
+    /// To the start of the lift after `increment` of its free degrees of freedom, with all its loads.
+    fn set_back(&mut self, increment: Option<&[f64]>) {
         self.find_again();
         let Self { system, first, state, .. } = self;
         state.copy_from(first);
@@ -135,21 +142,14 @@ impl StaticLift {
                 free.map(|(step, driven)| if driven.is_none() { *step } else { 0.0 }).collect();
             system.tree.advance(&mut state.q, &free);
         }
-        let has_history = !self.system.coils.is_empty()
+    }
+
+    /// Whether what the lift comes to at `time` [s] depends on what has been.
+    fn has_history(&self, time: f64, losses: Losses) -> bool {
+        !self.system.coils.is_empty()
             || losses.sheaves == Sheaves::Held
             || losses.contacts != Contacts::Free
-            || self.has_way(time);
-        let rest = if has_history {
-            let on_the_way = losses.on_the_way();
-            let is_same = losses.sheaves == on_the_way.sheaves
-                && (losses.contacts == on_the_way.contacts || self.system.friction.is_empty());
-            let rest = self.follow(time, increment, on_the_way, until, goes_on)?;
-            if is_same { rest } else { self.statics.settle_again(&self.system, &mut self.state, losses)? }
-        } else {
-            self.jump(time, losses)?
-        };
-        way::note(&mut self.slides, &mut self.statics, self.state.time);
-        Ok(rest)
+            || self.has_way(time)
     }
 
     /// Finds the equilibrium to which a run of the same document would come if everything stopped where it has got to,

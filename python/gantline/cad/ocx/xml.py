@@ -24,6 +24,8 @@ MOST_PARTS = 100_000
 MOST_DEPTH = 64
 
 _CHUNK = 1 << 18
+#: How files begin that are packed.
+_PACKED = {b"PK\x03\x04": "zip", b"\x1f\x8b": "gzip"}
 _LONGEST_TEXT = 256
 _LONGEST_SHOWN = 80
 _SPACE = " "  # between namespace and name; no namespace name has a blank
@@ -107,6 +109,8 @@ def parse(data: bytes, file: str) -> Element:
     """
     if len(data) > MOST_BYTES:
         raise CadError(f"{file}: has {len(data)} bytes; at most {MOST_BYTES} are read")
+    if packer := next((name for begin, name in _PACKED.items() if data.startswith(begin)), None):
+        raise CadError(f"{file}: is packed by {packer}; unpack it (what ends on '.gz' is unpacked here)")
     reader = _Reader(file)
     try:
         for start in range(0, len(data), _CHUNK):

@@ -81,12 +81,18 @@ impl StaticLift {
 
     /// At once.
     pub(super) fn jump(&mut self, time: f64, losses: Losses) -> Result<Rest, NoEquilibrium> {
-        let Self { system, state, statics, log, .. } = self;
+        self.advance(time);
+        let Self { system, state, statics, .. } = self;
+        part(system, state);
+        statics.settle(system, state, losses)
+    }
+
+    /// The plan alone, to `time` [s].
+    pub(super) fn advance(&mut self, time: f64) {
+        let Self { system, state, log, .. } = self;
         log.events.clear();
         state.plan.advance(&system.plan, 0.0, time, None, log);
         state.time = time;
-        part(system, state);
-        statics.settle(system, state, losses)
     }
 
     /// From rest to rest, the start being where `increment` has brought it; no farther than to where `until` is known, if
