@@ -9,7 +9,7 @@ import numpy as np
 
 from gantline.checks.check import LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
-from gantline.results import progress
+from gantline.results import progress, series
 from gantline.results.gear import Drum
 from gantline.results.lift_off import hangs_from_the_start
 from gantline.results.parting import PLANNED, partings
@@ -94,6 +94,17 @@ def stood_still(recording: Recording) -> list[Check]:
     if hung and begins[still[0]] == recording.time[0]:
         remark += f"; {' and '.join(hung)} hangs before the plan begins"
     return [Check("plan_moves", Verdict.WARNING, "steps that hoist or lower move", remark=remark)]
+
+
+def never_still(recording: Recording) -> list[Check]:
+    """A warning where static values are means over motion: the shorter it is, the more of it they have."""
+    if not series.moves_all_along(recording):
+        return []
+    times = recording.time[series.quiet_window(recording)]
+    least = format_quantity(series.time_to_hang_still(recording.rig), "s", 0)
+    over = f"{times[0]:.4g} to {times[-1]:.4g} s, in which the plan moves it"
+    remark = f"static forces are means over {over}: hold the load still for {least}, clear of its supports"
+    return [Check("hangs_still", Verdict.WARNING, f"the load hangs still for {least} once", remark=remark)]
 
 
 def came_down(recording: Recording) -> list[Check]:

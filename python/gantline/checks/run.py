@@ -17,7 +17,16 @@ from gantline.checks.limits import LIMITS
 from gantline.checks.loads import held_by_tag_lines, on_their_tip, run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
 from gantline.checks.overlaps import run_into
-from gantline.checks.plan import came_down, fell_behind, hit, not_lifted, ran_out, stood_still, unfinished
+from gantline.checks.plan import (
+    came_down,
+    fell_behind,
+    hit,
+    never_still,
+    not_lifted,
+    ran_out,
+    stood_still,
+    unfinished,
+)
 from gantline.checks.ranges import left_range
 from gantline.checks.slings import idle, taken_off
 from gantline.checks.tag_lines import left_behind
@@ -63,7 +72,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         slings never carried or run through a load, where a tag line pulls as if it bore one, where a hook
         holds a frame upright, where the recording has warnings of its own or values that are no numbers,
         where steps moved nothing, where a load came down while it was taken along or came down hard, and
-        where a run lifts nothing or ends before its plan.
+        where a run lifts nothing, holds nothing still or ends before its plan.
     """
     rig = recording.rig
     _hold_steps(recording, ending)
@@ -103,7 +112,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every + not_lifted(recording)]
     every += stood_still(recording) + came_down(recording) + hit(recording)
-    return every + (unfinished(recording) or not_lifted(recording))
+    return every + (unfinished(recording) or not_lifted(recording) + never_still(recording))
 
 
 def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> dict[str, float]:

@@ -135,6 +135,22 @@ def _found_quiet(recording: Recording) -> list[BoolArray]:
     return [max(in_air, key=np.count_nonzero), *found] if in_air else found
 
 
+def moves_all_along(recording: Recording) -> bool:
+    """True of a run whose loads never hung still for long enough: its static values are means over motion.
+
+    What drives did must be known; else nothing tells.
+    """
+    if recording.is_equilibrium or "drive_work" not in recording.coordinates.get("energy_kind", ()):
+        return False
+    still = np.append(_drives_stand(recording), True)
+    return bool(quiet_windows(recording)) and not any(still[one].all() for one in quiet_windows(recording))
+
+
+def time_to_hang_still(rig: Rig) -> float:
+    """How long loads hang still at least where static values are means over that [s]."""
+    return max(_SHORTEST_QUIET, rig.time_to_average)
+
+
 def is_wet(recording: Recording) -> BoolArray:
     """Samples at which water bears a part of any load, shape (time,)."""
     wet = _no_sample(recording)
@@ -239,7 +255,7 @@ def stretches(mask: BoolArray) -> list[BoolArray]:
 
 def _lasts(recording: Recording, stretch: BoolArray) -> bool:
     times = recording.time[stretch]
-    return bool(times[-1] - times[0] >= max(_SHORTEST_QUIET, recording.rig.time_to_average))
+    return bool(times[-1] - times[0] >= time_to_hang_still(recording.rig))
 
 
 def greatest_static(recording: Recording, values: FloatArray) -> tuple[float | None, BoolArray]:
