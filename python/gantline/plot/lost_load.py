@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-from gantline.plot.style import ALARM, INK, QUIET, RC, colour
+from gantline.plot.style import ALARM, INK, QUIET, RC, colour, legend_above
 from gantline.results.variable import FloatArray
 
 __all__ = ["SwingCurve", "lost_load_picture"]
@@ -78,7 +78,7 @@ def _arms(panel: Axes, curve: SwingCurve, last: float) -> None:
     left, taken = part(curve.before, curve.after), part(curve.after, min(curve.end, last))
     panel.fill_between(*left, color=colour(1), alpha=0.35, linewidth=0, label="A1, left by the load")
     panel.fill_between(*taken, color=colour(2), alpha=0.25, linewidth=0, label="A2, can be taken")
-    panel.legend(loc="upper left", bbox_to_anchor=(0.08, 1.0), fontsize=8)
+    legend_above(panel, *panel.get_legend_handles_labels(), columns=2)
 
 
 def _places(panel: Axes, curve: SwingCurve) -> None:

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
@@ -225,7 +226,7 @@ def fitting_columns(labels: Sequence[str]) -> int:
 
 
 def legend_above(
-    panel: Axes, keys: Sequence[Line2D], labels: Sequence[str], columns: int, *, spacing: float = 1.4
+    panel: Axes, keys: Sequence[Artist], labels: Sequence[str], columns: int, *, spacing: float = 1.4
 ) -> None:
     """Keys with their labels above a panel, `spacing` times the size of a letter between columns."""
     panel.legend(
