@@ -26,6 +26,7 @@ from gantline.viewer.live import LiveView
 from gantline.viewer.server import PageServer
 from harbour_lift import HARBOUR_LIFT
 from hostile import hostile_recording
+from long_names import LONG_NAMES
 
 ROOT = Path(__file__).resolve().parents[2]
 VIEWER = ROOT / "viewer"
@@ -172,6 +173,9 @@ def test_report_and_player_in_a_browser(tmp_path: Path) -> None:
         encoding="utf-8",
     )
     write_report(hostile_recording(), tmp_path / "hostile.html")
+    long = tmp_path / "long.yaml"
+    long.write_text(LONG_NAMES, encoding="utf-8")
+    write_report(gantline.simulate(long), tmp_path / "long.html")
     (tmp_path / "lift.glb").write_bytes(gltf_binary(recording))
     (tmp_path / "watched.glb").write_bytes(gltf_binary(watched))
     (tmp_path / "expected.json").write_text(json.dumps(expected(recording)), encoding="utf-8")

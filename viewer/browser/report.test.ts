@@ -150,6 +150,38 @@ describe("the report", () => {
     expect(Math.max(...right)).toBeLessThanOrEqual(360);
   });
 
+  // Names of slings in legends and of what lies upon each other ran out of the page, with the values beside them; the
+  // list of ropes to pin was as wide as its longest name.
+  it("fits a phone with long names too", async () => {
+    const { page } = await open(browser, "long.html", { width: 360, height: 740 });
+    const right = await page.evaluate(() =>
+      [...document.querySelectorAll(".gl-legend *, .gl-pin, .gl-peak-name")].map(
+        (one) => one.getBoundingClientRect().right,
+      ),
+    );
+    expect(right.length).toBeGreaterThan(10);
+    expect(Math.max(...right)).toBeLessThanOrEqual(360);
+  });
+
+  it("does not break words beside a long value", async () => {
+    const { page } = await open(browser, "watched.html", { width: 360, height: 740 });
+    // "integrator" was two lines, and "tightest clearance" of `splash_zone` three, the last one "ce".
+    const broken = await page.evaluate(() =>
+      [...document.querySelectorAll<HTMLElement>(".facts dt")]
+        .filter((one) => {
+          const range = document.createRange();
+          const text = one.firstChild!;
+          return [...text.textContent!.matchAll(/\S+/g)].some((word) => {
+            range.setStart(text, word.index);
+            range.setEnd(text, word.index + word[0].length);
+            return range.getClientRects().length > 1;
+          });
+        })
+        .map((one) => one.textContent),
+    );
+    expect(broken).toEqual([]);
+  });
+
   it("has tables that keys can scroll where they are wider than the page", async () => {
     const reachable = async (width: number) => {
       const { page } = await open(browser, "report.html", { width, height: 740 });

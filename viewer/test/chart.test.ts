@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { alike, dashes, placesOf } from "../src/chart/alike";
-import { apart, familiesOf } from "../src/chart/families";
+import { apart, familiesOf, firstLargest } from "../src/chart/families";
 import { Curve } from "../src/data/curve";
 
 /** A curve from 0 to a height and back to a depth. */
@@ -28,6 +28,15 @@ describe("families of curves", () => {
     const mixed = [...slings, curve("low", "slings of A", 1, -20), ...falls];
     expect(familiesOf(mixed, "both")[0]!.extremes).toEqual([1, 5]);
     expect(familiesOf(mixed, "smallest")[0]!.extremes).toEqual([5]);
+  });
+
+  // Of twins such as the bow lines of `floating_crane`, which differ by 1e-14 of what they carry, the plot named the
+  // starboard one and the first page the port one; so with luffing ropes, falls and slings.
+  it("names the first of those that are alike but for rounding", () => {
+    const twins = [220222.21, 207863.2, 220222.21 * (1 + 1e-13), 220222.21 * (1 + 1e-7)];
+    expect(firstLargest([0, 1, 2, 3], (index) => twins[index]!)).toBe(0);
+    expect(firstLargest([0, 1], (index) => [500, 500.01][index]!)).toBe(1);
+    expect(firstLargest([0, 1], () => Number.NEGATIVE_INFINITY)).toBe(0);
   });
 
   it("has one colour for curves that nobody has put into families", () => {

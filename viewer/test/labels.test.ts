@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { type ChartSpec, type LimitName, liftOffName, limitNames } from "../src/chart/frame";
 import { crosses, type Paper, peakPlace } from "../src/chart/marks";
+import { shortenedInside } from "../src/chart/scale";
 import { Curve } from "../src/data/curve";
 import type { Session } from "../src/player/session";
 import { type Box, settle } from "../src/scene/settle";
@@ -27,6 +28,15 @@ describe("names in the drawing", () => {
     expect(settle(one, [box(100, 352)], 640, 360)).toBe(true);
     expect(one.y).toBe(334);
     expect(settle(box(100, 350), [box(100, 352), box(100, 336)], 640, 360)).toBe(false);
+  });
+
+  // All four began alike, so that each was "sling_between_the_hook_a…", and what it carried was cut off with the rest.
+  it("show both ends where they are long", () => {
+    expect(shortenedInside("sling_between_the_hook_and_lug_at_frame_117_starboard_side_3")).toBe(
+      "sling_betw…ard_side_3",
+    );
+    expect(shortenedInside("the_main_hook_of_crane")).toHaveLength(21);
+    expect(shortenedInside("main_hook_of_crane_21")).toBe("main_hook_of_crane_21");
   });
 
   it("are not cut off at the edge, and what is out of sight has none", () => {

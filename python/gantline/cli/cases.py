@@ -44,7 +44,6 @@ def cases(
     from gantline.results.saved import CASES
 
     moment = moment_of(time)
-    folder = None if output is None else output_folder(output)
     with scenario_errors():
         from gantline.scenario import load_scenario
         from gantline.study import run_cases
@@ -54,6 +53,7 @@ def cases(
         if not scenario.cases:
             right = "cases: {heavy: {set: {load.weight.simulate: design}}}"
             stop(f"{scenario.source}: there are no 'cases' in this file; one is written like '{right}'")
+        folder = None if output is None else output_folder(output)
         with telling("cases") as tell:
             result = run_cases(scenario, moment, on_progress=tell)
     text = json.dumps(result.to_json(), indent=2, allow_nan=False)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import glob
 import os
 import tempfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, overload
@@ -181,6 +182,19 @@ def output_folder(folder: Path) -> Path:
         os.close(handle)
         os.unlink(trial)
     return folder
+
+
+@contextmanager
+def folder_in_use(output: Path | None) -> Iterator[Path | None]:
+    """The folder to write into, if one is asked for; a new one goes again where what needs it is refused."""
+    is_new = output is not None and not output.exists()
+    folder = None if output is None else output_folder(output)
+    try:
+        yield folder
+    except BaseException:
+        if folder is not None and is_new and not any(folder.iterdir()):
+            folder.rmdir()
+        raise
 
 
 def refuse_to_replace(read: Iterable[Path], written: Iterable[Path], right: str) -> None:

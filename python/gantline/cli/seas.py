@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from gantline.cli.lift import Lift, TypedSetting, folder_option, output_folder, quantity_of
+from gantline.cli.lift import Lift, TypedSetting, folder_in_use, folder_option, quantity_of
 from gantline.cli.messages import CHECK_FAILED, DONE, INTERRUPTED, scenario_errors, stop, warn, writing
 from gantline.cli.progress import telling
 from gantline.cli.spans import values_of_option
@@ -93,8 +93,8 @@ def seas(
         settings["duration"] = TypedSetting(
             "--duration", duration, quantity_of("--duration", duration, "time")
         )
-    folder = None if output is None else output_folder(output)
-    result = _run(lift, asked, records, settings, every=every)
+    with folder_in_use(output) as folder:
+        result = _run(lift, asked, records, settings, every=every)
     document = result.to_json()
     text = json.dumps(document, indent=2, allow_nan=False)
     found = SavedSeas.from_json(document)

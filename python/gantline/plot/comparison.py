@@ -26,13 +26,13 @@ from gantline.plot.style import (
     force_unit,
     legend_above,
     shortened,
-    shortened_inside,
     widen,
 )
 from gantline.results import series
 from gantline.results.common_time import CommonTime
 from gantline.results.comparison import Comparison, ForceComparison, MotionComparison
 from gantline.results.drift import load_drift
+from gantline.results.families import shortened_inside
 from gantline.results.recording import Recording
 from gantline.results.rotation import tilt
 from gantline.results.variable import FloatArray

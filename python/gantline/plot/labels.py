@@ -12,6 +12,7 @@ from matplotlib.patheffects import Normal, Stroke
 from gantline.plot.drawing import TOP, View
 from gantline.plot.scene import Snapshot
 from gantline.plot.style import INK, KILO, MOST_NAMED
+from gantline.results.families import shortened_inside
 from gantline.results.gear import Equalizer
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
@@ -42,6 +43,7 @@ def label_lugs(panel: Axes, recording: Recording, snap: Snapshot) -> None:
     if len(named) > _MOST_LUGS or _nearest(named) < _LUGS_APART * width:
         named = _by_what_bears_them(recording, snap)
     for name, lug in named.items():
+        name = shortened_inside(name)
         half = character * len(name) / 2
         paper = (panel.get_xlim(), panel.get_ylim())
         right, up = beside(TOP.project(lug), half, taken, 0.05 * width, paper)
@@ -68,7 +70,7 @@ def label_sheaves(panel: Axes, snap: Snapshot, view: View, which: Equalizer) -> 
         panel.text(
             along,
             low,
-            f"{rope.removeprefix('sling.')}\n{force:.0f} kN",
+            f"{shortened_inside(rope.removeprefix('sling.'))}\n{force:.0f} kN",
             fontsize=6.5,
             ha="center",
             va="bottom",

@@ -17,6 +17,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from gantline.plot.timeline import LETTER, draw_strip, is_tall, strips_of
+from gantline.results.families import shortened_inside
 from gantline.results.lift_off import lift_off_time
 from gantline.results.progress import unfinished
 from gantline.results.recording import Recording
@@ -37,7 +38,6 @@ MOST_NAMED = 24
 _NEAR, _MOSTLY = 0.005, 0.95
 #: Share of all their reach past which a curve is seen by itself: dashes would break up its peak.
 _AWAY = 0.02
-_MOST_OF_A_NAME = 21  # characters: longer ones beside a curve would leave no room for the titles
 _DASH = 5.0  # widths of the line
 _PEAK_BELOW = 0.84  # of a panel's height: the text above a peak stays clear of 'lift-off'
 TONNE_FORCE = 9.81e3  # N; only what people read speaks of tonne-force
@@ -338,12 +338,6 @@ def widen(panel: Axes, least: float) -> None:
 def shortened(text: str, most: int) -> str:
     """A text of at most this many characters."""
     return text if len(text) <= most else text[: most - 1].rstrip() + "…"
-
-
-def shortened_inside(name: str) -> str:
-    """A name for a curve: of a long one both ends, in which names of one kind differ."""
-    half = (_MOST_OF_A_NAME - 1) // 2
-    return name if len(name) <= _MOST_OF_A_NAME else f"{name[:half]}…{name[-half:]}"
 
 
 def four_digits(value: float) -> str:

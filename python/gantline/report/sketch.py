@@ -22,6 +22,7 @@ from gantline.report.sketch_names import (
 )
 from gantline.report.sketch_paper import HEIGHT, MARGIN, WIDTH, Mark, Paper, drawn_path, outline
 from gantline.report.subject import Subject
+from gantline.results.families import shortened_inside
 from gantline.results.parting import PLANNED, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
@@ -47,8 +48,8 @@ _SIDES = {
 _PLAN = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 #: What is drawn upon what; cranes and supports lie below.
 _ORDER = {"hull": 0, "load": 1, "frame": 2, "hook": 3}
-#: Lengths of a scale bar [m].
-_ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
+#: Lengths of a scale bar [m]; the longest are for runs that flew apart.
+_ROUND = tuple(first * 10.0**power for power in range(-2, 12) for first in (1.0, 2.0, 5.0))
 
 #: Where along a sling its number is tried, the best first.
 _ALONG = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)
@@ -259,8 +260,16 @@ def _draw(
     marks += _hangers(moment, paper, solids) if not plan else []
     above = _centres(moment, paper) + _hooks(moment, paper, ropes, plan=plan)
     marks += _numbers(moment, paper, ropes, above, plan=plan) + above
-    bar = max((one for one in _ROUND if one / paper.scale <= 0.3 * WIDTH), default=_ROUND[0])
-    return Sketch(title, WIDTH, HEIGHT, paper.scale, bar, marks)
+    return Sketch(title, WIDTH, HEIGHT, paper.scale, scale_bar(paper.scale), marks)
+
+
+def scale_bar(scale: float) -> float:
+    """A round length that has room below a sketch [m].
+
+    Args:
+        scale: Of the sketch, metres by millimetre of paper.
+    """
+    return max((one for one in _ROUND if one / scale <= 0.3 * WIDTH), default=_ROUND[0])
 
 
 def _standing(paper: Paper, around: list[Structure]) -> list[Mark]:
@@ -331,7 +340,9 @@ def _numbers(
 ) -> list[Mark]:
     """Lugs as dots, and the number of each sling beside its lug or on its way, clear of what lies above."""
     shown = [
-        (sling.name, paper.place(ropes[sling.rope])) for sling in moment.rig.slings if sling.rope in ropes
+        (shortened_inside(sling.name), paper.place(ropes[sling.rope]))
+        for sling in moment.rig.slings
+        if sling.rope in ropes
     ]
     lugs = [path[-1] for _, path in shown]
     marks = [Mark("dot", "sk-lug", x=float(x), y=float(y)) for x, y in lugs]

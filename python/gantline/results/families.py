@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 
 from gantline.results.rig import Rig
 
-__all__ = ["MOST", "families"]
+__all__ = ["MOST", "families", "shortened_inside"]
 
 #: Colours that can be told apart.
 MOST = 8
+_MOST_OF_A_NAME = 21  # characters: longer ones would leave no room for what they stand beside
 
 
 def families(rig: Rig, ropes: Sequence[str]) -> dict[str, str]:
@@ -31,6 +32,12 @@ def families(rig: Rig, ropes: Sequence[str]) -> dict[str, str]:
         if len(set(found.values())) <= MOST:
             break
     return found
+
+
+def shortened_inside(name: str) -> str:
+    """A name for a picture: of a long one both ends, in which names of one kind differ."""
+    half = (_MOST_OF_A_NAME - 1) // 2
+    return name if len(name) <= _MOST_OF_A_NAME else f"{name[:half]}…{name[-half:]}"
 
 
 def _family_of(rig: Rig, finely: Sequence[str]) -> Mapping[str, str]:

@@ -13,6 +13,7 @@ from gantline.scenario.findings import Findings, Path
 from gantline.scenario.mechanics import (
     Ball,
     Body,
+    Fixed,
     Free,
     Guide,
     HalfTurn,
@@ -68,11 +69,17 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
         if name in taken:
             findings.add(path, f"'{name}' is already the name of a rope of the rigging; use another name")
     _check_drums(findings, mechanics)
+    rigid = _rigid_with(mechanics)
+    for name, rope in (mechanics.ropes or {}).items():
+        _check_ways(findings, ("mechanics", "ropes", name, "route"), rope, rigid)
     corners = [f"{scenario.load.name}.corner_{place}" for place in range(1, 9)] if scenario.load else []
     for name, contact in (mechanics.contacts or {}).items():
         path = ("mechanics", "contacts", name)
         if contact.body not in known:
             findings.add((*path, "body"), f"'{contact.body}' is not a body; {nearest(contact.body, known)}")
+        elif rigid.get(contact.body) == "world":
+            sentence = f"'{contact.body}' stands still, as the plane does; name a body that moves"
+            findings.add((*path, "body"), sentence)
         if name in corners:
             findings.add(path, f"'{name}' is already the name of a corner of the load; use another name")
         _check_direction(findings, (*path, "plane", "normal"), contact.plane.normal)
@@ -105,6 +112,32 @@ def _check_parent(
     if parent == name:
         loop = " -> ".join([*chain, name])
         findings.add(path, f"hangs in a circle ({loop}); in the end every body hangs on the world")
+
+
+def _rigid_with(mechanics: Mechanics) -> dict[str, str]:
+    """By body what it is fixed to in the end: the world, or the last body down its fixed joints."""
+
+    def last(name: str) -> str:
+        passed = [name]
+        while (body := mechanics.bodies.get(passed[-1])) is not None and isinstance(body.joint, Fixed):
+            parent = body.parent or "world"
+            if parent in passed:  # a circle, which is told where it is
+                break
+            passed.append(parent)
+        return passed[-1]
+
+    return {name: last(name) for name in ("world", *mechanics.bodies)}
+
+
+def _check_ways(findings: Findings, path: Path, rope: MechanicsRope, rigid: Mapping[str, str]) -> None:
+    """Something gives way to an inextensible rope; one that stretches may tell how long a route is."""
+    kind = (findings.scenario.ropes or {}).get(rope.rope)
+    bodies = list(dict.fromkeys(guide.body for guide in rope.route))
+    if kind is None or not kind.inextensible or len({rigid.get(body, body) for body in bodies}) > 1:
+        return
+    named = ", ".join(map(repr, bodies))
+    sentence = f"nothing gives way to this inextensible rope: all its guides are on {named}"
+    findings.add(path, f"{sentence}, which do not move against each other; name another body")
 
 
 def _check_joint(findings: Findings, path: Path, joint: Joint) -> None:
@@ -141,7 +174,10 @@ def _check_stops(findings: Findings, path: Path, joint: HingeJoint | Slider) -> 
 
 
 def _check_motion(findings: Findings, path: Path, motion: Sequence[SpeedRamp | TurnRamp]) -> None:
-    end = 0.0
+    end, duration = 0.0, findings.scenario.duration
+    if motion and motion[0].at > duration:
+        sentence = f"{motion[0].at:g} s is after the end of the lift at {duration:g} s, so that nothing moves"
+        findings.add((*path, 0, "at"), f"{sentence}; make 'duration' longer or this time earlier")
     for place, ramp in enumerate(motion):
         if ramp.at < end:
             sentence = f"{ramp.at:g} s is before the end of the change before it, at {end:g} s"
@@ -157,6 +193,9 @@ def _check_mass(findings: Findings, path: Path, body: Body) -> None:
         )
     if isinstance(joint, Free) and any(body.centre_of_gravity):
         sentence = "the axes of a free body begin at its centre of gravity; leave this out"
+        findings.add((*path, "centre_of_gravity"), sentence)
+    elif body.mass == 0 and any(body.centre_of_gravity):
+        sentence = "a body without mass has no centre of gravity; give it 'mass', or leave this out"
         findings.add((*path, "centre_of_gravity"), sentence)
     if inertia is None:
         if isinstance(joint, Free):

@@ -56,6 +56,7 @@ SMALLEST: Final = 1e-9
 _NUMBER: Final = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
 NAME_PATTERN: Final = r"[A-Za-z0-9_.\-]+"
 _LONGEST_NAME: Final = 64
+_LONGEST_JOINED: Final = 4 * _LONGEST_NAME
 _LONGEST_TEXT: Final = 2000
 
 
@@ -217,8 +218,10 @@ class NameText(Reader):
         if not isinstance(value, str) or not re.fullmatch(NAME_PATTERN, value, re.ASCII):
             right = "a name has letters from a to z, digits, '_', '-' and '.' only"
             raise refuse(f"found {found(value)}; {right}")
-        if len(value) > _LONGEST_NAME:
-            raise refuse(f"found {found(value)}; a name has at most {_LONGEST_NAME} characters")
+        # Before its own name and a dot a lug has that of its load, a drum those of its crane and hook.
+        if max(map(len, value.split("."))) > _LONGEST_NAME or len(value) > _LONGEST_JOINED:
+            dots = f" between dots, {_LONGEST_JOINED} in all" if "." in value else ""
+            raise refuse(f"found {found(value)}; a name has at most {_LONGEST_NAME} characters{dots}")
         return str(value)
 
     def shown(self) -> JsonSchemaValue:

@@ -4,6 +4,8 @@ import type { Curve } from "../data/curve";
 
 /** Colours that can be told apart. */
 export const COLOURS = 8;
+/** Values that differ by less, as a share, are alike: two units in the last place of the numbers that curves have. */
+const ROUNDING = 2.4e-7;
 
 /** Which curves of a family count most: those that go highest, lowest, or both. */
 export type Extreme = "largest" | "smallest" | "both";
@@ -37,11 +39,27 @@ function family(name: string, colour: string, members: number[], extremes: numbe
 /** The curve that goes highest, the one that goes lowest, or both, the highest first. */
 function extremesOf(curves: Curve[], members: number[], extreme: Extreme): number[] {
   const best = (measure: (curve: Curve) => number) =>
-    members.reduce((one, other) => (measure(curves[other]!) > measure(curves[one]!) ? other : one));
+    firstLargest(members, (index) => measure(curves[index]!));
   const highest = best((curve) => curve.top[0]);
   const lowest = best((curve) => -curve.least);
   if (extreme === "largest") return [highest];
   return extreme === "smallest" ? [lowest] : [...new Set([highest, lowest])];
+}
+
+/**
+ * The item with the largest value: of those alike but for rounding the first, so that checks, tables and curves name
+ * the same of two twins.
+ */
+export function firstLargest<T>(items: readonly T[], measure: (item: T) => number): T {
+  const values = items.map(measure);
+  const most = values.reduce((one, other) => Math.max(one, other), Number.NEGATIVE_INFINITY);
+  const least = most - ROUNDING * Math.max(Math.abs(most), 1);
+  return items[
+    Math.max(
+      0,
+      values.findIndex((value) => value >= least),
+    )
+  ]!;
 }
 
 /** Places at least `gap` apart between two bounds, near to what is wanted, in the order of that. */

@@ -2,9 +2,9 @@
 
 import type { Curve } from "../data/curve";
 import { svg } from "../dom";
-import { apart, type Family } from "./families";
+import { apart, type Family, firstLargest } from "./families";
 import type { Area, LimitName } from "./frame";
-import { shown, valueText } from "./scale";
+import { shortenedInside, shown, valueText } from "./scale";
 
 const LINE = 12; // pixels from one name to the next
 const LETTER = 6.1; // pixels, mean width of a letter
@@ -38,14 +38,14 @@ export function endNames(families: Family[], curves: Curve[], paper: Paper): SVG
       class: "gl-leader",
     };
     const place = { x: area.right + 14, y: to + 3.5, color: colour, class: "gl-end-name" };
-    return [svg("line", leader), svg("text", place, curve.entry.label)];
+    return [svg("line", leader), svg("text", place, shortenedInside(curve.entry.label))];
   });
 }
 
 /** Room that they take [pixels]. */
 export function roomOf(families: Family[], curves: Curve[]): number {
   const longest = families.flatMap(({ extremes }) =>
-    extremes.map((index) => curves[index]!.entry.label.length),
+    extremes.map((index) => shortenedInside(curves[index]!.entry.label).length),
   );
   return 20 + LETTER * Math.max(...longest);
 }
@@ -58,12 +58,12 @@ export function peakMark(
   limits: readonly LimitName[],
 ): SVGElement[] {
   if (!curves.length) return [];
-  const highest = curves.reduce((one, other) => (other.top[0] > one.top[0] ? other : one));
+  const highest = firstLargest(curves, (curve) => curve.top[0]);
   const [value, time] = highest.top;
   const { area, span } = paper;
   if (!(time >= span[0] && time <= span[1]) || value <= 0) return [];
   const [x, y] = [paper.x(time), paper.y(value)];
-  const text = `${highest.entry.label} ${valueText(value, unit, value)} at ${shown(time, 2)} s`;
+  const text = `${shortenedInside(highest.entry.label)} ${valueText(value, unit, value)} at ${shown(time, 2)} s`;
   const isCrossed = (box: Box) => curves.some((curve) => crosses(curve, paper, box));
   const place = { ...peakPlace(x, y, LETTER * text.length, area, limits, isCrossed), class: "gl-peak-name" };
   return [svg("circle", { cx: x, cy: y, r: 3, class: "gl-peak" }), svg("text", place, text)];

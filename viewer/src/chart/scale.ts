@@ -68,3 +68,12 @@ export function forceText(force: number, largest: number, more = 0): string {
   const digits = largest < 10 * unit ? 2 : largest < 100 * unit ? 1 : 0;
   return `${shown(force / unit, digits + more)} ${unit === 1 ? "N" : "kN"}`;
 }
+
+/** Characters of a name, as in pictures: of a longer one nothing else would have room beside it. */
+const MOST_OF_A_NAME = 21;
+
+/** A name on paper or in the drawing: of a long one both ends, in which names of one kind differ. */
+export function shortenedInside(name: string): string {
+  const half = (MOST_OF_A_NAME - 1) / 2;
+  return name.length <= MOST_OF_A_NAME ? name : `${name.slice(0, half)}…${name.slice(-half)}`;
+}

@@ -1,6 +1,6 @@
 /** Names beside what they name, as text above the drawing. */
 
-import { forceText, shown } from "../chart/scale";
+import { forceText, shortenedInside, shown } from "../chart/scale";
 import type { Lift } from "../data/lift";
 import { element, set } from "../dom";
 import { TOUCHING } from "./clearances";
@@ -52,14 +52,14 @@ export class Labels {
     for (const kind of ["load", "hook", "frame"])
       bodies.forEach((body, index) => {
         if (body.kind === kind && this.labels.length < MOST_BODIES)
-          this.add(body.name, "gl-label gl-label-body", { body: index });
+          this.add(shortenedInside(body.name), "gl-label gl-label-body", { body: index });
       });
     pairs.slice(0, MOST_PAIRS).forEach((_, pair) => {
       this.add("", "gl-label gl-label-pair", { pair });
     });
     ropes.forEach((rope, index) => {
       if (rope.kind === "sling" && rope.count > 1 && this.slings <= MOST_SLINGS)
-        this.add(rope.label, "gl-label", { rope: index });
+        this.add(shortenedInside(rope.label), "gl-label", { rope: index });
     });
   }
 
