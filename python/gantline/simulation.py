@@ -50,9 +50,10 @@ from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
 from gantline.results.unfollowed import unfollowed
 from gantline.results.variable import FloatArray
-from gantline.results.vessels import vessel_warnings
+from gantline.results.vessels import vessel_warnings, with_overturning
 from gantline.scenario import Scenario, load_scenario
 from gantline.scenario.water import Water
+from gantline.statics.righted import overturning_at_end, overturning_at_start
 from gantline.units import format_quantity
 from gantline.version import version
 
@@ -147,6 +148,7 @@ class Simulation:
         self.integration_time = 0.0
         self._failure: dict[str, Any] | None = None
         self._present: tuple[float, dict[str, FloatArray]] | None = None
+        self._overturning_at_end: dict[str, float] | None = None
         try:
             self._core = _core.Simulation(
                 self.assembly.document_text(), json.dumps(self.settings, allow_nan=False)
@@ -387,7 +389,7 @@ class Simulation:
         return recording_of(
             columns,
             names,
-            self.assembly.rig,
+            self._rig_afloat(),
             title=str(self.assembly.rig.get("title", "")),
             gantline_version=version(),
             scenario=self.scenario.text,
@@ -399,6 +401,27 @@ class Simulation:
             status=self.status,
             **failure,
         )
+
+    def _rig_afloat(self) -> dict[str, Any]:
+        """The JSON of the rig, with vessels that nothing rights where the run begins at rest or ends.
+
+        A run of perfect symmetry stays upright there: nothing pushes but rounding.
+        """
+        found = self.assembly.rig
+        if not self._rig.vessels:
+            return found
+        if self.settings["start"] == "rest":
+            found = with_overturning(found, 0.0, self._overturning_at_start)
+        if self.ended and self.status == "done":
+            if self._overturning_at_end is None:
+                lie = {one.body: self.now("body_orientation", one.body) for one in self._rig.vessels}
+                self._overturning_at_end = overturning_at_end(self.scenario, self.time, self.save(), lie)
+            found = with_overturning(found, self.time, self._overturning_at_end)
+        return found
+
+    @cached_property
+    def _overturning_at_start(self) -> dict[str, float]:
+        return overturning_at_start(self.scenario)
 
     def _settings_used(self) -> dict[str, Any]:
         """The settings with what they leave to a default, and `start` in the lift file's own word."""
@@ -434,6 +457,7 @@ class Simulation:
         """
         self._core.restore(state)
         self._present = None
+        self._overturning_at_end = None
         self.status = "ready"
         self._failure = None
 

@@ -37,6 +37,7 @@ from gantline.statics.answers import (
 from gantline.statics.linear import LinearModel, linear_model
 from gantline.statics.motion import drums_of, in_words
 from gantline.statics.pieces import Pieces
+from gantline.statics.righted import overturning
 from gantline.statics.streaming import leading_away, leads_straight, motions, streams
 from gantline.version import version
 
@@ -287,7 +288,7 @@ class Statics:
             straight, swinging, neutral = leading_away(self._core.linear())
         unstable = straight + swinging
         self._is_stable = not unstable
-        return Equilibrium(
+        rest = Equilibrium(
             time=moment,
             recording=recording,
             residual=found["residual"],
@@ -303,6 +304,7 @@ class Statics:
                 for name, support, friction, bound in found["contacts"]
             ),
         )
+        return rest.with_overturning(overturning(self, rest))
 
     @_one_at_a_time
     def modes(self, count: int | None = None) -> list[Mode]:
