@@ -34,6 +34,7 @@ from gantline.results.immersion import (
 from gantline.results.longer_falls import longer_falls
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
+from gantline.results.pressed import pressed_through
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.run_warnings import (
@@ -348,6 +349,7 @@ class Simulation:
         columns, names = clearance_events(rig, columns, names)
         warnings += contact_warnings(rig, columns, names)
         warnings += missed_peaks(rig, columns, names) + missed_bumps(rig, columns, names)
+        warnings += pressed_through(self.assembly.document, rig.fenders, columns, names)
         warnings += missed_crests(rig, columns)
         warnings += still_growing(self.assembly.document, rig, columns, names)
         warnings += missed_incidents(self.assembly.document, rig, self.duration, names["event_kind"])

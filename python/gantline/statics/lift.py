@@ -20,6 +20,7 @@ from gantline.overrides import is_number
 from gantline.results.derive import recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.immersion import dry_hulls, loads_in_bed
+from gantline.results.pressed import pressed_through
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, at_rest
 from gantline.scenario import Scenario, load_scenario
@@ -470,6 +471,7 @@ class Statics:
         warnings = [*self.assembly.warnings, *dry_hulls(self.assembly.document, columns, names)]
         warnings += loads_in_bed(columns, names, self.assembly.scene, loads, depth)
         warnings += drum_warnings(self.rig, columns, names)
+        warnings += pressed_through(self.assembly.document, self.rig.fenders, columns, names)
         return recording_of(
             columns,
             names,
