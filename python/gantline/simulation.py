@@ -52,8 +52,9 @@ from gantline.results.tanks import pump_warnings
 from gantline.results.unfollowed import unfollowed
 from gantline.results.variable import FloatArray
 from gantline.results.vessels import vessel_warnings, with_overturning
-from gantline.scenario import Scenario, load_scenario
+from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.water import Water
+from gantline.statics import Statics
 from gantline.statics.righted import overturning_at_end, overturning_at_start
 from gantline.units import format_quantity
 from gantline.version import version
@@ -410,20 +411,28 @@ class Simulation:
         A run of perfect symmetry stays upright there: nothing pushes but rounding.
         """
         found = self.assembly.rig
-        if not self._rig.vessels:
+        if not self._rig.vessels or self._question is None:
             return found
         if self.settings["start"] == "rest":
             found = with_overturning(found, 0.0, self._overturning_at_start)
         if self.ended and self.status == "done":
             if self._overturning_at_end is None:
                 lie = {one.body: self.now("body_orientation", one.body) for one in self._rig.vessels}
-                self._overturning_at_end = overturning_at_end(self.scenario, self.time, self.save(), lie)
+                self._overturning_at_end = overturning_at_end(self._question, self.time, self.save(), lie)
             found = with_overturning(found, self.time, self._overturning_at_end)
         return found
 
     @cached_property
+    def _question(self) -> Statics | None:
+        """The lift at rest; None of one without statics."""
+        try:
+            return Statics(self.scenario)
+        except ScenarioError:
+            return None
+
+    @cached_property
     def _overturning_at_start(self) -> dict[str, float]:
-        return overturning_at_start(self.scenario)
+        return {} if self._question is None else overturning_at_start(self._question)
 
     def _settings_used(self) -> dict[str, Any]:
         """The settings with what they leave to a default, and `start` in the lift file's own word."""

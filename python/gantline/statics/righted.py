@@ -10,7 +10,6 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.results.rotation import axes
-from gantline.scenario import Scenario, ScenarioError
 from gantline.statics.answers import Equilibrium, NoEquilibriumError
 from gantline.statics.inclining import metacentric_heights
 
@@ -41,40 +40,34 @@ def overturning(question: Statics, rest: Equilibrium) -> dict[str, float]:
     return {name: height for name, height in least.items() if height < 0.0}
 
 
-def overturning_at_start(scenario: Scenario) -> dict[str, float]:
-    """The same where a lift starts at rest; nothing of one without statics."""
-    from gantline.statics.lift import Statics
-
+def overturning_at_start(question: Statics) -> dict[str, float]:
+    """The same where a lift starts at rest."""
     try:
-        question = Statics(scenario)
         return overturning(question, question.equilibrium(0.0, losses="held"))
-    except (ScenarioError, NoEquilibriumError):
+    except NoEquilibriumError:
         return {}
 
 
 def overturning_at_end(
-    scenario: Scenario, time: float, state: bytes, attitudes: Mapping[str, npt.ArrayLike]
+    question: Statics, time: float, state: bytes, attitudes: Mapping[str, npt.ArrayLike]
 ) -> dict[str, float]:
-    """The same where a run has got to; nothing of one without statics, or that comes to rest nowhere.
+    """The same where a run has got to; nothing of one that comes to rest nowhere.
 
     What rounding has moved goes on downhill: where it comes to rest elsewhere, the equilibrium of the plan
     tells what rights it.
 
     Args:
-        scenario: The lift.
+        question: The lift.
         time: To which the run has got [s].
         state: What it has saved there.
         attitudes: Of its vessels there by their bodies, world from body, shape (4,).
     """
-    from gantline.statics.lift import Statics
-
     try:
-        question = Statics(scenario)
         rest = question.equilibrium_of(state)
         if rest.is_stable and _is_elsewhere(rest, attitudes):
-            rest = question.equilibrium(min(time, scenario.duration))
+            rest = question.equilibrium(min(time, question.scenario.duration))
         return overturning(question, rest)
-    except (ScenarioError, NoEquilibriumError):
+    except NoEquilibriumError:
         return {}
 
 
