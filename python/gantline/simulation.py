@@ -34,6 +34,7 @@ from gantline.results.immersion import (
 from gantline.results.longer_falls import longer_falls
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
+from gantline.results.pressed import pressed_through
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.run_warnings import (
@@ -50,9 +51,11 @@ from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
 from gantline.results.unfollowed import unfollowed
 from gantline.results.variable import FloatArray
-from gantline.results.vessels import vessel_warnings
-from gantline.scenario import Scenario, load_scenario
+from gantline.results.vessels import vessel_warnings, with_overturning
+from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.water import Water
+from gantline.statics import Statics
+from gantline.statics.righted import overturning_at_end, overturning_at_start
 from gantline.units import format_quantity
 from gantline.version import version
 
@@ -147,6 +150,7 @@ class Simulation:
         self.integration_time = 0.0
         self._failure: dict[str, Any] | None = None
         self._present: tuple[float, dict[str, FloatArray]] | None = None
+        self._overturning_at_end: dict[str, float] | None = None
         try:
             self._core = _core.Simulation(
                 self.assembly.document_text(), json.dumps(self.settings, allow_nan=False)
@@ -346,6 +350,7 @@ class Simulation:
         columns, names = clearance_events(rig, columns, names)
         warnings += contact_warnings(rig, columns, names)
         warnings += missed_peaks(rig, columns, names) + missed_bumps(rig, columns, names)
+        warnings += pressed_through(self.assembly.document, rig.fenders, columns, names)
         warnings += missed_crests(rig, columns)
         warnings += still_growing(self.assembly.document, rig, columns, names)
         warnings += missed_incidents(self.assembly.document, rig, self.duration, names["event_kind"])
@@ -387,7 +392,7 @@ class Simulation:
         return recording_of(
             columns,
             names,
-            self.assembly.rig,
+            self._rig_afloat(),
             title=str(self.assembly.rig.get("title", "")),
             gantline_version=version(),
             scenario=self.scenario.text,
@@ -399,6 +404,35 @@ class Simulation:
             status=self.status,
             **failure,
         )
+
+    def _rig_afloat(self) -> dict[str, Any]:
+        """The JSON of the rig, with vessels that nothing rights where the run begins at rest or ends.
+
+        A run of perfect symmetry stays upright there: nothing pushes but rounding.
+        """
+        found = self.assembly.rig
+        if not self._rig.vessels or self._question is None:
+            return found
+        if self.settings["start"] == "rest":
+            found = with_overturning(found, 0.0, self._overturning_at_start)
+        if self.ended and self.status == "done":
+            if self._overturning_at_end is None:
+                lie = {one.body: self.now("body_orientation", one.body) for one in self._rig.vessels}
+                self._overturning_at_end = overturning_at_end(self._question, self.time, self.save(), lie)
+            found = with_overturning(found, self.time, self._overturning_at_end)
+        return found
+
+    @cached_property
+    def _question(self) -> Statics | None:
+        """The lift at rest; None of one without statics."""
+        try:
+            return Statics(self.scenario)
+        except ScenarioError:
+            return None
+
+    @cached_property
+    def _overturning_at_start(self) -> dict[str, float]:
+        return {} if self._question is None else overturning_at_start(self._question)
 
     def _settings_used(self) -> dict[str, Any]:
         """The settings with what they leave to a default, and `start` in the lift file's own word."""
@@ -434,6 +468,7 @@ class Simulation:
         """
         self._core.restore(state)
         self._present = None
+        self._overturning_at_end = None
         self.status = "ready"
         self._failure = None
 

@@ -11,8 +11,8 @@ from typer.testing import CliRunner
 
 from gantline.cli.app import app
 from gantline.statics import Statics
+from gantline.statics.inclining import metacentric_heights
 from gantline.study import run_steps
-from gantline.study.inclining import metacentric_heights
 from lift_text import weight_on_a_rope
 
 EQUALIZER = Path(__file__).parents[2] / "python/gantline/scenarios/equalizer.yaml"

@@ -13,7 +13,7 @@ import pytest
 
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
-from gantline.study.inclining import metacentric_heights
+from gantline.statics.inclining import metacentric_heights
 
 LENGTH, BREADTH, DRAFT, KG = 60.0, 20.0, 3.0, 5.0  # m
 LIFT = """\

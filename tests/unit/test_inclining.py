@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from gantline.study.inclining import MetacentricHeights
+from gantline.statics.inclining import MetacentricHeights
 
 
 def test_heights_about_principal_axes_and_between() -> None:

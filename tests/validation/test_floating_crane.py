@@ -21,7 +21,7 @@ from gantline.scenario import Scenario, load_scenario, parse_scenario
 from gantline.scenario.mooring import line_weight
 from gantline.simulation import Simulation, SimulationError
 from gantline.statics import Equilibrium, Statics
-from gantline.study.inclining import metacentric_heights
+from gantline.statics.inclining import metacentric_heights
 from lift_text import changed, without
 from mechanics import G
 

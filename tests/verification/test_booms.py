@@ -33,7 +33,7 @@ from boom_lift import (
 from gantline.checks import check_recording
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
-from gantline.study.inclining import metacentric_heights
+from gantline.statics.inclining import metacentric_heights
 
 
 @pytest.mark.parametrize(

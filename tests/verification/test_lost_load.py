@@ -15,8 +15,8 @@ from floating import SEA
 from gantline.hydro import Righting, box_hull
 from gantline.simulation import simulate
 from gantline.statics import NoEquilibriumError, Statics
+from gantline.statics.inclining import metacentric_heights
 from gantline.study import LostLoad, lose_load
-from gantline.study.inclining import metacentric_heights
 from mechanics import G
 
 #: Load, its own height and that from which it hangs, by a rope of this length [kg, m].

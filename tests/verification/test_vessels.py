@@ -35,7 +35,7 @@ from gantline.results.variable import FloatArray
 from gantline.scenario import load_scenario
 from gantline.simulation import simulate
 from gantline.statics import Mode, Statics
-from gantline.study.inclining import metacentric_heights
+from gantline.statics.inclining import metacentric_heights
 
 G = 9.81
 AHEAD, ABOVE = 65.0, 60.0

@@ -22,6 +22,7 @@ from gantline.assembly.doubtful_rails import doubtful_rails
 from gantline.assembly.doubtful_sheaves import doubtful_sheaves
 from gantline.assembly.doubtful_stops import doubtful_stops
 from gantline.assembly.doubtful_turns import doubtful_turns
+from gantline.assembly.doubtful_vessels import doubtful_vessels
 from gantline.assembly.doubtful_waits import doubtful_waits
 from gantline.assembly.doubtful_weight import doubtful_weight
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
@@ -160,6 +161,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         *doubtful_empty(scenario, rigging),
         *doubtful_turns(scenario),
         *doubtful_waits(parts, scenario),
+        *doubtful_vessels(parts, scenario),
         *doubtful_fenders(parts, scenario),
         *doubtful_lee(parts, scenario),
         *doubtful_heights(scenario),

@@ -9,6 +9,7 @@ import numpy as np
 from gantline.assembly.hulls import hull_mesh
 from gantline.assembly.parts import Parts
 from gantline.assembly.spatial import Array
+from gantline.results.pressed import DEEP
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.mooring import Fender
@@ -18,8 +19,6 @@ __all__ = ["doubtful_fenders"]
 
 #: The side of a vessel may be so far out of its hull, on a platform or a sponson [m], as a fairlead may.
 _OFF_HULL = 10.0
-#: A fender whose thickness is not said gives less than this [m].
-_DEEP = 1.0
 
 
 def doubtful_fenders(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
@@ -51,7 +50,7 @@ def _doubtful(parts: Parts, scenario: Scenario, fender: Fender) -> tuple[str, st
         )
     deep = fender.thickness - float((place - wall) @ normal)
     pressed, capacity = deep * fender.stiffness, fender.capacity
-    if deep > (fender.thickness or _DEEP):
+    if deep > (fender.thickness or DEEP):
         beyond = f"; it is {fender.thickness:g} m thick" if fender.thickness else ""
     elif capacity is not None and pressed > capacity:
         beyond = f"; its capacity is {format_by_size(capacity, 'force')}"

@@ -25,6 +25,9 @@ __all__ = ["add_in_water", "in_water_name"]
 _LAYERS = 8
 #: Of the two places of Gauss on each side of the middle, in halves of a length: exact for cubics.
 _GAUSS = 1.0 / np.sqrt(3.0)
+#: Added mass along the axis along which it is largest, over the water that a load displaces, at least [1]: a
+#: cylinder has 1 across its axis, a sphere 0.5, and all that is less round more.
+_LEAST = 0.1
 
 
 def in_water_name(load: str) -> str:
@@ -61,6 +64,7 @@ def add_in_water(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoa
     )
     parts.doubts += _floats(given, load, water.density)
     parts.doubts += _too_much(given, box, water.density)
+    parts.doubts += _too_little(given, load, water.density)
 
 
 def _volume(given: InWater, load: Load) -> float:
@@ -135,3 +139,12 @@ def _too_much(given: InWater, box: Array, density: float) -> Iterator[Doubt]:
             shown, room = (format_by_size(one, "mass", 3) for one in (mass, most))
             sentence = f"{shown} along {'xyz'[axis]} are more than the water in the load's box and about it"
             yield Doubt(("load", "in_water", "added_mass"), f"{sentence}, {room}; a unit has slipped")
+
+
+def _too_little(given: InWater, load: Load, density: float) -> Iterator[Doubt]:
+    """Of added mass that is next to none of what the load displaces."""
+    water, most = density * _volume(given, load), max(given.added_mass)
+    if 0.0 < most < _LEAST * water:
+        shown, displaced = (format_by_size(one, "mass", 3) for one in (most, water))
+        sentence = f"it is {shown} along an axis at most, and the load displaces {displaced} of water"
+        yield Doubt(("load", "in_water", "added_mass"), f"{sentence}; a unit has slipped")

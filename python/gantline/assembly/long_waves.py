@@ -40,6 +40,11 @@ _STIFF = 0.5
 _OTHER_HULL = 0.25
 #: Middles of the waterplane further apart than this share of length or breadth are of another place aboard.
 _OTHER_PLACE = 0.05
+#: Heights of a reference point over the water that differ by more than this [m], and by this share of the
+#: draft, are of another place aboard: a lift may float a little deeper or higher than its database.
+_OTHER_HEIGHT, _OF_DRAFT = 0.5, 0.25
+#: Places that differ by less are one [m].
+_SAME = 1e-3
 
 
 def add_doubts_of_hulls(parts: Parts, scenario: Scenario) -> None:
@@ -50,6 +55,7 @@ def add_doubts_of_hulls(parts: Parts, scenario: Scenario) -> None:
     """
     for name, vessel in (scenario.vessels or {}).items():
         told: set[str] = set()
+        places: dict[tuple[str, str | None], tuple[str, Array]] = {}
         for key in ("wave_forces", "radiation", "added_mass", "water_damping"):
             given = getattr(vessel, key)
             if getattr(given, "database", None) is None:
@@ -57,16 +63,27 @@ def add_doubts_of_hulls(parts: Parts, scenario: Scenario) -> None:
             hull = upright_hydrostatics(scenario, name, vessel)
             size = np.ptp(vessel_hull(scenario, name, vessel).box[:, :2], axis=0)
             doubts = partial(
-                _doubts, at=np.array(given.at), hull=hull, size=size, gravity=scenario.simulation.gravity
+                _doubts,
+                at=np.array(given.at),
+                hull=hull,
+                draft=vessel.draft,
+                size=size,
+                gravity=scenario.simulation.gravity,
             )
             path = (*afloat_path(scenario, name), key)
             found = from_database(scenario, path, (given.database, given.body), doubts)
+            found += _elsewhere(places, key, given.database, given.body, np.array(given.at))
             parts.doubts += [Doubt(path, f"{key} of {name}: {doubt}") for doubt in found if doubt not in told]
             told.update(found)
 
 
 def _doubts(
-    database: HydrodynamicDatabase, at: Array, hull: Hydrostatics, size: Array, gravity: float
+    database: HydrodynamicDatabase,
+    at: Array,
+    hull: Hydrostatics,
+    draft: float,
+    size: Array,
+    gravity: float,
 ) -> list[str]:
     """Sentences on what a database has of a hull and the lift otherwise.
 
@@ -74,6 +91,7 @@ def _doubts(
         database: Any.
         at: Where its reference point is aboard (3,) [m].
         hull: The hull upright at the draft of the start.
+        draft: That draft [m].
         size: Its length and breadth (2,) [m].
         gravity: g [m/s^2].
     """
@@ -86,7 +104,51 @@ def _doubts(
             f"{database.source} is of a hull that displaces {volume:.4g} m^3, the vessel's displaces "
             f"{hull.volume:.4g} m^3 at its draft of the lift file"
         )
-    return found + list(_of_long_waves(database, at, hull, size, gravity))
+    return [*found, *_of_heights(database, at, draft), *_of_long_waves(database, at, hull, size, gravity)]
+
+
+def _of_heights(database: HydrodynamicDatabase, at: Array, draft: float) -> Iterator[str]:
+    """That a reference point which a file names is at another height over the water than aboard.
+
+    Heights of wave programs count from the water; a file that says nothing of its water may count otherwise.
+    """
+    if database.reference is None or database.density is None:
+        return
+    by_file, aboard = float(database.reference[2]), float(at[2]) - draft
+    if abs(aboard - by_file) > max(_OTHER_HEIGHT, _OF_DRAFT * draft):
+        shown, is_at = (_height(z) for z in (by_file, aboard))
+        is_by = f"the reference point of {database.source} is {shown}"
+        right = f"'at' counts from the keel, so that its z is {draft + by_file:.2f} m"
+        yield f"{is_by}, 'at' {is_at} at the draft of the lift file; {right}"
+
+
+def _height(z: float) -> str:
+    if abs(z) < 0.005:
+        return "at the water"
+    return f"{abs(z):.2f} m {'above' if z > 0.0 else 'below'} the water"
+
+
+def _elsewhere(
+    places: dict[tuple[str, str | None], tuple[str, Array]],
+    key: str,
+    database: str,
+    body: str | None,
+    at: Array,
+) -> list[str]:
+    """That a file has its reference point elsewhere under another key of the vessel.
+
+    Args:
+        places: Keys and places found before, by file and body; this one is added.
+        key: The key.
+        database: Its file.
+        body: Its body, where the file has several.
+        at: Where its reference point is aboard (3,) [m].
+    """
+    other, there = places.setdefault((database, body), (key, at))
+    if float(np.abs(at - there).max()) <= _SAME:
+        return []
+    here, first = (f"({', '.join(f'{x + 0.0:g}' for x in place)}) m" for place in (at, there))
+    return [f"'at' is {here} and that of '{other}' {first}; a file has one reference point"]
 
 
 def _of_long_waves(

@@ -253,7 +253,12 @@ def mooring_rig(scenario: Scenario) -> Json:
         for name, line in (scenario.mooring_lines or {}).items()
     ]
     fenders = [
-        {"name": name, "contact": fender_contact(name), "capacity": fender.capacity}
+        {
+            "name": name,
+            "contact": fender_contact(name),
+            "capacity": fender.capacity,
+            "thickness": fender.thickness,
+        }
         for name, fender in (scenario.fenders or {}).items()
     ]
     return {key: given for key, given in (("mooring_lines", lines), ("fenders", fenders)) if given}

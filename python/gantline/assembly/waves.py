@@ -104,7 +104,7 @@ def _forces(
         parts.doubts += [Doubt(path, f"wave forces of {name}: {doubt}") for doubt in pushed.doubts]
         unknown = _unknown(train.waves, pushed.at_start)
         if unknown > _SILENT:
-            shown = f"{100 * unknown:.2g} % of the energy of {train_name}"
+            shown = f"{100 * unknown:.0f} % of the energy of {train_name}"
             sentence = f"{shown} is in waves shorter than any there"
             if unknown > _MOST_UNKNOWN:
                 raise scenario.error((*path, "database"), f"{given.database}: {sentence}")

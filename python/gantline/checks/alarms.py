@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from gantline.checks.measure import Alarm
 from gantline.results.carried import carried_round
@@ -10,6 +11,7 @@ from gantline.results.recording import Recording
 
 __all__ = [
     "FALLS",
+    "HEEL",
     "HOOK_DYNAMICS",
     "LUG_PLATE",
     "ROPE_FACTOR",
@@ -20,11 +22,14 @@ __all__ = [
     "SPREADER_TILT",
     "TILT",
     "TIPPING",
+    "TRIM",
     "YAW",
 ]
 
 #: Falls out of plumb whichever way [rad].
 _OUT_OF_PLUMB = math.radians(2.0)
+#: Heel or trim of a vessel [rad].
+_LEANS = math.radians(5.0)
 #: Turn of a load about plumb past which a corner of it comes where a side was [rad].
 _ROUND = math.radians(45.0)
 #: Share of what hangs that pulls a boom aside [1].
@@ -39,6 +44,16 @@ def _side_lead(recording: Recording, hook: str) -> float:
 def _tilt(recording: Recording, _load: str) -> float:
     """Tilt at which loose things begin to move [rad]; none where the plan turns its load on purpose."""
     return math.inf if any(step.turns for step in recording.rig.plan) else math.radians(5.0)
+
+
+def _leans(key: str) -> Callable[[Recording, str], float]:
+    """Heel or trim at which loose things on deck begin to move [rad], or past that the end of the charts."""
+
+    def bound(recording: Recording, _vessel: str) -> float:
+        charts: list[float | None] = [getattr(chart, key) for chart in recording.rig.rating_charts]
+        return max([_LEANS, *(angle for angle in charts if angle is not None)])
+
+    return bound
 
 
 def _yaw(recording: Recording, _load: str) -> float:
@@ -85,5 +100,7 @@ SPREADER_TILT = _of_all(
     math.radians(5.0),
     "makers rate spreaders level, not bent by what hangs; plausible, no document",
 )
+_ON_DECK = "loose things on deck begin to move, and cranes are rated for less; plausible, no document"
+HEEL, TRIM = Alarm(_leans("heel"), _ON_DECK), Alarm(_leans("trim"), _ON_DECK)
 TILT = Alarm(_tilt, "loose things on a load begin to move; plausible, no document")
 YAW = Alarm(_yaw, "a corner is where a side was, beyond what crane or vessel turn by; plausible, no document")

@@ -25,6 +25,7 @@ from gantline.checks import (
 )
 from gantline.checks.alarms import (
     FALLS,
+    HEEL,
     HOOK_DYNAMICS,
     LUG_PLATE,
     ROPE_FACTOR,
@@ -35,6 +36,7 @@ from gantline.checks.alarms import (
     SPREADER_TILT,
     TILT,
     TIPPING,
+    TRIM,
     YAW,
 )
 from gantline.checks.measure import Alarm, Findings, Measure
@@ -357,8 +359,12 @@ LIMITS: dict[str, Measure] = {
     "fender_force_of_capacity": _utilisation(
         "largest force of a fender / its capacity", moorings.fender_of_capacity
     ),
-    "heel": Measure("largest heel of a vessel to either side", "deg", 2, vessels.heel, is_listed=True),
-    "trim": Measure("largest trim of a vessel by bow or stern", "deg", 2, vessels.trim, is_listed=True),
+    "heel": Measure(
+        "largest heel of a vessel to either side", "deg", 2, vessels.heel, is_listed=True, alarm=HEEL
+    ),
+    "trim": Measure(
+        "largest trim of a vessel by bow or stern", "deg", 2, vessels.trim, is_listed=True, alarm=TRIM
+    ),
     "freeboard": _margin(
         "least height of deck edge and openings of a vessel above the water",
         "m",

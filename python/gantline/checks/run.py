@@ -30,6 +30,7 @@ from gantline.checks.plan import (
 from gantline.checks.ranges import left_range
 from gantline.checks.slings import idle, taken_off
 from gantline.checks.tag_lines import left_behind
+from gantline.checks.vessels import turn_over
 from gantline.results import series
 from gantline.results.alike import first_largest
 from gantline.results.gaps import gaps
@@ -66,13 +67,14 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; one that failed for each rope that parted, and for each hoist
         that let its load go; one for each drum on which too few turns stay; one that failed for each load or
-        spreader that hangs unstably; one for each rope that was taken off; a warning or a failure for each
-        pair that is drawn in one place; one that failed for each trolley, crane or upper structure that goes
-        past its range; and a warning for each hoist that fell behind and each winch that slipped, where
-        slings never carried or run through a load, where a tag line pulls as if it bore one, where a hook
-        holds a frame upright, where the recording has warnings of its own or values that are no numbers,
-        where steps moved nothing, where a load came down while it was taken along or came down hard, and
-        where a run lifts nothing, holds nothing still or ends before its plan.
+        spreader that hangs unstably, and for each vessel that floats so; one for each rope that was taken
+        off; a warning or a failure for each pair that is drawn in one place; one that failed for each
+        trolley, crane or upper structure that goes past its range; and a warning for each hoist that fell
+        behind and each winch that slipped, where slings never carried or run through a load, where a tag line
+        pulls as if it bore one, where a hook holds a frame upright, where the recording has warnings of its
+        own or values that are no numbers, where steps moved nothing, where a load came down while it was
+        taken along or came down hard, and where a run lifts nothing, holds nothing still or ends before
+        its plan.
     """
     rig = recording.rig
     _hold_steps(recording, ending)
@@ -96,7 +98,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     every = whole + unknown + steps + [_parted(one) for one in partings(recording) if one.kind not in PLANNED]
     every += _would_part(recording)
     every += taken_off(recording) + fell_behind(recording) + ran_out(recording) + idle(recording)
-    every += turns_left(recording) + on_their_tip(recording)
+    every += turns_left(recording) + on_their_tip(recording) + turn_over(recording)
     every += (
         held_by_tag_lines(recording)
         + left_behind(recording)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from gantline.checks.check import Check, Verdict
 from gantline.checks.measure import Finding, Found, Refused, extreme, to_either_side
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
+from gantline.units import format_quantity
 
 
 def heel(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -37,3 +39,24 @@ def freeboard(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         for time, _, name in [one for one in recording.events("flooding") if one[2] in marks][:1]:
             reason = f"its {marks[name]} goes under water between two samples"
             yield Refused(vessel.name, reason, Found(0.0, vessel.name, time))
+
+
+def turn_over(recording: Recording) -> list[Check]:
+    """A failure for each vessel that nothing rights: nothing in a run need push it."""
+    meaning = "what floats comes back where something heels or trims it"
+    checks = []
+    for vessel in recording.rig.vessels:
+        for time, height in vessel.overturning[:1]:
+            shown = format_quantity(height, "m", 2)
+            lies = "it lies so only while nothing pushes it, and turns over where anything does"
+            checks.append(
+                Check(
+                    "floats_stably",
+                    Verdict.FAILED,
+                    meaning,
+                    element=vessel.name,
+                    time=time,
+                    remark=f"its GM is {shown}: {lies}",
+                )
+            )
+    return checks

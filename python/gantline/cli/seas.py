@@ -9,7 +9,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from gantline.cli.lift import Lift, TypedSetting, folder_in_use, folder_option, quantity_of
-from gantline.cli.messages import CHECK_FAILED, DONE, INTERRUPTED, scenario_errors, stop, warn, writing
+from gantline.cli.messages import (
+    CHECK_FAILED,
+    DONE,
+    INTERRUPTED,
+    NO_VERDICT,
+    scenario_errors,
+    stop,
+    warn,
+    writing,
+)
 from gantline.cli.progress import telling
 from gantline.cli.spans import values_of_option
 
@@ -75,8 +84,8 @@ def seas(
 ) -> None:
     """Simulate a lift in sea after sea, and say up to which height of waves it keeps its limits.
 
-    Ends with code 1 where the lift is no go in a sea, or gives no verdict. Ctrl-C ends it with what there is,
-    and with code 130.
+    Ends with code 1 where the lift is no go in a sea, or gives no verdict, and with 4 where there is no such
+    sea at all, all of them being too steep. Ctrl-C ends it with what there is, and with code 130.
     """
     from gantline.replacing import replace_text
     from gantline.results.saved import SEAS
@@ -113,6 +122,8 @@ def seas(
     if result.interrupted:
         warn("interrupted; seas of which not all records have been run are told as not run")
         raise typer.Exit(INTERRUPTED)
+    if all(sea.is_too_steep for sea in result.seas):
+        raise typer.Exit(NO_VERDICT)
     raise typer.Exit(DONE if result.is_allowed else CHECK_FAILED)
 
 

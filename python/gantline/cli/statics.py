@@ -317,7 +317,7 @@ def _margins(question: Statics, rest: Equilibrium) -> list[Margin]:
 
 def _write(question: Statics, rest: Equilibrium, modes: list[Mode], folder: Path, *, aside: bool) -> None:
     from gantline.results.saved import EQUILIBRIUM
-    from gantline.study.inclining import metacentric_heights
+    from gantline.statics.inclining import metacentric_heights
 
     place = output_folder(folder)
     found = metacentric_heights(question, rest)

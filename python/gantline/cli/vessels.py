@@ -16,7 +16,7 @@ from gantline.units import format_quantity
 
 if TYPE_CHECKING:
     from gantline.statics import Equilibrium, Statics
-    from gantline.study.inclining import MetacentricHeights
+    from gantline.statics.inclining import MetacentricHeights
 
 #: A vessel that lies nearer, and turned by less, is where the lift file has it [m, rad].
 _NEAR = 0.005
@@ -58,7 +58,7 @@ def vessels(recording: Recording) -> list[str]:
 
 def vessels_at_rest(question: Statics, rest: Equilibrium) -> list[str]:
     """How each vessel lies at rest, and what rights it."""
-    from gantline.study.inclining import metacentric_heights
+    from gantline.statics.inclining import metacentric_heights
 
     lies = vessels(rest.recording)
     if not lies:

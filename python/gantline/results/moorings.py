@@ -36,11 +36,13 @@ class Fender(FromJson):
         name: Its name in the lift file.
         contact: Its name among the contacts of the recording.
         capacity: Largest force that it may take [N]; None if not said.
+        thickness: Of it where nothing presses on it [m]; 0 if not said.
     """
 
     name: str
     contact: str
     capacity: float | None = None
+    thickness: float = 0.0
 
     def used_by(self, force: float) -> float | None:
         """A force [N] over its capacity; None where that is not said."""

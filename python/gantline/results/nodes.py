@@ -59,9 +59,10 @@ def joined(columns: Columns, names: Names, rig: Rig) -> tuple[Columns, Names, di
     if columns["rope_lengthening"].size:
         lengthened = [columns["rope_lengthening"][:, group].sum(axis=1) for group in groups]
         merged["rope_lengthening"] = np.stack(lengthened, axis=1)
-    merged["rope_peak_tension"], merged["rope_peak_time"] = _peaks(
-        columns, groups, merged["rope_tension"], until
-    )
+    if columns["rope_peak_tension"].size:  # a moment by itself has none
+        merged["rope_peak_tension"], merged["rope_peak_time"] = _peaks(
+            columns, groups, merged["rope_tension"], until
+        )
     labels["rope"] = order
     labels["segment"] = [_segment(segment, owner) for segment in names["segment"]]
     kept = _kept_points(names["rope_point"], owner)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from gantline.results.sea import Sea
 from gantline.results.strength import FromJson
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
-__all__ = ["Vessel", "vessel_state", "vessel_warnings"]
+__all__ = ["Vessel", "vessel_state", "vessel_warnings", "with_overturning"]
 
 
 @dataclass(frozen=True)
@@ -34,6 +35,7 @@ class Vessel(FromJson):
         density: Of the water [kg/m^3].
         hull: Name of its hull among those of the recording.
         marks: Points that should stay above the water, vessel axes [m], by what they belong to.
+        overturning: When nothing rights it [s], and its metacentric height then, below zero [m].
     """
 
     name: str
@@ -44,6 +46,26 @@ class Vessel(FromJson):
     density: float = 1025.0
     hull: str = ""
     marks: Mapping[str, Sequence[Vector]] = field(default_factory=dict)
+    overturning: Sequence[Range] = ()
+
+
+def with_overturning(rig: Mapping[str, Any], time: float, heights: Mapping[str, float]) -> dict[str, Any]:
+    """The JSON of a rig whose vessels tell of a moment at which nothing rights them.
+
+    Args:
+        rig: Its JSON.
+        time: That moment [s].
+        heights: Metacentric heights of such vessels then, by their names [m].
+    """
+    return {
+        **rig,
+        "vessels": [
+            {**one, "overturning": [*one.get("overturning", ()), [time, heights[one["name"]]]]}
+            if one["name"] in heights
+            else one
+            for one in rig["vessels"]
+        ],
+    }
 
 
 def vessel_state(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from gantline.scenario.check_wind import check_areas
 from gantline.scenario.findings import Findings, Path
@@ -104,6 +105,8 @@ def _check_openings(findings: Findings, path: Path, vessel: Vessel, extent: Exte
         elif at[2] <= extent[0][2]:
             sentence = f"z = {at[2]:g} m is not above the keel at {extent[0][2]:g} m"
             findings.add((*path, "openings", name), f"{sentence}; z counts from the vessel's origin")
+        elif (off := _off(at[:2], extent[0][:2], extent[1][:2])) > _OFF_HULL:
+            findings.add((*path, "openings", name), _outside(off, str(path[-1])))
 
 
 def _check_ends(findings: Findings, vessel: str, extent: Extent) -> None:
@@ -119,8 +122,16 @@ def _check_ends(findings: Findings, vessel: str, extent: Extent) -> None:
     for path, body, end in ends:
         if body != vessel:
             continue
-        off = max(max(a - at, at - b) for a, at, b in zip(low, end, high, strict=True))
+        off = _off(end, low, high)
         if off > _OFF_HULL:
-            sentence = f"this is {off:.4g} m outside the hull of '{vessel}'"
-            right = "it counts along the vessel's axes, from stern, keel and centre plane"
-            findings.add(path, f"{sentence}; {right}")
+            findings.add(path, _outside(off, vessel))
+
+
+def _off(place: Sequence[float], low: Sequence[float], high: Sequence[float]) -> float:
+    """How far a place is outside of an extent, along the axis along which that is most [m]."""
+    return max(max(a - at, at - b) for a, at, b in zip(low, place, high, strict=True))
+
+
+def _outside(off: float, vessel: str) -> str:
+    sentence = f"this is {off:.4g} m outside the hull of '{vessel}'"
+    return f"{sentence}; it counts along the vessel's axes, from stern, keel and centre plane"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from gantline.results.leading_away import stability
 from gantline.results.recording import Recording
+from gantline.results.vessels import with_overturning
 
 Floats = npt.NDArray[np.float64]
 Losses = Literal["none", "forward", "backward", "held"]
@@ -137,6 +138,20 @@ class Equilibrium:
         more = {"metacentric_heights": {name: list(both) for name, both in heights.items()}}
         said = {"statics": self.to_json() | more, "modes": [mode.to_json() for mode in modes]}
         return Recording(one.variables, one.coordinates, {**one.attributes, **said})
+
+    def with_overturning(self, heights: Mapping[str, float]) -> Equilibrium:
+        """The same, whose recording tells of vessels that nothing rights.
+
+        Args:
+            heights: Their metacentric heights by their names [m].
+        """
+        if not heights:
+            return self
+        one = self.recording
+        rig = with_overturning(one.attributes["rig"], self.time, heights)
+        return replace(
+            self, recording=Recording(one.variables, one.coordinates, {**one.attributes, "rig": rig})
+        )
 
     def tension(self, rope: str) -> float:
         """Tension of a rope [N]."""

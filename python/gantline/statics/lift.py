@@ -20,6 +20,7 @@ from gantline.overrides import is_number
 from gantline.results.derive import recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.immersion import dry_hulls, loads_in_bed
+from gantline.results.pressed import pressed_through
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, at_rest
 from gantline.scenario import Scenario, load_scenario
@@ -37,6 +38,7 @@ from gantline.statics.answers import (
 from gantline.statics.linear import LinearModel, linear_model
 from gantline.statics.motion import drums_of, in_words
 from gantline.statics.pieces import Pieces
+from gantline.statics.righted import overturning
 from gantline.statics.streaming import leading_away, leads_straight, motions, streams
 from gantline.version import version
 
@@ -287,7 +289,7 @@ class Statics:
             straight, swinging, neutral = leading_away(self._core.linear())
         unstable = straight + swinging
         self._is_stable = not unstable
-        return Equilibrium(
+        rest = Equilibrium(
             time=moment,
             recording=recording,
             residual=found["residual"],
@@ -303,6 +305,7 @@ class Statics:
                 for name, support, friction, bound in found["contacts"]
             ),
         )
+        return rest.with_overturning(overturning(self, rest))
 
     @_one_at_a_time
     def modes(self, count: int | None = None) -> list[Mode]:
@@ -468,6 +471,7 @@ class Statics:
         warnings = [*self.assembly.warnings, *dry_hulls(self.assembly.document, columns, names)]
         warnings += loads_in_bed(columns, names, self.assembly.scene, loads, depth)
         warnings += drum_warnings(self.rig, columns, names)
+        warnings += pressed_through(self.assembly.document, self.rig.fenders, columns, names)
         return recording_of(
             columns,
             names,

@@ -17,7 +17,7 @@ from gantline.scenario import Scenario
 from gantline.scenario.tanks import bodies_afloat, sea_density
 from gantline.scenario.water import Water
 from gantline.statics import Statics
-from gantline.study.inclining import heights_of
+from gantline.statics.inclining import heights_of
 
 __all__ = ["Afloat", "VesselAttitude", "hull_of"]
 
@@ -131,6 +131,6 @@ class Afloat:
         return {"heel": heel, "trim": trim, "draft": draft}
 
     def metacentric_heights(self) -> tuple[float, float]:
-        """For heel and trim [m], see `gantline.study.inclining`."""
+        """For heel and trim [m], see `gantline.statics.inclining`."""
         found = heights_of(self.question, self.rest, self.vessel, self.displacement())
         return found.transverse, found.longitudinal

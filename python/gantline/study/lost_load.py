@@ -24,8 +24,8 @@ from gantline.results.rotation import axes
 from gantline.results.saved import digest_of
 from gantline.results.vessels import Vessel
 from gantline.statics import Equilibrium, Statics
+from gantline.statics.inclining import MetacentricHeights, metacentric_heights
 from gantline.study.afloat import hull_of
-from gantline.study.inclining import MetacentricHeights, metacentric_heights
 
 __all__ = ["LostLoad", "Swing", "lose_load"]
 

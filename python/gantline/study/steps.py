@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from gantline.statics import Losses, Statics
-from gantline.study.inclining import MetacentricHeights, metacentric_heights
+from gantline.statics.inclining import MetacentricHeights, metacentric_heights
 from gantline.study.state import State, settled
 
 __all__ = ["END", "START", "StepAtRest", "run_steps"]

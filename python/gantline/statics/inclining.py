@@ -11,12 +11,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from gantline.results.rotation import axes, heading
-from gantline.statics import Equilibrium, Statics
+from gantline.statics.answers import Equilibrium
+
+if TYPE_CHECKING:
+    from gantline.statics.lift import Statics
 
 __all__ = ["MetacentricHeights", "heights_of", "metacentric_heights"]
 
