@@ -426,7 +426,7 @@ class Simulation:
     def _question(self) -> Statics | None:
         """The lift at rest; None of one without statics."""
         try:
-            return Statics(self.scenario)
+            return Statics(self.scenario, assembly=self.assembly)
         except ScenarioError:
             return None
 

@@ -14,7 +14,7 @@ from typing import Any, Concatenate, Literal, ParamSpec, TypeVar
 import numpy as np
 
 from gantline import _core
-from gantline.assembly import assemble
+from gantline.assembly import Assembly, assemble
 from gantline.assembly.origin import FALLS, refused, with_advice
 from gantline.overrides import is_number
 from gantline.results.derive import recording_of
@@ -87,14 +87,21 @@ class Statics:
         lift: A lift file, its folder, or a loaded scenario.
         goes_on: Asked before every part of a plan that is followed, for threads, which Ctrl-C does not reach;
             where it says no there is no equilibrium, since the search was stopped.
+        assembly: What has been assembled of the scenario, where that is there already.
 
     Raises:
         ScenarioError: If the lift file is not right, or the lift has no statics (lengths that are adjusted).
     """
 
-    def __init__(self, lift: str | Path | Scenario, *, goes_on: Callable[[], bool] | None = None) -> None:
+    def __init__(
+        self,
+        lift: str | Path | Scenario,
+        *,
+        goes_on: Callable[[], bool] | None = None,
+        assembly: Assembly | None = None,
+    ) -> None:
         self.scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
-        self.assembly = assemble(self.scenario)
+        self.assembly = assemble(self.scenario) if assembly is None else assembly
         try:
             self._core = _core.Statics(self.assembly.document_text())
         except ValueError as problem:
