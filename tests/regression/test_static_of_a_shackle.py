@@ -30,7 +30,13 @@ def test_the_design_weight_hangs_in_shackles_too() -> None:
     peak = max(series.rope_peak(recording, rope)[0] for rope in tension)
     assert CONTINGENCY * static > 1.05 * peak  # N: otherwise nothing is tested
     (found,) = [one for one in check_recording(recording) if one.name == "shackle_dynamic_load_of_strength"]
-    # max(static x contingency, peak) / min(working load limit, proof load)
-    assert found.value == pytest.approx(CONTINGENCY * static / PROOF, rel=1e-12)
+    # max(static x contingency + half of the sling's weight (RW4), peak) / min(working load limit, proof load)
+    worst = max(tension, key=lambda rope: series.greatest_static(recording, tension[rope])[0] or 0.0)
+    upper, lower = series.rope_ends(recording, worst)
+    rope = recording.rig.rope(worst)
+    assert rope is not None
+    own = 0.5 * rope.mass_per_length * G * float(upper[-1, 2] - lower[-1, 2])
+    assert found.value == pytest.approx((CONTINGENCY * static + own) / PROOF, rel=1e-6)
     assert found.time is None  # that of the design weight belongs to no sample
-    assert found.formula.startswith(f"static {static / 1e3:.1f} kN x 1.15 to the design weight / min(WLL")
+    raised = f"static {static / 1e3:.1f} kN x 1.15 to the design weight + own weight {own / 1e3:.3f} kN"
+    assert found.formula.startswith(f"({raised}) / min(WLL")

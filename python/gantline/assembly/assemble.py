@@ -11,6 +11,7 @@ from gantline.assembly.boom import add_booms, hang_in_tackles
 from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
+from gantline.assembly.doubtful_drums import doubtful_drums
 from gantline.assembly.doubtful_empty import doubtful_empty
 from gantline.assembly.doubtful_fenders import doubtful_fenders
 from gantline.assembly.doubtful_following import doubtful_following
@@ -171,6 +172,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         *doubtful_ground(scenario),
         *doubtful_gear(scenario, rigging),
         *doubtful_sheaves(scenario, rigging),
+        *doubtful_drums(scenario),
         *doubtful_following(scenario, rigging),
     )
     return Assembly(

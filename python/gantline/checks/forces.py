@@ -22,6 +22,7 @@ from gantline.results.alike import earliest_peak
 from gantline.results.gear import Sling
 from gantline.results.recording import Recording
 from gantline.results.skew import skew_loads
+from gantline.results.upper_end import own_weight, peak_at_upper_end
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
@@ -330,6 +331,28 @@ def with_rule(recording: Recording, force: Force) -> Force:
     text = f"{force.static_text} x {dynamic:.4g}"
     factors = tuple(dict.fromkeys((*force.factors, DYNAMIC)))
     return replace(force, rule=force.static * dynamic, rule_text=text, factors=factors)
+
+
+def at_upper_end(recording: Recording, rope: str, force: Force, during: BoolArray) -> Force:
+    """A force of a rope with what its upper end has to carry of its own weight.
+
+    Args:
+        recording: The recording.
+        rope: Name of the rope.
+        force: Its force, at the middle of a rope whose weight is lumped.
+        during: Samples that count.
+    """
+    more = own_weight(recording, rope)
+    if not more.any():
+        return force
+    own = series.static_value(recording, more, force.window)
+    if force.static is not None and own is not None:
+        text = f"({force.static_text} + {OWN_WEIGHT} {kilonewton(own)})"
+        force = with_rule(recording, replace(force, static=force.static + own, static_text=text))
+    highest = peak_at_upper_end(recording, rope, during) if force.peak is not None else None
+    if highest is None:
+        return force
+    return replace(force, peak=highest.tension, time=highest.time, own_weight=highest.own_weight)
 
 
 def _with_skew(recording: Recording, force: Force, perfect: float, ratio: float, rule: float) -> Force:

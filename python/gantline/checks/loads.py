@@ -15,7 +15,7 @@ from gantline.results.recording import Recording
 from gantline.results.through import Through, slings_through_loads
 from gantline.results.tilting import loose_tilt
 from gantline.results.upending import is_turned
-from gantline.results.upright import top_heavy
+from gantline.results.upright import top_heavy, unknown_whether_upright
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
 
@@ -63,7 +63,10 @@ def transferred(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 
 
 def on_their_tip(recording: Recording) -> list[Check]:
-    """A failure for each load or spreader that hung still unstably: nothing in a run need push it."""
+    """A failure for each load or spreader that hung still unstably: nothing in a run need push it.
+
+    Of a load that ropes of `mechanics` bear a run does not know; an equilibrium does, and tells by itself.
+    """
     meaning = "what hangs comes back where something pushes it"
     checks = []
     for one in top_heavy(recording):
@@ -71,6 +74,12 @@ def on_their_tip(recording: Recording) -> list[Check]:
         remark = f"{high}: any push turns it over, even where the run has none"
         checks.append(
             Check("hangs_stably", Verdict.FAILED, meaning, element=one.name, time=one.time, remark=remark)
+        )
+    unknown = {} if recording.is_equilibrium else unknown_whether_upright(recording)
+    for load, ropes in unknown.items():
+        borne = f"borne by ropes of 'mechanics', {named(ropes)}: 'gantline statics' tells it"
+        checks.append(
+            Check("hangs_stably", Verdict.NOT_CHECKED, meaning, element=load, remark=f"{borne}: {load}")
         )
     return checks
 

@@ -60,12 +60,16 @@ def unfinished(recording: Recording) -> list[Check]:
 
 
 def not_lifted(recording: Recording) -> list[Check]:
-    """A warning for each load with slings that stays on its supports: nothing that it carries was tried."""
+    """A warning for each load with slings that stays on its supports: nothing that it carries was tried.
+
+    Of an equilibrium the last sample counts; before it stands how the lift file has the load.
+    """
     checks = []
     for load in recording.rig.loads if recording.rig.slings else ():
         if load.name not in recording.coordinates.get("load", ()) or not len(recording.time):
             continue
-        most = float(recording.column("load_transferred", load.name).max())
+        hung = recording.column("load_transferred", load.name)
+        most = float(hung[-1] if recording.is_equilibrium else hung.max())
         if most < _LIFTED_FROM:
             remark = f"'{load.name}' is not lifted, {max(100 * most, 0.0):.0f} % of its weight hangs at most"
             meaning = "loads are lifted"

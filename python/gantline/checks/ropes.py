@@ -3,25 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from gantline.checks.forces import (
     OWN_WEIGHT,
     Force,
     Raised,
+    at_upper_end,
     factor,
     kilonewton,
     over,
     rope_force,
     sling_forces,
-    with_rule,
 )
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, carrying, extreme
 from gantline.checks.slings import bending_factor, bending_text, no_slings, sling_bend
 from gantline.results import series
 from gantline.results.gear import Rope
 from gantline.results.recording import Recording
-from gantline.results.upper_end import own_weight, peak_at_upper_end
+from gantline.results.upper_end import peak_at_upper_end
 from gantline.results.variable import BoolArray
 
 _NO_STRENGTH = "minimum breaking force not known"
@@ -99,24 +98,9 @@ def load_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[
         else:
             sling = slings.get(rope.name)
             force = forces[sling.name] if sling is not None else rope_force(recording, rope.name, during)
-            yield from _load(recording, rope, _at_upper_end(recording, rope.name, force, during))
+            yield from _load(recording, rope, at_upper_end(recording, rope.name, force, during))
     if not absent and any(rope.over_eyes and rope.minimum_breaking_force for rope in recording.rig.ropes):
         yield Caution(_EYES_TAKE)
-
-
-def _at_upper_end(recording: Recording, rope: str, force: Force, during: BoolArray) -> Force:
-    """A force of a rope with what its upper end has to carry of its own weight."""
-    more = own_weight(recording, rope)
-    if not more.any():
-        return force
-    own = series.static_value(recording, more, force.window)
-    if force.static is not None and own is not None:
-        text = f"({force.static_text} + {OWN_WEIGHT} {kilonewton(own)})"
-        force = with_rule(recording, replace(force, static=force.static + own, static_text=text))
-    highest = peak_at_upper_end(recording, rope, during) if force.peak is not None else None
-    if highest is None:
-        return force
-    return replace(force, peak=highest.tension, time=highest.time, own_weight=highest.own_weight)
 
 
 def _load(recording: Recording, rope: Rope, force: Force) -> Iterator[Finding]:

@@ -1,5 +1,6 @@
 """Shackles: static load over working load limit, dynamic load over strength, both with side load.
 
+The shackle at the upper end bears the weight of its sling too: the tension of a lumped rope has half of it.
 The shackle at a lug lies in the plane of its main plate, so its side load angle is the out-of-plane angle of
 the sling. One at the upper end, or below an extension sheave, hangs free and turns into the pull. A sling
 over an extension sheave has one at each lower end: what counts is the larger angle.
@@ -15,8 +16,10 @@ from gantline.checks.forces import (
     DYNAMIC,
     NO_DYNAMIC,
     NO_STATIC,
+    OWN_WEIGHT,
     UNRAISED,
     Force,
+    at_upper_end,
     factor,
     kilonewton,
     sling_forces,
@@ -26,6 +29,7 @@ from gantline.results import series
 from gantline.results.gear import Sling
 from gantline.results.recording import Recording
 from gantline.results.strength import Shackle, SideLoad
+from gantline.results.upper_end import own_weight
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
@@ -44,7 +48,7 @@ def static_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     forces = sling_forces(recording, during)
     chart = recording.rig.shackle_side_load
     for sling, end, shackle in _shackles(recording):
-        element, force = f"{sling.name} {end}", forces[sling.name]
+        element, force = f"{sling.name} {end}", _at_end(recording, sling, end, forces[sling.name], during)
         if not shackle.working_load_limit:
             yield Missing(element, "working load limit not known")
         elif force.static is None:
@@ -69,7 +73,7 @@ def dynamic_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """
     forces = sling_forces(recording, during)
     for sling, end, shackle in _shackles(recording):
-        element, force = f"{sling.name} {end}", forces[sling.name]
+        element, force = f"{sling.name} {end}", _at_end(recording, sling, end, forces[sling.name], during)
         if not shackle.working_load_limit:
             yield Missing(element, "working load limit not known")
         elif force.dynamic is None:
@@ -79,6 +83,11 @@ def dynamic_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
             yield from _dynamic(recording, element, shackle, force, moments)
             if force.lacks_static:
                 yield Caution(UNRAISED)
+
+
+def _at_end(recording: Recording, sling: Sling, end: str, force: Force, during: BoolArray) -> Force:
+    """What the shackle at an end of a sling bears of its force."""
+    return at_upper_end(recording, sling.rope, force, during) if end == "top" else force
 
 
 #: A force [N], when it acts [s] (None by the rule), and its side load angle [rad].
@@ -98,6 +107,8 @@ def _moments(recording: Recording, during: BoolArray, sling: Sling, end: str, fo
     if force.peak is not None and force.time is not None:
         angles = _angles(recording, sling, end)
         tension = series.sling_tension(recording, sling)
+        if end == "top":
+            tension = tension + own_weight(recording, sling.rope)
         worst = _worst(chart, tension, angles, during)
         near = int(np.argmin(np.abs(recording.time - force.time)))
         moments.append((force.peak, force.time, float(angles[near])))
@@ -109,16 +120,17 @@ def _dynamic(
     recording: Recording, element: str, shackle: Shackle, force: Force, moments: list[_Moment]
 ) -> Iterator[Finding]:
     found: list[Found] = []
+    own = f" with {OWN_WEIGHT}" if force.own_weight > 0.0 else ""
     for load, time, angle in moments:
         left = remaining(recording.rig.shackle_side_load, angle)
         if left is None:
             yield from _beyond(element, angle)
             return
         strength, text = _strength(recording, shackle, left, angle)
-        said, other = f"peak {kilonewton(load)}", force.rule_text
+        said, other = f"peak {kilonewton(load)}{own}", force.rule_text
         if time is None:
             said = force.rule_text or force.static_text
-            other = "" if force.peak is None else f"peak {kilonewton(force.peak)}"
+            other = "" if force.peak is None else f"peak {kilonewton(force.peak)}{own}"
         formula = f"{said} / {text}{f'; {other}' if other else ''}"
         factors = (*force.factors, *([_BREAKING] if "MBF" in text else []))
         found.append(Found(load / strength, element, time, formula, factors))

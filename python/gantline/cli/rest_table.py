@@ -76,14 +76,22 @@ def slings_of(rest: Equilibrium, bounds: list[Equilibrium]) -> list[str]:
     return table(head, rows, "lrrrl" + "r" * len(bounds)) if rows else []
 
 
-def ropes(rest: Equilibrium) -> list[str]:
-    """What all other ropes carry."""
+def ropes(rest: Equilibrium, bounds: Sequence[Equilibrium] = ()) -> list[str]:
+    """What all other ropes carry, and the tightest part of each with all sheaves slipping either way."""
     slings = {sling.rope for sling in rest.recording.rig.slings}
     names = [name for name in rest.recording.coordinates.get("rope", ()) if name not in slings]
     tensions = {name: rest.tension(name) for name in names}
     unit = "kN" if max(tensions.values(), default=0.0) >= 1e3 else "N"
-    rows = [(name, show(tension, unit, 3)) for name, tension in tensions.items()]
-    return table(("Rope", "tension"), rows, "lr") if rows else []
+    rows = [
+        (
+            name,
+            show(tension, unit, 3),
+            *(show(float(series.tightest_tension(bound.recording, name)[-1]), unit, 1) for bound in bounds),
+        )
+        for name, tension in tensions.items()
+    ]
+    head = ("Rope", "tension", *(LOSSES[bound.losses] for bound in bounds))
+    return table(head, rows, "lr" + "r" * len(bounds)) if rows else []
 
 
 def fenders(rest: Equilibrium) -> list[str]:

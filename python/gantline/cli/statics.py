@@ -193,7 +193,7 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
     parts = [
         rest_table.heading_of(question, rest, answer.found),
         rest_table.slings_of(rest, answer.bounds),
-        rest_table.ropes(rest),
+        rest_table.ropes(rest, answer.bounds),
         rest_table.fenders(rest),
         rest_table.hooks(rest),
         vessels_at_rest(question, rest),

@@ -7,16 +7,18 @@ gravity, it gives
 
     k J^T u u^T J + T/l J^T (1 - u u^T) J,  and at a lever r  -(f r^T + r f^T)/2 + (f.r) 1
 
-over the turns of a body that it pulls with f: (SP2) of docs/concepts/spreader.md. Weight acts at centres of
-gravity and gives nothing. Slings of an equalizer whose sheaves move keep but the sum of their lengths.
-Turning about plumb, which nothing may hold, is held here, as hooks and frames of equalizers are: all of that
-makes what hangs stiffer than it is.
+over the turns of a body that it pulls with f: (SP2) of docs/concepts/spreader.md. A sling over an extension
+sheave does so with each leg, and keeps but the sum of both; the sheave is a point that it pulls. Weight acts
+at centres of gravity and gives nothing. Slings of an equalizer whose sheaves move keep but the sum of their
+lengths. Turning about plumb, which nothing may hold, is held here, as hooks and frames of equalizers are: all
+of that makes what hangs stiffer than it is.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -28,7 +30,7 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["TopHeavy", "top_heavy"]
+__all__ = ["TopHeavy", "top_heavy", "unknown_whether_upright"]
 
 #: Of slings of which it is not known: stiffer than steel of these lengths [N/m].
 _STIFF = 1e9
@@ -70,12 +72,34 @@ def top_heavy(recording: Recording) -> list[TopHeavy]:
     return list(found.values())
 
 
+def unknown_whether_upright(recording: Recording) -> dict[str, list[str]]:
+    """Ropes that are no slings and bear a load that hangs still, of each: nothing is known of its stiffness.
+
+    Args:
+        recording: Of a run, or of an equilibrium.
+    """
+    clear = series.is_clear(recording)
+    found: dict[str, list[str]] = {}
+    for window in series.quiet_windows(recording):
+        last = int(np.flatnonzero(window)[-1])
+        for load in recording.rig.loads if clear[last] else ():
+            if _is_borne_by_others(recording, load, last):
+                found.setdefault(load.name, list(load.other_ropes))
+    return found
+
+
+def _is_borne_by_others(recording: Recording, load: Load, sample: int) -> bool:
+    """Whether ropes that are no slings bear more than a little of a load."""
+    others = (float(recording.column("rope_tension", rope)[sample]) for rope in load.other_ropes)
+    return sum(others) > _BORNE * load.weight
+
+
 def _at(recording: Recording, sample: int) -> Iterator[TopHeavy]:
     """Of all that hangs together at a sample."""
     bodies: list[Load | Spreader] = [*recording.rig.loads, *recording.rig.spreaders]
-    slings = _pulling(recording, sample)
-    if slings is None:
+    if any(_is_borne_by_others(recording, load, sample) for load in recording.rig.loads):
         return
+    slings = _pulling(recording, sample)
     stiffness = _stiffness(recording, sample, bodies, slings)
     if not np.isfinite(stiffness).all():
         return
@@ -95,51 +119,74 @@ def _weight_on(recording: Recording, body: Load | Spreader) -> float:
     return body.weight if isinstance(body, Load) else sum(load.weight for load in recording.rig.loads)
 
 
-def _pulling(recording: Recording, sample: int) -> list[Sling] | None:
-    """Slings that pull; None where others than slings from end to end hold a load."""
+def _pulling(recording: Recording, sample: int) -> list[Sling]:
+    """Slings that pull."""
     rig = recording.rig
-    for load in rig.loads:
-        others = (float(recording.column("rope_tension", rope)[sample]) for rope in load.other_ropes)
-        if sum(others) > _BORNE * load.weight:
-            return None
     on: BoolArray = while_there(recording, [one.rope for one in rig.slings], [DETACHED])[:, sample]
-    slings = [
+    return [
         one
         for one, is_on in zip(rig.slings, on, strict=True)
         if is_on and series.sling_tension(recording, one)[sample] > 0.0
     ]
-    is_plain = all(
-        one.over is None and len(one.lugs_of) == 1 and one.lugs_of[0] is not None for one in slings
+
+
+def _route(recording: Recording, sling: Sling, sample: int) -> list[tuple[str | None, FloatArray]]:
+    """What a sling pulls, and where [m], from end to end: it runs straight between them."""
+    first, last = (end[sample] for end in series.rope_ends(recording, sling.rope))
+    ends = (last,) if sling.over is None else (first, last)
+    lower = [
+        (of if lug is not None else _extension_at(recording, end, sample), end)
+        for of, lug, end in zip(sling.lugs_of, sling.lugs, ends, strict=True)
+    ]
+    if sling.over is None:
+        return [(sling.from_body, first), *lower]
+    return [lower[0], (sling.over, recording.column("body_position", sling.over)[sample]), lower[1]]
+
+
+def _extension_at(recording: Recording, point: FloatArray, sample: int) -> str | None:
+    """The extension sheave that hangs where a sling ends: which one that is, recordings do not say."""
+    return min(
+        _extensions(recording),
+        key=lambda name: float(np.linalg.norm(recording.column("body_position", name)[sample] - point)),
+        default=None,
     )
-    return slings if is_plain else None
+
+
+def _extensions(recording: Recording) -> list[str]:
+    """Names of extension sheaves."""
+    return [one.over for one in recording.rig.slings if one.over is not None]
 
 
 def _stiffness(
     recording: Recording, sample: int, bodies: Sequence[Load | Spreader], slings: Sequence[Sling]
 ) -> FloatArray:
-    """Over places and turns of all bodies (6 bodies, 6 bodies), turns about plumb held."""
-    numbers = {body.name: number for number, body in enumerate(bodies)}
-    centres = [recording.column("body_position", body.body)[sample] for body in bodies]
-    total = np.zeros((6 * len(bodies), 6 * len(bodies)))
+    """Over places and turns of all bodies, then of extension sheaves (6 each), turns about plumb held."""
+    names = [*(body.name for body in bodies), *_extensions(recording)]
+    numbers = {name: number for number, name in enumerate(names)}
+    own_names = [*(body.body for body in bodies), *_extensions(recording)]
+    centres = [recording.column("body_position", name)[sample] for name in own_names]
+    total = np.zeros((6 * len(names), 6 * len(names)))
     together: dict[str, list[tuple[FloatArray, float]]] = {}
     for sling in slings:
-        upper, lower = (end[sample] for end in series.rope_ends(recording, sling.rope))
         tension = float(series.sling_tension(recording, sling)[sample])
-        length = float(np.linalg.norm(upper - lower))
-        up = (upper - lower) / length
-        moves = np.zeros((3, len(total)))
-        for name, at, sign in ((sling.lugs_of[0], lower, 1.0), (sling.from_body, upper, -1.0)):
-            if name in numbers:
-                own = slice(6 * numbers[name], 6 * numbers[name] + 6)
-                lever = at - centres[numbers[name]]
-                moves[:, own] += sign * np.hstack([np.eye(3), _cross(lever).T])
-                slope = -sign * tension * up
-                turns = slice(own.start + 3, own.stop)
-                both = np.outer(slope, lever)
-                total[turns, turns] += 0.5 * (both + both.T) - float(slope @ lever) * np.eye(3)
-        total += tension / length * moves.T @ (np.eye(3) - np.outer(up, up)) @ moves
+        shortens = np.zeros(len(total))
+        for upper, lower in pairwise(_route(recording, sling, sample)):
+            length = float(np.linalg.norm(upper[1] - lower[1]))
+            up = (upper[1] - lower[1]) / length
+            moves = np.zeros((3, len(total)))
+            for (name, at), sign in ((lower, 1.0), (upper, -1.0)):
+                if name in numbers:
+                    own = slice(6 * numbers[name], 6 * numbers[name] + 6)
+                    lever = at - centres[numbers[name]]
+                    moves[:, own] += sign * np.hstack([np.eye(3), _cross(lever).T])
+                    slope = -sign * tension * up
+                    turns = slice(own.start + 3, own.stop)
+                    both = np.outer(slope, lever)
+                    total[turns, turns] += 0.5 * (both + both.T) - float(slope @ lever) * np.eye(3)
+            total += tension / length * moves.T @ (np.eye(3) - np.outer(up, up)) @ moves
+            shortens += moves.T @ up
         group, stiff = _shares(recording, sling, sample), _along(recording, sling)
-        together.setdefault(group, []).append((moves.T @ up, stiff))
+        together.setdefault(group, []).append((shortens, stiff))
     for shared in together.values():
         way = np.sum([one for one, _ in shared], axis=0)
         total += min(stiff for _, stiff in shared) * np.outer(way, way)

@@ -4,7 +4,7 @@
 use super::bearing::{Bearing, Part, weight};
 use super::losses::{Contacts, Losses, Sheaves};
 use super::{LOSS_LEFT, Statics};
-use crate::constraint::brake::At;
+use crate::constraint::brake::{At, Brake};
 use crate::constraint::{AnyConstraint, Law};
 use crate::state::State;
 use crate::system::System;
@@ -147,30 +147,45 @@ impl Statics {
         sheaves <= LOSS_LEFT && contacts <= LEFT
     }
 
-    /// Sheaves that slip in the direction `sign`, or hold.
+    /// Sheaves that slip in the direction `sign`, or hold. Of bearing and groove in series the weaker gives way.
     fn follow_sheaves(&mut self, system: &System, state: &State, sign: Option<f64>) -> f64 {
         let mut most = 0.0_f64;
         let here = &self.search.here;
+        let at = At { q: &here.q, kinematics: &here.frame.kinematics, seats: &state.seats };
+        let bound_of = |brake: &Brake| brake.bound(at, &here.tension, 0.0);
+        let weak_grooves: Vec<usize> = system
+            .brakes()
+            .filter_map(|(_, groove)| {
+                let bearing = system.brakes().find(|(_, brake)| groove.spin == Some(brake.dof))?.1;
+                (bound_of(groove) < bound_of(bearing)).then_some(bearing.dof)
+            })
+            .collect();
         for (bearing, row) in self.bearings.iter_mut().zip(0..) {
             let AnyConstraint::Brake(brake) = system.constraint_of_row(row) else { continue };
             if brake.grip.is_none() {
                 continue;
             }
-            let at = At { q: &here.q, kinematics: &here.frame.kinematics, seats: &state.seats };
-            let bound = brake.bound(at, &here.tension, 0.0);
-            match &mut bearing.part {
-                Part::Hold(known) if sign.is_none() => {
-                    let change = wrong(*known, bound, here.tension[row]);
-                    most = most.max(change / bound.max(f64::MIN_POSITIVE));
-                    *known = bound;
+            let bound = bound_of(brake);
+            let is_in_groove = weak_grooves.contains(&brake.spin.unwrap_or(brake.dof));
+            let change = match (bearing.part, sign) {
+                (Part::Hold(known), None) => {
+                    bearing.part = Part::Hold(bound);
+                    wrong(known, bound, here.tension[row])
                 }
-                Part::Resist(known) | Part::Hold(known) => {
-                    let wanted = if brake.spin.is_some() { bound } else { sign.unwrap_or(0.0) * bound };
-                    most = most.max((wanted - *known).abs() / bound.max(f64::MIN_POSITIVE));
-                    *known = wanted;
+                (Part::Hold(_) | Part::Resist(_), Some(sign)) => {
+                    let slips = brake.spin.is_some() == is_in_groove;
+                    let part = if slips { Part::Resist(sign * bound) } else { Part::Hold(bound) };
+                    let change = match (bearing.part, part) {
+                        (Part::Resist(known), Part::Resist(wanted))
+                        | (Part::Hold(known), Part::Hold(wanted)) => (wanted - known).abs(),
+                        _ => bound,
+                    };
+                    bearing.part = part;
+                    change
                 }
-                _ => {}
-            }
+                _ => continue,
+            };
+            most = most.max(change / bound.max(f64::MIN_POSITIVE));
         }
         most
     }

@@ -476,10 +476,12 @@ impl StaticLift {
         self.slides.iter().map(named).collect()
     }
 
-    /// Names of the sheaves with losses.
+    /// Names of the sheaves with losses, each once: one in whose groove rope may slip has a bearing, too.
     pub fn lossy_sheaves(&self) -> Vec<&str> {
+        let grooves: Vec<usize> = self.system.brakes().filter_map(|(_, brake)| brake.spin).collect();
         let lossy = self.system.brakes().filter(|(_, brake)| !brake.grip.is_none());
-        lossy.map(|(_, brake)| brake.name.as_str()).collect()
+        let sheaves = lossy.filter(|(_, brake)| !grooves.contains(&brake.dof));
+        sheaves.map(|(_, brake)| brake.name.as_str()).collect()
     }
 }
 
