@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from gantline.assembly.between import add_between
@@ -82,6 +83,10 @@ class Assembly:
 
     def document_text(self) -> str:
         """The document as JSON, floats exact."""
+        return self._document_text
+
+    @cached_property
+    def _document_text(self) -> str:
         return json.dumps(self.document, allow_nan=False)
 
 

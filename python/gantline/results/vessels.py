@@ -112,8 +112,7 @@ def _afloat(columns: Columns, names: Names, vessel: Vessel, sea: Sea | None) -> 
     waves = {}
     if sea is not None:
         time = columns["time"]
-        marks = origin[:, None, :2] + np.einsum("tij,pj->tpi", turn[:, :2], points)
-        heights = lie.up @ points.T + lie.height[:, None] - sea.at(time, marks)
+        heights = lie.up @ points.T + lie.height[:, None] - sea.at_body(time, origin, turn, points)
         freeboard = heights.min(axis=1)
         amidships = origin[:, :2] + turn[:, :2] @ np.array([(aft + forward) / 2, 0.0, 0.0])
         waves = {"vessel_wave_elevation": sea.at(time, amidships)}
