@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Collection, Mapping
 from typing import Any
 
@@ -199,16 +200,16 @@ def command_warnings(columns: Mapping[str, Any], names: Mapping[str, Any]) -> li
 
 def compensation_warnings(columns: Columns, names: Names) -> list[str]:
     """Warnings of heave compensation that could not follow: once for each hook, the first time."""
-    first: dict[str, float] = {}
+    first: dict[str, tuple[str, float]] = {}
     for moment, kind, hook in zip(
         columns["event_time"], names["event_kind"], names["event_name"], strict=True
     ):
-        if kind == "compensation_limit":
-            first.setdefault(hook, float(moment))
+        if limit := re.fullmatch("compensation_(.+)_limit", kind):
+            first.setdefault(hook, (limit[1], float(moment)))
     return [
-        f"heave compensation of {hook} comes to a limit of its speed, acceleration or stroke at "
-        f"{when:.2f} s, and follows no more than that lets it"
-        for hook, when in first.items()
+        f"heave compensation of {hook} comes to the limit of its {limit} at {when:.2f} s, and follows no "
+        "more than that lets it"
+        for hook, (limit, when) in first.items()
     ]
 
 

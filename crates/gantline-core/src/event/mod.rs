@@ -5,6 +5,7 @@ pub mod standstill;
 
 use serde::{Deserialize, Serialize};
 
+use crate::plan::heave::HeaveLimit;
 use crate::system::System;
 
 /// Kinds of events; names are those of the recording.
@@ -62,8 +63,8 @@ pub enum EventKind {
     StepEnd,
     /// A tank is empty or full, so that the pumps of a step have stopped.
     PumpStopped,
-    /// Heave compensation is at the limit of its speed, acceleration or stroke.
-    CompensationLimit,
+    /// Heave compensation is at a limit.
+    CompensationLimit(HeaveLimit),
     /// All drives are stopped, and the plan with them; the subject is the step that began last.
     EmergencyStop,
 }
@@ -103,7 +104,9 @@ impl EventKind {
             Self::StepBegin => "step_begin",
             Self::StepEnd => "step_end",
             Self::PumpStopped => "pump_stopped",
-            Self::CompensationLimit => "compensation_limit",
+            Self::CompensationLimit(HeaveLimit::Speed) => "compensation_speed_limit",
+            Self::CompensationLimit(HeaveLimit::Acceleration) => "compensation_acceleration_limit",
+            Self::CompensationLimit(HeaveLimit::Stroke) => "compensation_stroke_limit",
             Self::EmergencyStop => "emergency_stop",
         }
     }
@@ -142,7 +145,7 @@ impl Event {
             EventKind::LiftOff | EventKind::SetDown => system.groups[self.subject].name.clone(),
             EventKind::RopeOffSheave | EventKind::RopeOnSheave => system.sheave_name(self.subject),
             EventKind::Flooding | EventKind::Surfacing => system.marks[self.subject].name.clone(),
-            EventKind::CompensationLimit => system.plan.compensators[self.subject].name.clone(),
+            EventKind::CompensationLimit(_) => system.plan.compensators[self.subject].name.clone(),
             EventKind::Capsized => system.vessels[self.subject].name.clone(),
             EventKind::StepBegin | EventKind::StepEnd | EventKind::PumpStopped | EventKind::EmergencyStop => {
                 let step = system.plan.steps.get(self.subject);

@@ -50,12 +50,23 @@ pub enum Compensating {
     Stopping(f64),
 }
 
+/// What keeps a compensator from following.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum HeaveLimit {
+    /// Its speed.
+    Speed,
+    /// Its acceleration.
+    Acceleration,
+    /// Its stroke: it is at an end of that, or has to brake before it.
+    Stroke,
+}
+
 /// How far a compensator has got. One that begins again before it has come to rest has to catch up first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 enum Reach {
     Catching,
     Following,
-    AtLimit,
+    AtLimit(HeaveLimit),
     Told,
 }
 
@@ -98,6 +109,19 @@ impl Compensator {
         let [low, high] = range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
         let room = if added.velocity < 0.0 { added.position - low } else { high - added.position };
         if speed > 0.0 { EASE.max(speed / acceleration).min(2.0 * room / speed) } else { EASE }
+    }
+
+    /// Which of its limits gives it a velocity, and the time to get to that, in place of the velocity that it wants.
+    fn held_by(&self, wanted: f64, added: Motion, given: (f64, f64)) -> Option<HeaveLimit> {
+        if given.1 == EVERY && (wanted - given.0).abs() <= ROUNDING * self.hoist.velocity {
+            return None;
+        }
+        let endless = Move { range: None, ..self.hoist.clone() };
+        if within(wanted, added, &endless, EVERY) != given {
+            return Some(HeaveLimit::Stroke);
+        }
+        let is_fastest = given.0.abs() >= (1.0 - ROUNDING) * self.hoist.velocity;
+        Some(if is_fastest { HeaveLimit::Speed } else { HeaveLimit::Acceleration })
     }
 }
 
@@ -191,11 +215,10 @@ impl Watch {
         let view = View { lag, rate: 1.0 };
         let wanted = view.velocity(then, added.velocity, of.hoist.acceleration, EVERY);
         let given = within(wanted, added, &of.hoist, EVERY);
-        let is_held = given.1 < EVERY || (wanted - given.0).abs() > ROUNDING * of.hoist.velocity;
-        self.course = match (self.course, is_held) {
-            (Reach::Catching, false) => Reach::Following,
-            (Reach::Following, true) => Reach::AtLimit,
-            (Reach::AtLimit, _) => Reach::Told,
+        self.course = match (self.course, of.held_by(wanted, added, given)) {
+            (Reach::Catching, None) => Reach::Following,
+            (Reach::Following, Some(limit)) => Reach::AtLimit(limit),
+            (Reach::AtLimit(_), _) => Reach::Told,
             (course, _) => course,
         };
         given
@@ -226,9 +249,12 @@ impl Watch {
         self.up
     }
 
-    /// True at the first glance at which it cannot follow any more what it has followed.
-    pub fn comes_to_its_limit(&self) -> bool {
-        self.course == Reach::AtLimit
+    /// What it is held by at the first glance at which it cannot follow any more what it has followed.
+    pub fn comes_to_a_limit(&self) -> Option<HeaveLimit> {
+        match self.course {
+            Reach::AtLimit(limit) => Some(limit),
+            _ => None,
+        }
     }
 }
 
@@ -368,6 +394,22 @@ mod tests {
                 .any(|(one, limit)| one > 0.99 * limit);
             assert!(at_limit, "{reached:?}");
         }
+    }
+
+    /// 1 m/s is wanted: from 0.2 m/s within 0.1 s that is too fast, or too sudden; with 0.3 m of the stroke left it has to brake,
+    /// since 0.2²/2·0.06 m = 0.33 m. What is wanted and can be is held by nothing.
+    #[test]
+    fn it_tells_what_holds_it() {
+        let now = Motion { position: 0.0, velocity: 0.2, acceleration: 0.0 };
+        let held = |velocity, acceleration, range, wanted| {
+            let of = compensator(velocity, acceleration, range);
+            of.held_by(wanted, now, within(wanted, now, &of.hoist, EVERY))
+        };
+        assert_eq!(held(0.3, 9.0, None, 1.0), Some(HeaveLimit::Speed));
+        assert_eq!(held(2.0, 0.06, None, 1.0), Some(HeaveLimit::Acceleration));
+        assert_eq!(held(2.0, 0.06, Some([-1.0, 0.3]), 1.0), Some(HeaveLimit::Stroke));
+        assert_eq!(held(2.0, 9.0, Some([-1.0, 0.01]), 1.0), Some(HeaveLimit::Stroke));
+        assert_eq!(held(2.0, 9.0, Some([-1.0, 1.0]), 0.5), None);
     }
 
     /// From 0.6 m/s: 4 s, 6 s at 0.1 m/s², 2·0.3/0.6 = 1 s where 0.3 m of the stroke are left.

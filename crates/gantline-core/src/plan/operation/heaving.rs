@@ -81,8 +81,8 @@ impl PlanState {
                 let (added, ratio) = at_hook(of, timeline.planned(at), timeline.added(at));
                 let (velocity, duration) = watch.glance(of, added, seen.kinematics);
                 timeline.add(at, duration, velocity / ratio);
-                if watch.comes_to_its_limit() {
-                    log.push(at, EventKind::CompensationLimit, index);
+                if let Some(limit) = watch.comes_to_a_limit() {
+                    log.push(at, EventKind::CompensationLimit(limit), index);
                 }
             }
         }
