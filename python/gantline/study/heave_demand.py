@@ -35,7 +35,7 @@ class HeaveDemand:
 
     Attributes:
         hook: The hook.
-        step: That step of the first and the last to compensate over the same deck which asks most.
+        step: The first or the last step to compensate over the same deck.
         place: Number of that step in the plan, from 0.
         over: The vessel over whose deck; None is the ground.
         deviation: Standard deviation of the speed that is added [m/s].
@@ -55,6 +55,12 @@ class HeaveDemand:
     stroke: float
     has: tuple[float, float, float | None]
 
+    def covers(self, other: HeaveDemand) -> bool:
+        """Whether it asks for no less speed, acceleration and stroke than another."""
+        own = (self.speed, self.acceleration, self.stroke)
+        others = (other.speed, other.acceleration, other.stroke)
+        return all(most >= least for most, least in zip(own, others, strict=True))
+
     @property
     def lacks(self) -> list[str]:
         """In words, what there is too little of."""
@@ -72,8 +78,9 @@ def heave_demands(scenario: Scenario) -> list[HeaveDemand]:
     """What each compensator is asked for at most, over the ground and over each deck.
 
     The lift is looked at at rest where the first and the last step begins that compensates so, with what
-    friction holds. About there vessels, crane, load, moorings and water with memory move little, and so in
-    proportion to the waves; drag does not count. None of a lift without waves that push, or without statics.
+    friction holds; of two both are told where each of them asks for more of something. About there vessels,
+    crane, load, moorings and water with memory move little, and so in proportion to the waves; drag does not
+    count. None of a lift without waves that push, or without statics.
     """
     if not scenario.waves or not any(step.compensate_heave for step in scenario.plan):
         return []
@@ -106,7 +113,7 @@ def heave_demands(scenario: Scenario) -> list[HeaveDemand]:
                     continue
             heave = responses[begin].heave(compensators[hook], over)
             asked.append(_demand(scenario, responses[begin], heave, compensators[hook], (place, over)))
-        found += [max(asked, key=lambda one: one.speed)] if asked else []
+        found += _most(asked)
     return found
 
 
@@ -245,6 +252,19 @@ def _demand(
         stroke=2.0 * way,
         has=has,
     )
+
+
+def _most(asked: list[HeaveDemand]) -> list[HeaveDemand]:
+    """Those of which no other asks for as much of everything.
+
+    A boom that slews from over the bow to over the side goes up and down in other waves there: more slowly
+    and farther, say.
+    """
+    found: list[HeaveDemand] = []
+    for one in asked:
+        if not any(other.covers(one) for other in found):
+            found = [other for other in found if not one.covers(other)] + [one]
+    return found
 
 
 def _largest(omega: Array, amplitude: Array, alike: npt.NDArray[np.bool_]) -> float:

@@ -165,7 +165,7 @@ impl Wet {
         }
     }
 
-    /// s c |w|³ + ½ |s′ḣ| w·A w.
+    /// s |w| w·R c Rᵀw + ½ |s′ḣ| w·A w.
     pub(super) fn loss(&self) -> f64 {
         self.share.value * self.drag.dot(self.relative)
             + 0.5 * (self.share.slope * self.pace).abs() * self.relative.dot(self.momentum)

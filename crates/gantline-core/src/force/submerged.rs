@@ -18,7 +18,7 @@
 //! Power of all that, with the energy ½ s v·A v that the mass matrix has and U = ρ g V ∫ s dh of still water, is
 //!
 //! ```text
-//! F·v + M·ω + d/dt (½ s v·A v) + U̇ = work − loss        loss = s c |w|³ + ½ |s′ḣ| w·A w
+//! F·v + M·ω + d/dt (½ s v·A v) + U̇ = work − loss        loss = s |w| w·R c Rᵀw + ½ |s′ḣ| w·A w
 //! ```
 //!
 //! Without waves and current the work is zero.
