@@ -243,9 +243,14 @@ class Simulation:
 
     def _go(self, goes_on: Callable[[float], bool] | None, until: float | None, **how: bool) -> None:
         started = time.perf_counter()
-        outcome = self._core.run(goes_on, until, **how)
-        self.integration_time += time.perf_counter() - started
-        self.status = str(outcome["status"])
+        # What a callback or Ctrl-C raises leaves a run that can go on.
+        self.status, left = "running", "paused"
+        try:
+            outcome = self._core.run(goes_on, until, **how)
+            left = str(outcome["status"])
+        finally:
+            self.integration_time += time.perf_counter() - started
+            self.status = left if left != "done" or self.ended else "paused"
         self._failure = None
         if self.status == "failed":
             self._failure = {
@@ -469,7 +474,7 @@ class Simulation:
         self._core.restore(state)
         self._present = None
         self._overturning_at_end = None
-        self.status = "ready"
+        self.status = "done" if self.ended else "paused" if self.time > 0.0 else "ready"
         self._failure = None
 
 

@@ -15,11 +15,10 @@ from gantline.results.lift_off import hangs_from_the_start
 from gantline.results.parting import PLANNED, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
+from gantline.results.status import BROKE_OFF
 from gantline.results.variable import FloatArray
 from gantline.units import format_quantity
 
-#: How a run ended that did not come to its end, by its status.
-_BROKE_OFF = {"stopped": "was stopped", "failed": "failed"}
 #: A load of which less than this share ever hangs has not been lifted [1].
 _LIFTED_FROM = 0.05
 #: Motors that pull all they can for longer in all are told [s]; at starts and stops that is nothing.
@@ -47,7 +46,7 @@ def unfinished(recording: Recording) -> list[Check]:
     hangs quietly after that.
     """
     left = progress.unfinished(recording)
-    ended = _BROKE_OFF.get(str(recording.attributes.get("status")), "ends")
+    ended = BROKE_OFF.get(str(recording.attributes.get("status")), "ends")
     if left is None and ended == "ends":
         return []
     at = f" in '{left.under_way[0]}'" if left is not None and left.under_way else ""

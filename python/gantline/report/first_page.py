@@ -24,6 +24,7 @@ from gantline.results.metrics import energy_bound
 from gantline.results.refinement import in_per_cent, refinement_of
 from gantline.results.rig import Load, Rig
 from gantline.results.saved import digest_of
+from gantline.results.status import BROKE_OFF
 
 _MOST_SLINGS = 16
 #: Of lifts afloat, whose vessels take room on the sheet.
@@ -89,8 +90,8 @@ def _verdict(subject: Subject) -> dict[str, Any]:
     checks = subject.checks
     head = outcome_of(checks).value
     status = str(subject.recording.attributes.get("status", "done"))
-    if status in ("stopped", "failed"):
-        head = f"INCOMPLETE: the run {'was stopped' if status == 'stopped' else 'failed'}; {head} so far"
+    if status in BROKE_OFF:
+        head = f"INCOMPLETE: the run {BROKE_OFF[status]}; {head} so far"
     tone = "bad" if head.startswith(("NO-GO", "INCOMPLETE")) else "none" if head.startswith("NO") else "good"
     warned = [check for check in checks if check.verdict is Verdict.WARNING]
     if tone == "good" and warned:

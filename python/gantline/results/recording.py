@@ -16,6 +16,7 @@ import numpy as np
 
 from gantline.results.kinds import EVENT_KINDS
 from gantline.results.rig import Rig
+from gantline.results.status import BROKE_OFF, GOES_ON
 from gantline.results.variable import BoolArray, FloatArray, Indices, Variable
 
 if TYPE_CHECKING:
@@ -88,11 +89,11 @@ class Recording:
     def is_equilibrium(self) -> bool:
         """Whether it is of a lift at rest: what counts is its last sample, and nothing is dynamic.
 
-        Its status says so. One sample alone is at rest too, unless it is what a run left that ended early; a
-        sample before the last is where the lift starts, from which travel is counted.
+        Its status says so. One sample alone is at rest too, unless it is what a run has by then; a sample
+        before the last is where the lift starts, from which travel is counted.
         """
         status = str(self.attributes.get("status", ""))
-        alone = len(self.time) == 1 and status not in ("failed", "stopped")
+        alone = len(self.time) == 1 and status not in (*BROKE_OFF, *GOES_ON)
         return bool(len(self.time)) and (alone or status.startswith("at rest"))
 
     @cached_property
