@@ -261,6 +261,18 @@ class Recording:
         return save_recording(self, Path(path))
 
 
+def recorded(value: Recording) -> Recording:
+    """What is a recording, as it is; for functions that take one, which would end inside otherwise.
+
+    Raises:
+        TypeError: If it is none, such as the file of one, or the simulation that made it.
+    """
+    if not isinstance(value, Recording):
+        right = "gantline.open_recording reads a file, and 'run' of a simulation gives one"
+        raise TypeError(f"a recording is needed, not {type(value).__name__}; {right}")
+    return value
+
+
 def open_recording(path: str | Path) -> Recording:
     """Read a recording that `Recording.save` wrote.
 
