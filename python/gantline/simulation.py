@@ -31,6 +31,7 @@ from gantline.results.immersion import (
     loads_in_bed,
     misplaced_areas,
 )
+from gantline.results.layout import DIMS
 from gantline.results.longer_falls import longer_falls
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
@@ -308,8 +309,9 @@ class Simulation:
 
         Args:
             variable: As in a recording, such as `rope_tension`, `body_position`, `hook_load`, `load_tilt`,
-                `sheave_travel`, `vessel_heel`; not those of cranes and tanks. What the core gives as it is,
-                such as the first two, costs least.
+                `sheave_travel`, `vessel_heel`; not those of cranes and tanks, such as `hook_height`: where
+                hooks are `drive_state` tells. What the core gives as it is, such as the first two, costs
+                least.
             name: Name along it, such as `sling.S1`, as for `Recording.column`.
 
         Returns:
@@ -322,7 +324,10 @@ class Simulation:
             self._present = self.time, self._core.present()
         present = present_of(self._present[1], self._names, self._rig, variable)
         if variable not in present:
-            raise KeyError(f"there is no {variable!r} at present; there are {', '.join(present)}")
+            why = f"there is no {variable!r} at present"
+            if variable in DIMS:
+                why = f"{variable!r} is worked out for recordings alone, see `recording`"
+            raise KeyError(f"{why}; there are {', '.join(present)}")
         value: FloatArray = present.column(variable, name)[0]
         return value
 

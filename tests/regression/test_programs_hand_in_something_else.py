@@ -87,3 +87,13 @@ def test_a_finer_run_of_another_duration() -> None:
     told = r"no runs of one lift and one duration \(0.2 s and 0.1 s\)"
     with pytest.raises(ValueError, match=told):
         study.refined(whole, short)
+
+
+def test_a_variable_of_recordings_alone() -> None:
+    """A recording has a height of every hook of this crane: "there is no 'hook_height'" was no answer."""
+    run = gantline.Simulation("goliath", duration=1.0)
+    told = "'hook_height' is worked out for recordings alone, see `recording`; there are rope_tension, "
+    with pytest.raises(KeyError, match=told):
+        run.now("hook_height", "goliath.U1")
+    with pytest.raises(KeyError, match="there is no 'height' at present; there are rope_tension, "):
+        run.now("height", "goliath.U1")
