@@ -263,6 +263,9 @@ def _tilt(subject: Subject, limit: Any) -> str:
     if max(still, default=0.0) > _USUAL_TILT:
         stands = f"in which it hangs still at up to {show(max(still), 'deg', 1)}"
         return f"tilt is more than {usual} off the plan, {stands}"
+    most = max((float(recording.column("load_tilt", load.name).max()) for load in loads), default=0.0)
+    if most > _USUAL_TILT and any(step.turns for step in subject.rig.plan):
+        return f"tilt is more than {usual} off the plan, in which it tilts by up to {show(most, 'deg', 1)}"
     return f"tilt is over {usual}"
 
 
