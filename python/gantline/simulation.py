@@ -180,7 +180,7 @@ class Simulation:
 
     @property
     def current_step(self) -> str | None:
-        """Name of the step of the plan that is under way; None where there is none."""
+        """Name of the step of the plan that goes, of several that one which began last; None without one."""
         return self._core.current_step()
 
     @property
@@ -202,7 +202,8 @@ class Simulation:
         """Go on to the end, or to a time.
 
         Args:
-            until: Simulated time after whose first step to pause [s]; None for the end of the lift.
+            until: Simulated time after whose first step to pause [s], no step if it is past; None for the end
+                of the lift.
             on_progress: Called about ten times a second with the simulated time [s]; returning False stops.
 
         Returns:

@@ -35,6 +35,22 @@ def test_what_is_left_is_told(tmp_path: Path) -> None:
     assert not stable.is_sound
 
 
+def test_what_a_callback_saves_is_no_end(tmp_path: Path) -> None:
+    """A recording that is made while the run goes on says so, in checks and in how sound it is."""
+    run = gantline.Simulation("equalizer")
+    run.run(until=26.5)
+    found = []
+
+    def looks(time: float) -> bool:
+        found.append(run.recording())
+        return False
+
+    run.run(until=38.0, on_progress=looks)
+    status, remark = told(found[0])
+    assert (status, remark) == ("running", f"the run was under way at {found[0].time[-1]:.4g} s")
+    assert outcome_of(check_recording(found[0])) is Outcome.NO_VERDICT
+
+
 def test_one_that_goes_on_to_the_end_is_done() -> None:
     run = gantline.Simulation("pulleys", duration=0.2)
     run.run(until=0.1)

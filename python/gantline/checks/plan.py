@@ -15,7 +15,7 @@ from gantline.results.lift_off import hangs_from_the_start
 from gantline.results.parting import PLANNED, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
-from gantline.results.status import BROKE_OFF
+from gantline.results.status import INCOMPLETE
 from gantline.results.variable import FloatArray
 from gantline.units import format_quantity
 
@@ -55,7 +55,7 @@ def unfinished(recording: Recording) -> list[Check]:
     hangs quietly after that.
     """
     left = progress.unfinished(recording)
-    ended = BROKE_OFF.get(str(recording.attributes.get("status")), "ends")
+    ended = INCOMPLETE.get(str(recording.attributes.get("status")), "ends")
     if left is None and ended == "ends":
         return []
     at = f" in '{left.under_way[0]}'" if left is not None and left.under_way else ""

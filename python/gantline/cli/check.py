@@ -68,7 +68,7 @@ def _check_limits(recording: Recording, *, as_json: bool) -> NoReturn:
     from gantline.checks import check_recording
     from gantline.cli.check_table import check_table, checks_json, exit_code, width_of_terminal
     from gantline.cli.summary import heading, weights
-    from gantline.results.status import BROKE_OFF
+    from gantline.results.status import INCOMPLETE
 
     checks = check_recording(recording)
     if as_json:
@@ -80,9 +80,9 @@ def _check_limits(recording: Recording, *, as_json: bool) -> NoReturn:
         typer.echo("\n".join([*heading(rig), *weights(rig), "", *table]))
     warn_of_gaps(recording)
     status = str(recording.attributes.get("status", ""))
-    if status in BROKE_OFF:
+    if status in INCOMPLETE:
         end = f"{recording.time[-1]:.2f} s" if len(recording.time) else "its start"
-        warn(f"this run {BROKE_OFF[status]} at {end}: what would have come after is not checked")
+        warn(f"this run {INCOMPLETE[status]} at {end}: what would have come after is not checked")
     if not checks:
         warn("nothing to check: the lift sets no limits, and has nothing that is checked without")
     raise typer.Exit(exit_code(checks))

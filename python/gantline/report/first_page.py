@@ -24,7 +24,7 @@ from gantline.results.metrics import energy_bound
 from gantline.results.refinement import in_per_cent, refinement_of
 from gantline.results.rig import Load, Rig
 from gantline.results.saved import digest_of
-from gantline.results.status import BROKE_OFF
+from gantline.results.status import INCOMPLETE
 
 _MOST_SLINGS = 16
 #: Of lifts afloat, whose vessels take room on the sheet.
@@ -90,8 +90,8 @@ def _verdict(subject: Subject) -> dict[str, Any]:
     checks = subject.checks
     head = outcome_of(checks).value
     status = str(subject.recording.attributes.get("status", "done"))
-    if status in BROKE_OFF:
-        head = f"INCOMPLETE: the run {BROKE_OFF[status]}; {head} so far"
+    if status in INCOMPLETE:
+        head = f"INCOMPLETE: the run {INCOMPLETE[status]}; {head} so far"
     tone = "bad" if head.startswith(("NO-GO", "INCOMPLETE")) else "none" if head.startswith("NO") else "good"
     warned = [check for check in checks if check.verdict is Verdict.WARNING]
     if tone == "good" and warned:

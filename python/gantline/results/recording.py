@@ -16,7 +16,7 @@ import numpy as np
 
 from gantline.results.kinds import EVENT_KINDS
 from gantline.results.rig import Rig
-from gantline.results.status import BROKE_OFF, GOES_ON
+from gantline.results.status import INCOMPLETE, READY
 from gantline.results.variable import BoolArray, FloatArray, Indices, Variable
 
 if TYPE_CHECKING:
@@ -93,7 +93,7 @@ class Recording:
         before the last is where the lift starts, from which travel is counted.
         """
         status = str(self.attributes.get("status", ""))
-        alone = len(self.time) == 1 and status not in (*BROKE_OFF, *GOES_ON)
+        alone = len(self.time) == 1 and status not in (*INCOMPLETE, READY)
         return bool(len(self.time)) and (alone or status.startswith("at rest"))
 
     @cached_property

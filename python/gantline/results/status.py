@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from typing import Final
 
-__all__ = ["BROKE_OFF", "GOES_ON", "OVER"]
+__all__ = ["INCOMPLETE", "OVER", "READY"]
 
-#: Of a run that has not begun, and of one that is under way.
-GOES_ON: Final = ("ready", "running")
-#: How a run ended that did not come to its end, in words.
-BROKE_OFF: Final = {"paused": "was paused", "stopped": "was stopped", "failed": "failed"}
-#: Of all runs that are over, or will not go on by themselves.
-OVER: Final = ("done", *BROKE_OFF)
+#: Of a run that has not begun.
+READY: Final = "ready"
+#: Where runs were that had not come to their end as their recording was made, in words.
+INCOMPLETE: Final = {
+    "running": "was under way",
+    "paused": "was paused",
+    "stopped": "was stopped",
+    "failed": "failed",
+}
+#: Of runs that are over, or will not go on by themselves.
+OVER: Final = ("done", "paused", "stopped", "failed")
