@@ -31,6 +31,7 @@ from gantline.results.immersion import (
     loads_in_bed,
     misplaced_areas,
 )
+from gantline.results.layout import DIMS
 from gantline.results.longer_falls import longer_falls
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
@@ -179,7 +180,7 @@ class Simulation:
 
     @property
     def current_step(self) -> str | None:
-        """Name of the step of the plan that is under way; None where there is none."""
+        """Name of the step of the plan that goes, of several that one which began last; None without one."""
         return self._core.current_step()
 
     @property
@@ -201,7 +202,8 @@ class Simulation:
         """Go on to the end, or to a time.
 
         Args:
-            until: Simulated time after whose first step to pause [s]; None for the end of the lift.
+            until: Simulated time after whose first step to pause [s], no step if it is past; None for the end
+                of the lift.
             on_progress: Called about ten times a second with the simulated time [s]; returning False stops.
 
         Returns:
@@ -243,9 +245,14 @@ class Simulation:
 
     def _go(self, goes_on: Callable[[float], bool] | None, until: float | None, **how: bool) -> None:
         started = time.perf_counter()
-        outcome = self._core.run(goes_on, until, **how)
-        self.integration_time += time.perf_counter() - started
-        self.status = str(outcome["status"])
+        # What a callback or Ctrl-C raises leaves a run that can go on.
+        self.status, left = "running", "paused"
+        try:
+            outcome = self._core.run(goes_on, until, **how)
+            left = str(outcome["status"])
+        finally:
+            self.integration_time += time.perf_counter() - started
+            self.status = left if left != "done" or self.ended else "paused"
         self._failure = None
         if self.status == "failed":
             self._failure = {
@@ -303,8 +310,9 @@ class Simulation:
 
         Args:
             variable: As in a recording, such as `rope_tension`, `body_position`, `hook_load`, `load_tilt`,
-                `sheave_travel`, `vessel_heel`; not those of cranes and tanks. What the core gives as it is,
-                such as the first two, costs least.
+                `sheave_travel`, `vessel_heel`; not those of cranes and tanks, such as `hook_height`: where
+                hooks are `drive_state` tells. What the core gives as it is, such as the first two, costs
+                least.
             name: Name along it, such as `sling.S1`, as for `Recording.column`.
 
         Returns:
@@ -317,7 +325,10 @@ class Simulation:
             self._present = self.time, self._core.present()
         present = present_of(self._present[1], self._names, self._rig, variable)
         if variable not in present:
-            raise KeyError(f"there is no {variable!r} at present; there are {', '.join(present)}")
+            why = f"there is no {variable!r} at present"
+            if variable in DIMS:
+                why = f"{variable!r} is worked out for recordings alone, see `recording`"
+            raise KeyError(f"{why}; there are {', '.join(present)}")
         value: FloatArray = present.column(variable, name)[0]
         return value
 
@@ -469,7 +480,7 @@ class Simulation:
         self._core.restore(state)
         self._present = None
         self._overturning_at_end = None
-        self.status = "ready"
+        self.status = "done" if self.ended else "paused" if self.time > 0.0 else "ready"
         self._failure = None
 
 

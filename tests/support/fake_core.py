@@ -50,6 +50,12 @@ class FakeCore:
                 return {"status": "stopped", "time": self.now}
         return {"status": "done", "time": self.now}
 
+    def time(self) -> float:
+        return float(self.now)
+
+    def ended(self) -> bool:
+        return bool(self.now >= self.settings["duration"])
+
     def columns(self) -> dict[str, Any]:
         return self._sample()[0]
 

@@ -136,4 +136,4 @@ def test_spoiled_text(data: st.DataObject) -> None:
 def test_lifts_that_are_not_spoiled_run(text: str) -> None:
     beside_files = str(SCENARIOS.parent / "python" / "gantline" / "scenarios" / "lift.yaml")
     simulation = Simulation(parse_scenario(written(parse_text(text, "lift.yaml")), beside_files))
-    assert simulation.run(until=0.002).attributes["status"] == "done"
+    assert simulation.run(until=0.002).attributes["status"] in ("paused", "done")

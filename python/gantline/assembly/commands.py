@@ -165,7 +165,7 @@ def _end(position: float) -> float | None:
 def _number(of: str, value: object, what: str) -> float:
     try:
         number = math.nan if isinstance(value, str | bool) else float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         number = math.nan
     if not math.isfinite(number):
         raise CommandError(f"{of}: {value!r} is not {what} in m and s, or rad and s")

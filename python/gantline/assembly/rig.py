@@ -366,6 +366,7 @@ def _step(scenario: Scenario, step: Any) -> Json:
         **{key: list(names) for key in _PARTS if (names := getattr(step, key))},
         **({"turns": True} if _turns(step) else {}),
         **_kept_plumb(scenario, step),
+        **_ended_by(step),
     }
 
 
@@ -383,6 +384,13 @@ def _kept_plumb(scenario: Scenario, step: Any) -> Json:
     if not isinstance(step, AlongStep) or not step.keep_plumb:
         return {}
     return {"keep_plumb": [full_name(text, scenario.hooks) or text for text in step.keep_plumb]}
+
+
+def _ended_by(step: Any) -> Json:
+    """The key that says when what a step moves stops."""
+    keys = step.ends if isinstance(step, MovingStep) else ("by", "until")
+    given = [key for key in keys if getattr(step, key, None) is not None]
+    return {} if isinstance(step, HoldStep) else {"ends_by": given[0]}
 
 
 def _held_until(step: HoldStep) -> str:

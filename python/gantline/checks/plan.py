@@ -15,17 +15,25 @@ from gantline.results.lift_off import hangs_from_the_start
 from gantline.results.parting import PLANNED, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
+from gantline.results.status import INCOMPLETE
 from gantline.results.variable import FloatArray
 from gantline.units import format_quantity
 
-#: How a run ended that did not come to its end, by its status.
-_BROKE_OFF = {"stopped": "was stopped", "failed": "failed"}
 #: A load of which less than this share ever hangs has not been lifted [1].
 _LIFTED_FROM = 0.05
 #: Motors that pull all they can for longer in all are told [s]; at starts and stops that is nothing.
 _LONG = 1.0
 #: Steps that move hooks.
 _HOISTS = ("hoist", "lower")
+#: Why a step moved nothing, by the key that ends it; a recording of an older version has none.
+_STILL = {
+    "until": "what it waits for held as it began",
+    "to": "it was there as it began",
+    "brake_from": "its 'brake_from' was over as it began",
+    "emergency_stop_at": "its 'emergency_stop_at' was over as it began",
+}
+#: Keys that name a time.
+_TIMES = ("brake_from", "emergency_stop_at")
 #: Steps that take a load along and do not lower it.
 _TAKES_ALONG = {"luff", "slew", "traverse", "travel"}
 #: Steps that lower a load, or that bring what it hangs from or stands over somewhere else.
@@ -47,7 +55,7 @@ def unfinished(recording: Recording) -> list[Check]:
     hangs quietly after that.
     """
     left = progress.unfinished(recording)
-    ended = _BROKE_OFF.get(str(recording.attributes.get("status")), "ends")
+    ended = INCOMPLETE.get(str(recording.attributes.get("status")), "ends")
     if left is None and ended == "ends":
         return []
     at = f" in '{left.under_way[0]}'" if left is not None and left.under_way else ""
@@ -78,26 +86,31 @@ def not_lifted(recording: Recording) -> list[Check]:
 
 
 def stood_still(recording: Recording) -> list[Check]:
-    """A warning where steps that hoist or lower moved nothing: what they wait for held as they began.
+    """A warning where steps moved nothing: what they wait for held, or their time was over, as they began.
 
     A vessel that floats elsewhere than the lift file has it may take the load before the first step does; and
-    `above` that was meant as `below` makes a step that is over at once.
+    `above` that was meant as `below` makes a step that is over at once. A step before that waits for a
+    condition may take longer than a time of the next one allows. What only hauls or traverses until something
+    holds has nothing to do where it does.
     """
     begins = {name: time for time, _, name in recording.events("step_begin")}
     ends = {name: time for time, _, name in recording.events("step_end")}
-    hoists = [step.step for step in recording.rig.plan if step.kind in _HOISTS]
-    still = [name for name in hoists if name in ends and ends[name] == begins.get(name)]
-    if not still:
+    moving = [step for step in recording.rig.plan if step.kind in _HOISTS or step.ends_by in _TIMES]
+    at_once = [step for step in moving if step.step in ends and ends[step.step] == begins.get(step.step)]
+    if not at_once:
         return []
-    remark = f"what it waits for held as it began, and nothing moved: {named(still)}"
+    still: dict[str, list[str]] = {}
+    for step in at_once:
+        still.setdefault(_STILL.get(step.ends_by, _STILL["until"]), []).append(step.step)
+    remark = "; ".join(f"{why}, and nothing moved: {named(names)}" for why, names in still.items())
     hung = [
         f"{100.0 * share:.0f} % of {load.name}"
         for load in recording.rig.loads
         if (share := float(recording.column("load_transferred", load.name)[0])) > _HANGS
     ]
-    if hung and begins[still[0]] == recording.time[0]:
+    if hung and begins[at_once[0].step] == recording.time[0]:
         remark += f"; {' and '.join(hung)} hangs before the plan begins"
-    return [Check("plan_moves", Verdict.WARNING, "steps that hoist or lower move", remark=remark)]
+    return [Check("plan_moves", Verdict.WARNING, "steps move what they say", remark=remark)]
 
 
 def never_still(recording: Recording) -> list[Check]:

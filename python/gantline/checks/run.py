@@ -35,7 +35,7 @@ from gantline.results import series
 from gantline.results.alike import first_largest
 from gantline.results.gaps import gaps
 from gantline.results.parting import PLANNED, Parting, partings
-from gantline.results.recording import Recording
+from gantline.results.recording import Recording, recorded
 from gantline.results.rig import Step
 from gantline.results.variable import BoolArray
 from gantline.rule_data import LIFT_FILE
@@ -76,7 +76,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         taken along or came down hard, and where a run lifts nothing, holds nothing still or ends before
         its plan.
     """
-    rig = recording.rig
+    rig = recorded(recording).rig
     _hold_steps(recording, ending)
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
     hands_in = bool(rig.loads or rig.hooks or rig.slings or rig.vessels or rig.mooring_lines or rig.fenders)

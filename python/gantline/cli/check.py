@@ -68,6 +68,7 @@ def _check_limits(recording: Recording, *, as_json: bool) -> NoReturn:
     from gantline.checks import check_recording
     from gantline.cli.check_table import check_table, checks_json, exit_code, width_of_terminal
     from gantline.cli.summary import heading, weights
+    from gantline.results.status import INCOMPLETE
 
     checks = check_recording(recording)
     if as_json:
@@ -78,11 +79,10 @@ def _check_limits(recording: Recording, *, as_json: bool) -> NoReturn:
         table = check_table(checks, rule, width=width_of_terminal(), full=True)
         typer.echo("\n".join([*heading(rig), *weights(rig), "", *table]))
     warn_of_gaps(recording)
-    status = recording.attributes.get("status")
-    if status in ("stopped", "failed"):
+    status = str(recording.attributes.get("status", ""))
+    if status in INCOMPLETE:
         end = f"{recording.time[-1]:.2f} s" if len(recording.time) else "its start"
-        ended = "was stopped" if status == "stopped" else "failed"
-        warn(f"this run {ended} at {end}: what would have come after is not checked")
+        warn(f"this run {INCOMPLETE[status]} at {end}: what would have come after is not checked")
     if not checks:
         warn("nothing to check: the lift sets no limits, and has nothing that is checked without")
     raise typer.Exit(exit_code(checks))

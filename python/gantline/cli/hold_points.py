@@ -127,3 +127,15 @@ def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
     for name, label in names.items():
         if label:
             yield f"{name} {show(float(recording.column(variable, label)[sample]), unit, digits)}"
+    if measure == "support_force":
+        yield from _beside_supports(recording, sample, digits)
+
+
+def _beside_supports(recording: Recording, sample: int, digits: int) -> Iterator[str]:
+    """What ground or a deck carries of each load at a sample; beside supports only where it does."""
+    supports = {one.name for one in recording.rig.supports}
+    for load in recording.rig.loads:
+        others = [contact for contact in load.contacts if contact not in supports]
+        force = sum(float(recording.column("contact_force", contact)[sample]) for contact in others)
+        if others and (force > 0.0 or not supports):
+            yield f"under {load.name} {show(force, 'kN', digits)}"

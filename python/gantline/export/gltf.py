@@ -16,7 +16,7 @@ import numpy as np
 
 from gantline.export.glb import Document
 from gantline.export.surroundings import surroundings
-from gantline.results.recording import Recording
+from gantline.results.recording import Recording, recorded
 from gantline.results.solids import solid_of
 from gantline.results.variable import FloatArray, Indices
 from gantline.viewer.decimate import Places, frames
@@ -60,7 +60,7 @@ def gltf_binary(recording: Recording) -> bytes:
     Raises:
         ValueError: If it has nothing that can be shown.
     """
-    scene: Mapping[str, Any] = recording.attributes.get("scene") or {}
+    scene: Mapping[str, Any] = recorded(recording).attributes.get("scene") or {}
     names = recording.coordinates.get("body", ())
     bodies = [entry for entry in scene.get("bodies") or () if entry["name"] in names]
     if not bodies or not len(recording.time):

@@ -15,7 +15,7 @@ import numpy as np
 
 from gantline.export.surroundings import surroundings
 from gantline.replacing import replaced
-from gantline.results.recording import Recording
+from gantline.results.recording import Recording, recorded
 from gantline.results.solids import solid_of
 from gantline.results.variable import FloatArray
 from gantline.viewer.curves import curves
@@ -46,6 +46,7 @@ def write_rerun(recording: Recording, path: str | Path) -> None:
         ValueError: If there is nothing to show.
         OSError: If it cannot be written there.
     """
+    recorded(recording)
     try:
         import rerun
     except ImportError:

@@ -9,7 +9,7 @@ from math import prod
 from pathlib import Path
 
 from gantline.replacing import replaced
-from gantline.results.recording import Recording
+from gantline.results.recording import Recording, recorded
 from gantline.results.variable import FloatArray
 
 
@@ -31,19 +31,20 @@ def columns(recording: Recording, variables: Sequence[str] = ()) -> Iterator[tup
     Raises:
         VariableError: If a variable is not there, or not over time.
     """
-    over_time = [
-        name for name, one in recording.variables.items() if one.dims[:1] == ("time",) and name != "time"
-    ]
+    if isinstance(variables, str):
+        raise VariableError(f"'{variables}' is a text, and a list is needed, such as ['{variables}']")
+    known = recorded(recording).variables
+    over_time = [name for name, one in known.items() if one.dims[:1] == ("time",) and name != "time"]
     for name in variables:
         if name not in over_time:
             raise VariableError(
                 f"no variable '{name}' over time in this recording; it has {', '.join(over_time)}"
             )
     yield "time [s]", recording.time
-    known = {**recording.coordinates, "rope_point": _points(recording)}
+    names = {**recording.coordinates, "rope_point": _points(recording)}
     for name in variables or [one for one in over_time if one != "rope_point"]:
         variable = recording[name]
-        labels = [known.get(dim) or range(recording.sizes[dim]) for dim in variable.dims[1:]]
+        labels = [names.get(dim) or range(recording.sizes[dim]) for dim in variable.dims[1:]]
         flat = variable.values.reshape(len(recording.time), prod(variable.values.shape[1:]))
         unit = "" if variable.unit == "1" else f" [{variable.unit}]"
         for place, label in enumerate(product(*labels)):

@@ -17,6 +17,7 @@ from gantline.plot.scene import snapshot
 from gantline.plot.style import INK, QUIET, RC, colour, force_unit, shortened
 from gantline.results import series
 from gantline.results.families import families
+from gantline.results.progress import under_way
 from gantline.results.recording import Recording
 from gantline.results.surroundings import ground_of, water_level
 from gantline.results.variable import FloatArray
@@ -148,8 +149,8 @@ class Film:
         return panel.axvline(float(recording.time[0]), color=INK, linewidth=1.2)
 
     def _said(self, time: float) -> str:
-        begun = [name for begin, _, name in self._recording.events("step_begin") if begin <= time]
-        return f"{time:.2f} s" + (f"   {shortened(begun[-1], 40)}" if begun else "")
+        step = under_way(self._recording, time)
+        return f"{time:.2f} s" + (f"   {shortened(step, 40)}" if step else "")
 
 
 def moments_of(time: FloatArray, speed: float, rate: float) -> FloatArray:

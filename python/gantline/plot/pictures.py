@@ -20,7 +20,7 @@ from gantline.plot.style import RC
 from gantline.plot.vessels import vessels
 from gantline.replacing import replaced
 from gantline.results.comparison import Comparison
-from gantline.results.recording import Recording
+from gantline.results.recording import Recording, recorded
 
 #: Every kind of picture by its file name; those that a lift does not have give None.
 PICTURES: dict[str, Callable[[Recording], Figure | None]] = {
@@ -49,7 +49,7 @@ def figures(recording: Recording) -> Iterator[tuple[str, Figure]]:
     Yields:
         Name of a picture (a file name without suffix) and its figure.
     """
-    if len(recording.time) < 2:
+    if len(recorded(recording).time) < 2:
         return
     makers = dict(PICTURES)
     for equalizer in recording.rig.equalizers:

@@ -24,6 +24,7 @@ from gantline.results.metrics import energy_bound
 from gantline.results.refinement import in_per_cent, refinement_of
 from gantline.results.rig import Load, Rig
 from gantline.results.saved import digest_of
+from gantline.results.status import INCOMPLETE
 
 _MOST_SLINGS = 16
 #: Of lifts afloat, whose vessels take room on the sheet.
@@ -89,8 +90,8 @@ def _verdict(subject: Subject) -> dict[str, Any]:
     checks = subject.checks
     head = outcome_of(checks).value
     status = str(subject.recording.attributes.get("status", "done"))
-    if status in ("stopped", "failed"):
-        head = f"INCOMPLETE: the run {'was stopped' if status == 'stopped' else 'failed'}; {head} so far"
+    if status in INCOMPLETE:
+        head = f"INCOMPLETE: the run {INCOMPLETE[status]}; {head} so far"
     tone = "bad" if head.startswith(("NO-GO", "INCOMPLETE")) else "none" if head.startswith("NO") else "good"
     warned = [check for check in checks if check.verdict is Verdict.WARNING]
     if tone == "good" and warned:
@@ -262,6 +263,9 @@ def _tilt(subject: Subject, limit: Any) -> str:
     if max(still, default=0.0) > _USUAL_TILT:
         stands = f"in which it hangs still at up to {show(max(still), 'deg', 1)}"
         return f"tilt is more than {usual} off the plan, {stands}"
+    most = max((float(recording.column("load_tilt", load.name).max()) for load in loads), default=0.0)
+    if most > _USUAL_TILT and any(step.turns for step in subject.rig.plan):
+        return f"tilt is more than {usual} off the plan, in which it tilts by up to {show(most, 'deg', 1)}"
     return f"tilt is over {usual}"
 
 

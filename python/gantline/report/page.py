@@ -21,7 +21,7 @@ from gantline.report.section import Section
 from gantline.report.steps import StepsContinued
 from gantline.report.subject import Subject
 from gantline.report.tables import Checks, Energy, Equalizers, LiftFile
-from gantline.results.recording import Recording
+from gantline.results.recording import Recording, recorded
 from gantline.results.saved import Beside, read_beside
 from gantline.units import DIMENSIONS
 from gantline.viewer import bundle, pack
@@ -139,7 +139,7 @@ def write_report(recording: Recording, path: str | Path, *, beside: Beside | Non
         ValueError: If the recording cannot be drawn, or has no samples.
     """
     target = Path(path)
-    text = render_report(recording, beside=beside or read_beside(target.parent, recording))
+    text = render_report(recorded(recording), beside=beside or read_beside(target.parent, recording))
     replace_text(target, text)
     return target
 

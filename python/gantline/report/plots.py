@@ -10,6 +10,7 @@ from gantline.report.section import Section
 from gantline.report.subject import Subject, show
 from gantline.results.aside import drift_of, not_worth_a_plot, swing_of, tilt_of
 from gantline.results.drift import is_taken_along
+from gantline.results.status import OVER
 
 Plot = dict[str, Any]
 
@@ -228,7 +229,7 @@ class Clearances(_Plots):
 
 
 def _is_over(subject: Subject) -> bool:
-    return subject.recording.attributes.get("status", "done") in ("done", "stopped", "failed")
+    return subject.recording.attributes.get("status", "done") in OVER
 
 
 def _of_ropes(subject: Subject) -> str:

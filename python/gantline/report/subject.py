@@ -7,6 +7,7 @@ from functools import cached_property
 
 from gantline.checks import Check, check_recording
 from gantline.results import series
+from gantline.results.progress import under_way
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.saved import Beside
@@ -76,9 +77,8 @@ class Subject:
         return series.peak(self.recording, values, during)
 
     def step_at(self, time: float) -> str:
-        """Name of the step of the plan that began last before a time [s]; empty before the first."""
-        begun = [name for when, _, name in self.recording.events("step_begin") if when <= time]
-        return begun[-1] if begun else ""
+        """Names of the steps of the plan that go at a time [s], in one; empty where none does."""
+        return under_way(self.recording, time)
 
 
 def show(value: float | None, unit: str, digits: int) -> str:

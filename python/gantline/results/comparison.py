@@ -20,7 +20,7 @@ from gantline.results.alike import first_largest, first_peak
 from gantline.results.common_time import CommonTime, Deviation
 from gantline.results.gaps import without_gaps
 from gantline.results.parting import Parting, partings
-from gantline.results.recording import Recording, open_recording
+from gantline.results.recording import Recording, open_recording, recorded
 from gantline.results.rig import Rig
 from gantline.results.stability import Stability, stability_of
 from gantline.units import format_quantity
@@ -184,7 +184,7 @@ def compare(
         FileNotFoundError: If there is no such file.
         ValueError: If a file is not a recording of gantline.
     """
-    a, b = (one if isinstance(one, Recording) else open_recording(one) for one in (a, b))
+    a, b = (open_recording(one) if isinstance(one, str | Path) else recorded(one) for one in (a, b))
     common = _common_time(a, b)
     rig_a, rig_b = a.rig, b.rig
     loads = _pairs((load.name for load in rig_a.loads), (load.name for load in rig_b.loads), lone=True)

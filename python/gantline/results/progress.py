@@ -9,7 +9,7 @@ import numpy as np
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
 
-__all__ = ["BESIDE", "Stretch", "Unfinished", "end_of_step", "spans", "stretches", "unfinished"]
+__all__ = ["BESIDE", "Stretch", "Unfinished", "end_of_step", "spans", "stretches", "under_way", "unfinished"]
 
 #: Rounding of the end of a hold [s].
 _ROUNDING = 1e-9
@@ -77,6 +77,13 @@ def stretches(recording: Recording) -> list[Stretch]:
         if end > begin:
             found.append(Stretch(tuple(names), begin, end))
     return found
+
+
+def under_way(recording: Recording, time: float) -> str:
+    """Names of the steps that go at a time [s], in one; empty where none does."""
+    ended = {name for end, _, name in recording.events("step_end") if end <= time}
+    begun = [name for begin, _, name in recording.events("step_begin") if begin <= time]
+    return BESIDE.join(name for name in begun if name not in ended)
 
 
 def end_of_step(recording: Recording, step: Step) -> float | None:

@@ -16,6 +16,7 @@ import numpy as np
 
 from gantline.results.kinds import EVENT_KINDS
 from gantline.results.rig import Rig
+from gantline.results.status import INCOMPLETE, READY
 from gantline.results.variable import BoolArray, FloatArray, Indices, Variable
 
 if TYPE_CHECKING:
@@ -88,11 +89,11 @@ class Recording:
     def is_equilibrium(self) -> bool:
         """Whether it is of a lift at rest: what counts is its last sample, and nothing is dynamic.
 
-        Its status says so. One sample alone is at rest too, unless it is what a run left that ended early; a
-        sample before the last is where the lift starts, from which travel is counted.
+        Its status says so. One sample alone is at rest too, unless it is what a run has by then; a sample
+        before the last is where the lift starts, from which travel is counted.
         """
         status = str(self.attributes.get("status", ""))
-        alone = len(self.time) == 1 and status not in ("failed", "stopped")
+        alone = len(self.time) == 1 and status not in (*INCOMPLETE, READY)
         return bool(len(self.time)) and (alone or status.startswith("at rest"))
 
     @cached_property
@@ -258,6 +259,18 @@ class Recording:
         from gantline.results.netcdf import save_recording
 
         return save_recording(self, Path(path))
+
+
+def recorded(value: Recording) -> Recording:
+    """What is a recording, as it is; for functions that take one, which would end inside otherwise.
+
+    Raises:
+        TypeError: If it is none, such as the file of one, or the simulation that made it.
+    """
+    if not isinstance(value, Recording):
+        right = "gantline.open_recording reads a file, and 'run' of a simulation gives one"
+        raise TypeError(f"a recording is needed, not {type(value).__name__}; {right}")
+    return value
 
 
 def open_recording(path: str | Path) -> Recording:

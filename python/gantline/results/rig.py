@@ -148,6 +148,8 @@ class Step(FromJson):
         pull_pins: Equalizers or moving sheaves whose locking pins are pulled as it begins.
         put_in_pins: The same of those that are put in.
         keep_plumb: Hooks whose falls it keeps plumb.
+        ends_by: Key of the lift file that says when something that moves stops, such as `until` or
+            `brake_from`; empty of a hold.
     """
 
     step: str
@@ -167,6 +169,7 @@ class Step(FromJson):
     remove_supports: Sequence[str] = ()
     turns: bool = False
     keep_plumb: Sequence[str] = ()
+    ends_by: str = ""
 
 
 @dataclass(frozen=True)

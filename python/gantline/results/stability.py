@@ -44,7 +44,8 @@ class Stability:
     """How sound a run was.
 
     Attributes:
-        status: `done`, `stopped` or `failed`; of an equilibrium, that it is at rest and when.
+        status: `done`, `paused`, `running`, `stopped` or `failed`; of an equilibrium, that it is at rest and
+            when.
         end: When it ended, which is its last sample [s]; None without samples.
         failure: Why it could not go on; None if it could, or if an old recording does not tell.
         energy_remainder: Largest energy that the audit cannot place, of the largest energy [1]; None if not
@@ -106,8 +107,8 @@ class Stability:
         if self.is_at_rest:
             return self.status
         reached = "before its first sample" if self.end is None else f"at {self.end:.2f} s"
-        if self.status == "stopped":
-            return f"STOPPED {reached}: what follows compares what there is"
+        if self.status != "failed":
+            return f"{self.status.upper()} {reached}: what follows compares what there is"
         if self.failure is None:
             return f"FAILED {reached}; the recording does not tell the cause"
         place = f" at {self.failure.element}" if self.failure.element else ""

@@ -9,6 +9,7 @@ from pydantic import Discriminator, Field, Tag, model_validator
 from gantline.scenario.base import Element
 from gantline.scenario.quantities import Text, Time, refuse
 from gantline.scenario.steps import (
+    VERBS,
     HaulInStep,
     HaulStep,
     HoistStep,
@@ -44,23 +45,6 @@ class EmergencyStop(Element):
         if self.after is not None and self.in_step is None:
             raise refuse("'after' stands without 'in_step', the step from which it counts", "after")
         return self
-
-
-#: Keys by which a step says what it does.
-VERBS = (
-    "hoist",
-    "lower",
-    "traverse",
-    "travel",
-    "luff",
-    "slew",
-    "haul_in",
-    "pay_out",
-    "haul",
-    "veer",
-    "pump",
-    "hold",
-)
 
 
 def _verb(data: Any) -> str | None:

@@ -29,6 +29,7 @@ from gantline.scenario.quantities import (
 )
 
 __all__ = [
+    "VERBS",
     "AlongStep",
     "DrumStep",
     "HaulInStep",
@@ -52,6 +53,23 @@ __all__ = [
 ]
 
 Kind = Literal["hook", "drum", "trolley", "crane", "boom", "upper", "line"]
+
+
+#: Keys by which a step says what it does.
+VERBS = (
+    "hoist",
+    "lower",
+    "traverse",
+    "travel",
+    "luff",
+    "slew",
+    "haul_in",
+    "pay_out",
+    "haul",
+    "veer",
+    "pump",
+    "hold",
+)
 
 
 class _AnyStep(Element):
@@ -95,6 +113,15 @@ class _AnyStep(Element):
         description="With 'compensate_heave': vessel against whose deck they are kept still; the ground if "
         "not given.",
     )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _does_one_thing(cls, data: Any) -> Any:
+        verbs = [f"'{verb}'" for verb in VERBS if isinstance(data, dict) and verb in data]
+        if len(verbs) > 1:
+            sentence = f"a step does one thing; found {' and '.join(verbs)}"
+            raise refuse(f"{sentence}: a step for each is right, side by side by 'starts: with_previous'")
+        return data
 
     @model_validator(mode="after")
     def _relative_to_what_heaves(self) -> _AnyStep:

@@ -13,6 +13,7 @@ from gantline.scenario import Scenario
 from gantline.scenario.errors import nearest
 from gantline.scenario.hooks import full_name
 from gantline.scenario.tanks import bodies_afloat
+from gantline.study.asked import names_of
 from gantline.study.moment import end_of_step
 
 __all__ = ["QuestionError", "moment_of", "refuse_draft", "tanks_that_may_change", "vessel_of"]
@@ -64,7 +65,7 @@ def tanks_that_may_change(scenario: Scenario, vessel: str, tanks: Sequence[str] 
         return list(own)
     known = {f"{vessel}.{tank}": tank for tank in own}
     found = []
-    for text in tanks:
+    for text in names_of("tanks", tanks):
         full = full_name(text, known)
         if full is None:
             raise QuestionError("tanks", f"'{text}' is not a tank of {vessel}; {nearest(text, own)}")

@@ -13,6 +13,7 @@ from gantline.scenario.errors import nearest
 from gantline.scenario.rigging import resolve
 from gantline.scenario.variants import without_cases
 from gantline.statics import Equilibrium
+from gantline.study.asked import names_of
 from gantline.study.hanging import Hanging, Row
 from gantline.study.newton import AdjustError, CannotBeError, Search, Unknown
 from gantline.study.state import rest_json
@@ -94,7 +95,7 @@ def adjust_lengths(
     """
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
     known = {name: one.length for name, one in resolve(scenario).slings.items()}
-    chosen = list(known) if slings is None else list(slings)
+    chosen = list(known) if slings is None else names_of("slings", slings)
     for names, error in ((chosen, AdjustError), (shares or {}, ValueError)):
         for name in names:
             if name not in known:

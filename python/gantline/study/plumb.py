@@ -22,6 +22,7 @@ from gantline.scenario.steps import TravelStep, TraverseStep
 from gantline.scenario.stream import Stream
 from gantline.scenario.variants import without_cases
 from gantline.statics import Equilibrium, Statics
+from gantline.study.asked import names_of
 from gantline.study.bearers import Bearer, bearers_of, why_not
 from gantline.study.hanging import Hanging, Row
 from gantline.study.newton import AdjustError, CannotBeError, Search, Unknown
@@ -113,7 +114,7 @@ def plumb_hooks(
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
     question = Statics(scenario)
     used = Hanging(question, question.equilibrium(time)).hooks() if question.rig.loads else []
-    chosen = used if hooks is None else list(hooks)
+    chosen = used if hooks is None else names_of("hooks", hooks)
     bearers = bearers_of(scenario, used)
     borne = {hook for one in bearers for hook in one.hooks}
     for name in chosen:

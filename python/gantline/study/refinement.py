@@ -51,12 +51,16 @@ def refined(recording: Recording, finer: Recording) -> Recording:
         finer: Of the finer run, see `finer_simulation`.
 
     Raises:
-        ValueError: If one of the runs did not get to its end.
+        ValueError: If one of the runs did not get to its end, or they are not of one lift and duration.
     """
     for one in (recording, finer):
         status = one.attributes["status"]
         if status != "done":
             raise ValueError(f"a run shows its error at its end, and its status is {status!r}")
+    lasts, other = (one.attributes["settings"]["duration"] for one in (recording, finer))
+    if lasts != other or recording.attributes["scenario"] != finer.attributes["scenario"]:
+        sentence = f"they are no runs of one lift and one duration ({lasts:g} s and {other:g} s)"
+        raise ValueError(f"{sentence}; `finer_simulation` makes the finer one")
     found = _refinement(recording, finer)
     attributes = {**recording.attributes, "refinement": asdict(found)}
     if found.verdicts:

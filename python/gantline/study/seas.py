@@ -25,6 +25,8 @@ __all__ = ["NoSeaError", "Sea", "SeaRecord", "SeasResult", "run_seas"]
 #: Share of lifts that extremes leave to be worse, unless asked otherwise: what codes call P90.
 ONE_IN_TEN = 0.1
 
+#: A full turn, and rounding of it [rad]: 180 stands for degrees.
+_ROUND = math.tau * (1 + 1e-9)
 #: From the worst to the best: a sea is as good as its worst record.
 _WORST_FIRST = (Outcome.NO_GO, Outcome.NO_VERDICT, Outcome.GO_WITH_WARNINGS, Outcome.GO)
 
@@ -357,12 +359,18 @@ def _name_of(scenario: Scenario, wanted: str | None) -> str:
 
 def _values(name: str, given: Sequence[float] | None, own: float, least: float = 0.0) -> list[float]:
     """Values of one axis, each once."""
-    values = [own] if given is None else list(dict.fromkeys(float(value) for value in given))
+    try:
+        values = [own] if given is None else list(dict.fromkeys(float(value) for value in given))
+    except (TypeError, ValueError):
+        raise NoSeaError(name, f"{given!r} is no list of numbers, in m, s or rad") from None
     if not values:
         raise NoSeaError(name, "there are none")
     for value in values:
         if not (math.isfinite(value) and value > least):
             raise NoSeaError(name, f"{value:g} is none that waves can have")
+        if name == "directions" and abs(value) > _ROUND:
+            sentence = f"{value:.6g} rad are more than a full turn"
+            raise NoSeaError(name, f"{sentence}; {math.pi:.5g} rad are 180 deg")
     return values
 
 

@@ -9,6 +9,7 @@ from types import TracebackType
 
 from gantline.scenario import Scenario
 from gantline.statics import Statics
+from gantline.study.asked import count_of
 
 __all__ = ["SideBySide"]
 
@@ -23,7 +24,7 @@ class SideBySide(ThreadPoolExecutor):
     """
 
     def __init__(self, workers: int | None = None) -> None:
-        super().__init__(workers or os.cpu_count())
+        super().__init__(os.cpu_count() if workers is None else count_of("workers", workers))
         self._stopped = Event()
 
     def question(self, scenario: Scenario) -> Statics:

@@ -15,6 +15,7 @@ from gantline.scenario.tree import TextNode
 from gantline.scenario.tree_path import PathError, node_at
 from gantline.scenario.variants import with_value
 from gantline.statics import Statics
+from gantline.study.asked import count_of
 from gantline.study.state import State, settled, unstartable
 from gantline.units import common_dimension, in_unit, is_quantity, quantity, si_text, unit_of
 
@@ -71,14 +72,14 @@ def run_sweep(
         Each value with what was found, as soon as it is; errors come with the first.
 
     Raises:
+        TypeError: If `count` is no whole number.
         ValueError: If there are to be none.
         PathError: If the path leads nowhere or to no quantity.
         UnitError: If the values are no quantities of one dimension.
         ScenarioError: If the lift file is not right.
         SweepError: If a value cannot be there; a ScenarioError too.
     """
-    if count < 1:
-        raise ValueError(f"count: {count} values are none")
+    count = count_of("count", count)
     scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
     given = node_at(scenario.tree, path)
     if given is not None and not isinstance(given, TextNode):

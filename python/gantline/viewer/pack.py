@@ -21,6 +21,7 @@ from gantline.results.lift_off import lift_off_time
 from gantline.results.progress import stretches, unfinished
 from gantline.results.recording import Recording
 from gantline.results.rig import Watch
+from gantline.results.status import OVER
 from gantline.results.surroundings import ground_of, structures_of, water_level
 from gantline.results.upper_end import utilisation
 from gantline.results.variable import FloatArray
@@ -269,7 +270,7 @@ def _surroundings(recording: Recording, arrays: Arrays) -> dict[str, Any]:
 def _unfinished(recording: Recording) -> str | None:
     """Where in its plan a run has ended, in words; None if it came through, or is still running."""
     left = unfinished(recording)
-    if left is None or recording.attributes.get("status") not in ("done", "stopped", "failed"):
+    if left is None or recording.attributes.get("status") not in OVER:
         return None
     return left.in_words
 
