@@ -58,5 +58,6 @@ def test_the_rope_has_its_bounds(tmp_path: Path) -> None:
     weight = 8e3 * 9.81e-3  # of load and hook block [kN]
     even, along, against = (float(one) for one in row.groups())
     assert even == pytest.approx(weight / PARTS, abs=1e-3)
+    # Half of the last digit that the table has, 0.1 kN.
     assert along == pytest.approx(weight * (LOSS - 1) / (1 - LOSS**-PARTS), abs=0.051)
     assert against == pytest.approx(weight / (1 + 1 / LOSS + 1 / LOSS**2), abs=0.051)
