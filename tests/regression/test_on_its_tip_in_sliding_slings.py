@@ -51,16 +51,21 @@ def over_the_lugs() -> float:
     return float(np.sqrt((SLING / 2) ** 2 - HALF**2))
 
 
+def lugs_at(height: float, *places: float) -> str:
+    """Lugs of the girder, L1 and so on, at places along it [m]."""
+    each = (
+        f"    L{number}: {{at: [{x} m, 0 m, {height} m], capacity: 30 t}}\n"
+        for number, x in enumerate(places, start=1)
+    )
+    return "  lugs:\n" + "".join(each)
+
+
 def on_one_sheave(depth: float) -> str:
     """The girder with its lugs a depth above its centre of gravity [m]."""
     lugs = 1.5 + depth
     return (
         HEAD
-        + "  lugs:\n"
-        + "".join(
-            f"    {name}: {{at: [{x} m, 0 m, {lugs} m], capacity: 30 t}}\n"
-            for name, x in (("L1", -HALF), ("L2", HALF))
-        )
+        + lugs_at(lugs, -HALF, HALF)
         + "cranes:\n"
         + HOOK.replace("X m", "0 m").replace("HIGH", repr(1.0 + lugs + over_the_lugs() + 3.0))
         + "extension_sheaves: {X1: {mass: 150 kg}}\n"
@@ -76,11 +81,7 @@ def on_three_sheaves(depth: float) -> str:
     lugs = 1.5 + depth
     return (
         HEAD
-        + "  lugs:\n"
-        + "".join(
-            f"    {name}: {{at: [{x} m, 0 m, {lugs} m], capacity: 30 t}}\n"
-            for name, x in (("L1", -3.5), ("L2", -1.5), ("L3", 1.5), ("L4", 3.5))
-        )
+        + lugs_at(lugs, -3.5, -1.5, 1.5, 3.5)
         + "cranes:\n"
         + HOOK.replace("X m", "0 m").replace("HIGH", repr(1.0 + lugs + 13.0))
         + "extension_sheaves: {X1: {mass: 150 kg}, X2: {mass: 150 kg}, X3: {mass: 150 kg}}\n"

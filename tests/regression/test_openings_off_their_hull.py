@@ -24,4 +24,6 @@ def test_an_opening_off_its_hull_is_refused(tmp_path: Path) -> None:
 
 
 def test_one_high_above_the_deck_is_not(tmp_path: Path) -> None:
-    load_scenario(written(tmp_path, lift_of(barge(openings={"vent": ["50 m", "0 m", "40 m"]}))))
+    lift = load_scenario(written(tmp_path, lift_of(barge(openings={"vent": ["50 m", "0 m", "40 m"]}))))
+    assert lift.vessels is not None
+    assert lift.vessels["barge"].openings == {"vent": (50.0, 0.0, 40.0)}

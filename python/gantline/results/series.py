@@ -29,14 +29,13 @@ from gantline.results.pinned import PIN_PULLED, pinned_as_at
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.rotation import axes, heading, tilt
+from gantline.results.standing import drives_stand
 from gantline.results.variable import BoolArray, FloatArray
 
 _SHORTEST_QUIET = 5.0  # s
 _CARRIED_MORE = 1.001  # from which share of the last static value an earlier one counts in its place
 _CARRYING_FROM = 0.01  # of the largest tension
 _LOADED = 0.05  # of the most that the slings of an equalizer carry together
-_ROUNDED = 1e-14  # of the work of drives over a run
-_SLIPPING = 1e-10  # rounding of the work of a tugger that slips, from sample to sample
 _TURNED = math.radians(10.0)  # to or from where a load hung still, from which on hooks carry other shares
 _STEEPEST = math.radians(80.0)  # x axis of a load over level; beyond it no heading means anything
 
@@ -142,7 +141,7 @@ def moves_all_along(recording: Recording) -> bool:
     """
     if recording.is_equilibrium or "drive_work" not in recording.coordinates.get("energy_kind", ()):
         return False
-    still = np.append(_drives_stand(recording), True)
+    still = np.append(drives_stand(recording), True)
     return bool(quiet_windows(recording)) and not any(still[one].all() for one in quiet_windows(recording))
 
 
@@ -165,80 +164,11 @@ def _hung_still(recording: Recording, clear: BoolArray) -> list[BoolArray]:
     last = trailing(clear)
     earlier = []
     if "energy" in recording and "drive_work" in recording.coordinates["energy_kind"]:
-        still = clear & np.append(_drives_stand(recording), True)
+        still = clear & np.append(drives_stand(recording), True)
         earlier = [one for one in stretches(still) if _lasts(recording, one)]
         if earlier and earlier[-1][-1]:
             return earlier
     return [*earlier, last] if last.any() else earlier
-
-
-def _drives_stand(recording: Recording) -> BoolArray:
-    """Whether no drive does work from sample to sample, shape (time - 1,), but for winches that only pull.
-
-    Tuggers ask for hauling in all the time, and slip: their drives do the work of pull times speed. One whose
-    line is slack hauls at that speed and does none.
-    """
-    work = np.diff(recording.column("energy", "drive_work"))
-    tuggers = [line for line in recording.rig.tag_lines if line.pull is not None and line.speed is not None]
-    rounding = _ROUNDED * float(np.max(np.abs(recording.column("energy", "drive_work")), initial=0.0))
-    if tuggers:
-        taut = np.array([recording.column("rope_tension", line.rope) for line in tuggers]) > 0.0
-        pulling = while_there(recording, [line.rope for line in tuggers])[:, 1:] & (
-            taut[:, 1:] | taut[:, :-1]
-        )
-        powers = np.array([(line.pull or 0.0) * (line.speed or 0.0) for line in tuggers])
-        slipped = (powers @ pulling) * np.diff(recording.time)
-        standing: BoolArray = np.isclose(work, slipped, rtol=_SLIPPING, atol=rounding)
-        work = work - slipped
-    else:
-        standing = work == 0.0
-    return standing | _winches_slip(recording, work, rounding)
-
-
-def _winches_slip(recording: Recording, work: FloatArray, rounding: float) -> BoolArray:
-    """Whether from sample to sample no step moves anything but winches that slip, shape (time - 1,).
-
-    A winch of constant tension, one of `mechanics` with a capacity, is a tugger by another name. Its motor
-    pulls what it can, at a speed that its step asks for, so that its work grows evenly; that of anything that
-    brakes after its step does not.
-
-    Args:
-        recording: The recording.
-        work: Of all drives but tuggers from sample to sample [J], shape (time - 1,).
-        rounding: Of that [J].
-    """
-    before, after = recording.time[:-1], recording.time[1:]
-    none = np.zeros(len(before), dtype=np.bool_)
-    slips: dict[str, BoolArray] = {}
-    for drum in recording.rig.drums:
-        times = _from_to(recording, drum.name, "drum_slips", "drum_holds")
-        within = [(before >= begin) & (after <= end) for begin, end in times]
-        slips[f"{drum.name}.drive"] = np.any([none, *within], axis=0)
-    alone: BoolArray = np.any([none, *slips.values()], axis=0)
-    if not alone.any():
-        return alone
-    for step in recording.rig.plan:
-        for begin, end in _from_to(recording, step.step, "step_begin", "step_end"):
-            under_way = (after > begin) & (before < end)
-            for drive in step.drives:
-                alone &= ~under_way | slips.get(drive, none)
-    power = work / (after - before)
-    even = np.abs(np.diff(power)) <= _SLIPPING * np.abs(power[1:]) + rounding / np.min(after - before)
-    alone &= np.append(False, even) | np.append(even, False)
-    return alone
-
-
-def _from_to(recording: Recording, name: str, begins: str, ends: str) -> list[tuple[float, float]]:
-    """From when to when something of a name goes on [s], by events of two kinds; infinite without an end."""
-    found: list[tuple[float, float]] = []
-    begun: float | None = None
-    for time, kind, of in recording.events():
-        if of == name and kind == begins and begun is None:
-            begun = time
-        elif of == name and kind == ends and begun is not None:
-            found.append((begun, time))
-            begun = None
-    return found if begun is None else [*found, (begun, math.inf)]
 
 
 def stretches(mask: BoolArray) -> list[BoolArray]:
