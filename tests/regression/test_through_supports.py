@@ -1,9 +1,10 @@
-"""Columns that went through their foundation and through keel blocks beside their way, with GO.
+"""Columns that went through keel blocks beside their way, and through their foundation, with GO.
 
-Supports carry the underside of a load as it stands level, and neither its other sides nor anything by their
-own: so it says in docs/concepts/supports.md. The column of `upending`, put down on four foundation supports
-0.5 m high by its end, went on down to the ground as if they were not there, and `until: {supports: touched}`
-waited for that. Nothing was said: GO, 0 warnings.
+Supports carry by their tops, their sides hold nothing: so it says in docs/concepts/supports.md. A column that
+trolleys took along through a pillar went through that, and nothing was said: GO, 0 warnings. Nor did supports
+carry any side but the underside of a load as it stands level: the column of `upending`, put down on four
+supports by its end, went on down to the ground as if they were not there; that it stands on them now is seen
+in tests/validation/test_upending.py and tests/verification/test_supports_turned.py.
 """
 
 from __future__ import annotations
@@ -68,7 +69,7 @@ def test_a_load_that_is_taken_through_a_support(
     assert [one.verdict for one in found] == ([] if verdict is None else [verdict])
     for one in found:
         assert one.element == "column to pillar.a"
-        assert "pillar.a carries nothing then: supports carry the underside" in one.remark
+        assert "pillar.a carries nothing then: supports carry by their tops what comes down" in one.remark
         assert float(one.remark.split(" m deep")[0].split(", ")[-1]) == pytest.approx(deep, abs=0.06)
 
 

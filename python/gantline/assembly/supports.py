@@ -18,6 +18,15 @@ from gantline.scenario.supports import Support, Supports, supports_of
 __all__ = ["add_supports", "every_support", "pad_shape", "removals", "support_contact"]
 
 
+#: Corners of each side of a load's box, by their places in `LiftedLoad.corners`, anticlockwise as seen from
+#: outside: the underside first, the top, then the four around.
+_SIDES = (
+    (3, 2, 1, 0),
+    (4, 5, 6, 7),
+    *((corner, after, after + 4, corner + 4) for corner, after in ((0, 1), (1, 2), (2, 3), (3, 0))),
+)
+
+
 def support_contact(support: Support) -> str:
     """Name of the contact between a support and its load."""
     return f"support.{support.name}"
@@ -31,7 +40,8 @@ def every_support(scenario: Scenario) -> Iterator[tuple[Supports, Support]]:
 
 
 def add_supports(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoad) -> None:
-    """Each support is a flat top in the world under the underside of the load."""
+    """Each support is a flat top in the world, on which any side of the load's box may lie."""
+    sides = [[[float(part) for part in lifted.corners[corner]] for corner in side] for side in _SIDES]
     for group, support in every_support(scenario):
         heading = group.heading if group.measured_from == "world" else load.heading
         parts.supports.append(
@@ -42,7 +52,7 @@ def add_supports(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoa
                 "at": support_place(scenario, load, group, support),
                 "half": [side / 2 for side in support.top],
                 "along": [math.cos(heading), math.sin(heading), 0.0],
-                "outline": [[float(part) for part in corner] for corner in lifted.corners[:4]],
+                "sides": sides,
                 "stiffness": support.stiffness,
                 "damping_time": support.damping / support.stiffness,
                 "friction": support.friction,

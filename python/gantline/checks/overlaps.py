@@ -9,9 +9,9 @@ from gantline.results.recording import Recording
 __all__ = ["run_into"]
 
 #: Why a load may go through a support, and what holds it up.
-_UNDERSIDE = (
-    "supports carry the underside of a load as it stands level, no other side; a box under 'structures' is "
-    "touched by all"
+_TOPS_ONLY = (
+    "supports carry by their tops what comes down on them, and stand in the way of nothing; a box under "
+    "'structures' is touched by all of its sides"
 )
 
 
@@ -27,7 +27,7 @@ def run_into(recording: Recording) -> list[Check]:
         remark = f"{one} and {other} are drawn in the same place, {found.depth:.2f} m deep"
         verdict = Verdict.FAILED if found.is_past_middle else Verdict.WARNING
         if found.support is not None:
-            more = f"{found.support} carries nothing then: {_UNDERSIDE}"
+            more = f"{found.support} carries nothing then: {_TOPS_ONLY}"
         elif found.is_past_middle:
             more = "no drawing makes that good"
         else:

@@ -1,7 +1,7 @@
 """Load, equalizer frames, cranes, hulls, structures and supports that are drawn in the same place.
 
 What bodies of cranes and hulls are in the way of is no part of a simulation: a load goes through a boom as if
-it were not there, and with any side but its underside through a support. Here boxes are held against boxes by
+it were not there, and from beside through a support. Here boxes are held against boxes by
 the separating axes of Gottschalk, Lin and Manocha 1996; what is drawn as triangles has its bounding box for
 that, and goes through the other only where edges of one go through triangles of the other.
 """
@@ -29,7 +29,7 @@ _LOOKS = 600
 _EXACT_LOOKS = 60
 #: What is drawn less deep in the other touches it [m].
 _TOUCH = 0.01
-#: A support that carries nothing may be as deep in a load, whose underside tilts over its top [m].
+#: A support that carries nothing may be as deep in a load, which tilts over its top [m].
 _TILTS = 0.1
 #: Directions shorter than this are those of parallel edges [1].
 _PARALLEL = 1e-6
@@ -83,8 +83,8 @@ class _Body:
     counts: BoolArray | None = None
 
 
-#: Kinds that are held against each other. A load touches structures in the simulation, and supports with its
-#: underside; what a crane that stands on a hull may reach is not known.
+#: Kinds that are held against each other. A load touches structures in the simulation, and supports as
+#: it comes down on them; what a crane that stands on a hull may reach is not known.
 _LOOKED_AT = {
     frozenset(pair)
     for pair in (

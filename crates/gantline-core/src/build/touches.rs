@@ -7,7 +7,7 @@ use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::constraint::AnyConstraint;
 use crate::constraint::facing::Facing;
 use crate::constraint::touch::Touch;
-use crate::contact::pad::{Pad, top};
+use crate::contact::pad::{Pad, Side, top};
 use crate::contact::plane::Plane;
 use crate::contact::shape::{Part, Shape};
 use crate::contact::spot::Spot;
@@ -171,28 +171,28 @@ fn build_pad(given: &SupportSpec, tree: &Tree) -> Result<(Pad, usize), BuildErro
     let Some(top) = top(vector(given.at), DVec3::Z, along) else {
         return error(name, "the direction of its first side is upright; it must be level");
     };
-    let (face, outline) = underside(name, &given.outline)?;
-    Ok((Pad { top, half: given.half, face, outline }, body))
+    if given.sides.is_empty() {
+        return error(name, "no side of the body may lie on it; one at least is right");
+    }
+    let sides = given.sides.iter().map(|corners| build_side(name, corners)).collect::<Result<_, _>>()?;
+    Ok((Pad { top, half: given.half, sides }, body))
 }
 
-/// Plane of an underside, its normal downwards in the body, and its corners along the plane's tangents.
-fn underside(name: &str, given: &[[f64; 3]]) -> Result<(Plane, Vec<[f64; 2]>), BuildError> {
-    finite(name, "a corner of the underside", given.as_flattened())?;
+/// A side with these corners, anticlockwise from outside.
+fn build_side(name: &str, given: &[[f64; 3]]) -> Result<Side, BuildError> {
+    finite(name, "a corner of a side", given.as_flattened())?;
     let corners: Vec<DVec3> = given.iter().copied().map(vector).collect();
     if corners.len() < 3 {
-        return error(name, "the underside needs three corners at least");
+        return error(name, "a side needs three corners at least");
     }
     let area: DVec3 = corners.windows(2).map(|pair| (pair[0] - corners[0]).cross(pair[1] - corners[0])).sum();
     let size = corners.iter().map(|corner| (*corner - corners[0]).length()).fold(0.0, f64::max);
-    let Some(mut normal) = area.try_normalize().filter(|_| area.length() > 1e-9 * size * size) else {
-        return error(name, "the corners of the underside are in one line");
+    let Some(normal) = area.try_normalize().filter(|_| area.length() > 1e-9 * size * size) else {
+        return error(name, "the corners of a side are in one line");
     };
-    if normal.z > 0.0 {
-        normal = -normal;
-    }
     let face = Plane::new(corners[0], normal);
     if corners.iter().any(|corner| face.depth(*corner).abs() > FLAT * size) {
-        return error(name, "the corners of the underside are not in one plane");
+        return error(name, "the corners of a side are not in one plane");
     }
     let outline: Vec<[f64; 2]> = corners.iter().map(|corner| face.along(*corner)).collect();
     let turn = |at: usize| {
@@ -200,11 +200,10 @@ fn underside(name: &str, given: &[[f64; 3]]) -> Result<(Plane, Vec<[f64; 2]>), B
         (to[0] - from[0]) * (next[1] - to[1]) - (to[1] - from[1]) * (next[0] - to[0])
     };
     let turns: Vec<f64> = (0..outline.len()).map(turn).collect();
-    let is_convex = turns.iter().all(|turn| *turn > 0.0) || turns.iter().all(|turn| *turn < 0.0);
-    if !is_convex {
-        return error(name, "the underside is not convex, or has a corner in a straight side");
+    if turns.iter().any(|turn| *turn <= 0.0) {
+        return error(name, "a side is not convex, or has a corner in a straight edge");
     }
-    Ok((face, outline))
+    Ok(Side { face, outline })
 }
 
 /// Distances that are recorded.

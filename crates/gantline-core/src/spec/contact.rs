@@ -59,8 +59,9 @@ pub struct SupportSpec {
     pub half: [f64; 2],
     /// Direction of the first side, world axes; the top is level.
     pub along: [f64; 3],
-    /// Corners of the body's underside in order [m], body frame: convex and in one plane.
-    pub outline: Vec<[f64; 3]>,
+    /// Sides of the body that may lie on it, the corners of each in order [m], body frame: convex, in one plane and
+    /// anticlockwise as seen from outside.
+    pub sides: Vec<Vec<[f64; 3]>>,
     /// Normal and tangential stiffness [N/m].
     pub stiffness: f64,
     /// Damping over stiffness [s].

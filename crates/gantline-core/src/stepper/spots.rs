@@ -27,7 +27,7 @@ const TURNED: f64 = 1e-4;
 /// Spots whose depth changes by less than this stay where they are [m].
 const SAME_DEPTH: f64 = 1e-7;
 /// A point of a body on a support stays the same within this [m].
-const STAYS_ON_PAD: f64 = 1e-3;
+const STAYS_ON_PAD: f64 = 2e-4;
 /// How far beyond the edge of a support a place that carries is seen to have left it [m].
 const EDGE: f64 = 1e-2;
 /// Cosine of the angle between normals that are the same.
