@@ -196,6 +196,9 @@ impl Simulation {
         self.counters.factorisations += report.factorisations;
         self.counters.unconverged += u64::from(!report.converged);
         self.record(report.complementarity_residual);
+        if self.reached(f64::INFINITY) {
+            self.state.plan.close(self.settings.duration, &mut self.events);
+        }
         let (steps, since) = self.asked;
         if self.counters.steps - steps >= standstill::STEPS {
             self.asked = (self.counters.steps, self.state.time);

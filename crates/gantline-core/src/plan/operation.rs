@@ -15,6 +15,8 @@ use looks::{Following, look_every};
 
 /// What a step may go beyond the end of a range by rounding.
 const ROUNDING: f64 = 1e-9;
+/// Share of the time by which ramps that add up to it may miss it by rounding.
+const SAME_TIME: f64 = 1e-12;
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 enum Phase {
@@ -118,14 +120,10 @@ impl PlanState {
             }
             last = at.max(from);
             match due {
-                Due::End(index) => {
-                    log.push(at, EventKind::StepEnd, index);
-                    self.phases[index] = Phase::Ended(at);
-                }
+                Due::End(index) => self.end(index, at, log),
                 Due::Limit(index) => {
                     log.push(at, EventKind::PumpStopped, index);
-                    log.push(at, EventKind::StepEnd, index);
-                    self.phases[index] = Phase::Ended(at);
+                    self.end(index, at, log);
                 }
                 Due::Glance(index) => self.glance(plan, (index, at), seen),
                 Due::Rest(index) => {
@@ -139,6 +137,23 @@ impl PlanState {
                 Due::Stop => self.stop(plan, at, log),
             }
         }
+    }
+
+    /// Ends what ends with the run at `end` [s], within rounding: no interval follows in which it would be due.
+    pub fn close(&mut self, end: f64, log: &mut EventLog) {
+        for index in self.stage..self.begun {
+            if let Phase::UntilTime(at) = self.phases[index]
+                && !self.stopped
+                && at <= end + SAME_TIME * end
+            {
+                self.end(index, at.min(end), log);
+            }
+        }
+    }
+
+    fn end(&mut self, index: usize, at: f64, log: &mut EventLog) {
+        log.push(at, EventKind::StepEnd, index);
+        self.phases[index] = Phase::Ended(at);
     }
 
     /// What is due next, and when [s]; infinity where nothing is known to be.
