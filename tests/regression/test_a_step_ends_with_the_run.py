@@ -1,8 +1,8 @@
 """A step that ended with the run was told to go on: NO VERDICT, "the run ends at 40 s in 'up'".
 
 A plan acts on what is due before the end of an interval, and after the last there is none. So the hoist of a
-lift whose steps add up to its duration, 19 s + 2 m / (0.1 m/s) + 0.1 m/s / (0.1 m/s²) = 40 s, came to rest with
-the last sample, and its step never ended: no event, none of what it reports at its end, and exit code 4.
+lift whose steps add up to its duration, 19 s + 2 m / (0.1 m/s) + 0.1 m/s / (0.1 m/s²) = 40 s, came to rest
+with the last sample, and its step never ended: no event, none of what it reports at its end, and exit code 4.
 """
 
 from __future__ import annotations
