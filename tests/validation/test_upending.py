@@ -97,7 +97,7 @@ def test_it_is_set_on_its_foundation_by_its_foot(upended: Recording) -> None:
     assert forces.sum() + LEANING * pulls == pytest.approx(load.weight, rel=1e-4)
     assert 0.95 * load.weight < forces.sum() < 0.97 * load.weight
     # N = ΣN/4 (1 + x/1.2 m + y/1.2 m) of the packs about their middle, x, y where what they carry acts:
-    # weight and both slings, 14 m long, whose pulls are unlike as the falls lean by 0.4°. Men pull with 0.1 kN each.
+    # weight and both slings, 14 m long, pulled unlike by falls that lean by 0.4°. Men pull with 0.1 kN each.
     middle, place = np.array([-15.0, 0.08, 0.9]), upended.column("body_position", "column")[-1]
     moment = np.cross(place - middle, (0.0, 0.0, -load.weight))
     turned = axes(upended.column("body_orientation", "column")[-1:])[0]
