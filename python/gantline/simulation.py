@@ -52,11 +52,11 @@ from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
 from gantline.results.unfollowed import unfollowed
 from gantline.results.variable import FloatArray
-from gantline.results.vessels import vessel_warnings, with_overturning
+from gantline.results.vessels import vessel_warnings, with_righting
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.water import Water
 from gantline.statics import Statics
-from gantline.statics.righted import overturning_at_end, overturning_at_start
+from gantline.statics.righted import righting_at_end, righting_at_start
 from gantline.units import format_quantity
 from gantline.version import version
 
@@ -151,7 +151,7 @@ class Simulation:
         self.integration_time = 0.0
         self._failure: dict[str, Any] | None = None
         self._present: tuple[float, dict[str, FloatArray]] | None = None
-        self._overturning_at_end: dict[str, float] | None = None
+        self._righting_at_end: dict[str, tuple[float, float]] | None = None
         try:
             self._core = _core.Simulation(
                 self.assembly.document_text(), json.dumps(self.settings, allow_nan=False)
@@ -417,7 +417,7 @@ class Simulation:
         )
 
     def _rig_afloat(self) -> dict[str, Any]:
-        """The JSON of the rig, with vessels that nothing rights where the run begins at rest or ends.
+        """The JSON of the rig, with what rights vessels where the run begins at rest and where it ends.
 
         A run of perfect symmetry stays upright there: nothing pushes but rounding.
         """
@@ -425,12 +425,12 @@ class Simulation:
         if not self._rig.vessels or self._question is None:
             return found
         if self.settings["start"] == "rest":
-            found = with_overturning(found, 0.0, self._overturning_at_start)
+            found = with_righting(found, 0.0, self._righting_at_start)
         if self.ended and self.status == "done":
-            if self._overturning_at_end is None:
+            if self._righting_at_end is None:
                 lie = {one.body: self.now("body_orientation", one.body) for one in self._rig.vessels}
-                self._overturning_at_end = overturning_at_end(self._question, self.time, self.save(), lie)
-            found = with_overturning(found, self.time, self._overturning_at_end)
+                self._righting_at_end = righting_at_end(self._question, self.time, self.save(), lie)
+            found = with_righting(found, self.time, self._righting_at_end)
         return found
 
     @cached_property
@@ -442,8 +442,8 @@ class Simulation:
             return None
 
     @cached_property
-    def _overturning_at_start(self) -> dict[str, float]:
-        return {} if self._question is None else overturning_at_start(self._question)
+    def _righting_at_start(self) -> dict[str, tuple[float, float]]:
+        return {} if self._question is None else righting_at_start(self._question)
 
     def _settings_used(self) -> dict[str, Any]:
         """The settings with what they leave to a default, and `start` in the lift file's own word."""
@@ -479,7 +479,7 @@ class Simulation:
         """
         self._core.restore(state)
         self._present = None
-        self._overturning_at_end = None
+        self._righting_at_end = None
         self.status = "done" if self.ended else "paused" if self.time > 0.0 else "ready"
         self._failure = None
 

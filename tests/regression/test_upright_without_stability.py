@@ -61,7 +61,7 @@ def test_fails_though_it_has_not_heeled(above: float) -> None:
     assert (check.element, check.verdict, check.time) == ("barge", Verdict.FAILED, 0.0)
     assert f"its GM is {-above:.2f} m" in check.remark
     assert verdict_of(check_recording(recording)).startswith("NO-GO")
-    first, last = recording.rig.vessels[0].overturning
+    first, last = recording.rig.vessels[0].righting
     assert [first[1], last[1]] == pytest.approx([-above, -above], rel=1e-3)
 
 
@@ -74,7 +74,7 @@ def test_fails_by_a_free_surface_that_comes_on_the_way() -> None:
     surface = DENSITY * TANK * BREADTH**3 / 12 / whole
     [check] = checked(recording)
     assert check.time == pytest.approx(60.0)
-    [(_, height)] = recording.rig.vessels[0].overturning
+    [(_, height, _)] = recording.rig.vessels[0].righting
     assert height == pytest.approx(metacentre(whole) - centre - surface, rel=1e-4)
     assert height < -4.0
 

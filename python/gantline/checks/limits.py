@@ -372,6 +372,13 @@ LIMITS: dict[str, Measure] = {
         vessels.freeboard,
         definition="nothing may go under",
     ),
+    "metacentric_height": Measure(
+        "least GM of a vessel for heel, where a run begins at rest and where it ends",
+        "m",
+        2,
+        vessels.metacentric_height,
+        at_least=True,
+    ),
     "load_tilt": Measure(
         "largest angle of the load's own z axis from plumb", "deg", 2, loads.tilt, is_listed=True, alarm=TILT
     ),

@@ -1,11 +1,11 @@
-"""Vessels: heel, trim and freeboard."""
+"""Vessels: heel, trim, freeboard and what rights them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.measure import Finding, Found, Refused, extreme, to_either_side
+from gantline.checks.measure import Finding, Found, Missing, Refused, extreme, to_either_side
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
@@ -41,13 +41,24 @@ def freeboard(recording: Recording, during: BoolArray) -> Iterator[Finding]:
             yield Refused(vessel.name, reason, Found(0.0, vessel.name, time))
 
 
+def metacentric_height(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """GM of a vessel for heel, as an equilibrium knows it: of a run that where it begins at rest and ends."""
+    known = [vessel for vessel in recording.rig.vessels if vessel.righting]
+    for vessel in known:
+        time, height, _ = min(vessel.righting, key=lambda one: one[1])
+        yield Found(height, vessel.name, time)
+    for vessel in recording.rig.vessels:
+        if vessel not in known:
+            yield Missing(vessel.name, "what rights it is known where a run begins at rest or has ended")
+
+
 def turn_over(recording: Recording) -> list[Check]:
     """A failure for each vessel that nothing rights: nothing in a run need push it."""
     meaning = "what floats comes back where something heels or trims it"
     checks = []
     for vessel in recording.rig.vessels:
-        for time, height in vessel.overturning[:1]:
-            shown = format_quantity(height, "m", 2)
+        for time, *heights in [one for one in vessel.righting if min(one[1:]) < 0.0][:1]:
+            shown = format_quantity(min(heights), "m", 2)
             lies = "it lies so only while nothing pushes it, and turns over where anything does"
             checks.append(
                 Check(

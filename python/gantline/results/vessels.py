@@ -19,7 +19,7 @@ from gantline.results.sea import Sea
 from gantline.results.strength import FromJson
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
-__all__ = ["Vessel", "vessel_state", "vessel_warnings", "with_overturning"]
+__all__ = ["Vessel", "vessel_state", "vessel_warnings", "with_righting"]
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,8 @@ class Vessel(FromJson):
         density: Of the water [kg/m^3].
         hull: Name of its hull among those of the recording.
         marks: Points that should stay above the water, vessel axes [m], by what they belong to.
-        overturning: When nothing rights it [s], and its metacentric height then, below zero [m].
+        righting: Moments [s] with its metacentric heights for heel and trim then [m], of a start at rest and
+            of the end: where a lift sets a limit for them, or one is below zero.
     """
 
     name: str
@@ -46,21 +47,24 @@ class Vessel(FromJson):
     density: float = 1025.0
     hull: str = ""
     marks: Mapping[str, Sequence[Vector]] = field(default_factory=dict)
-    overturning: Sequence[Range] = ()
+    righting: Sequence[Vector] = ()
 
 
-def with_overturning(rig: Mapping[str, Any], time: float, heights: Mapping[str, float]) -> dict[str, Any]:
-    """The JSON of a rig whose vessels tell of a moment at which nothing rights them.
+def with_righting(
+    rig: Mapping[str, Any], time: float, heights: Mapping[str, tuple[float, float]]
+) -> dict[str, Any]:
+    """The JSON of a rig whose vessels tell what rights them at a moment.
 
     Args:
         rig: Its JSON.
         time: That moment [s].
-        heights: Metacentric heights of such vessels then, by their names [m].
+        heights: Metacentric heights for heel and trim then by their names [m]; of vessels that are left out
+            nothing is told.
     """
     return {
         **rig,
         "vessels": [
-            {**one, "overturning": [*one.get("overturning", ()), [time, heights[one["name"]]]]}
+            {**one, "righting": [*one.get("righting", ()), [time, *heights[one["name"]]]]}
             if one["name"] in heights
             else one
             for one in rig["vessels"]

@@ -198,6 +198,11 @@ class Limits(Element):
     freeboard: NotNegativeLength | None = Field(
         None, description="Least height of deck edge and openings of vessels above the water; 0 if not given."
     )
+    metacentric_height: PositiveLength | None = Field(
+        None,
+        description="Least GM of vessels for heel, free surfaces and hanging loads in it, where a run begins "
+        "at rest and where it ends.",
+    )
     wind_of_limit: _Share | None = Field(
         None, description="Gusts of the lift of the wind limit of the crane; 100 % if not given."
     )

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from gantline.results.leading_away import stability
 from gantline.results.recording import Recording
-from gantline.results.vessels import with_overturning
+from gantline.results.vessels import with_righting
 
 Floats = npt.NDArray[np.float64]
 Losses = Literal["none", "forward", "backward", "held"]
@@ -139,16 +139,16 @@ class Equilibrium:
         said = {"statics": self.to_json() | more, "modes": [mode.to_json() for mode in modes]}
         return Recording(one.variables, one.coordinates, {**one.attributes, **said})
 
-    def with_overturning(self, heights: Mapping[str, float]) -> Equilibrium:
-        """The same, whose recording tells of vessels that nothing rights.
+    def with_righting(self, heights: Mapping[str, tuple[float, float]]) -> Equilibrium:
+        """The same, whose recording tells what rights vessels.
 
         Args:
-            heights: Their metacentric heights by their names [m].
+            heights: Their metacentric heights for heel and trim by their names [m].
         """
         if not heights:
             return self
         one = self.recording
-        rig = with_overturning(one.attributes["rig"], self.time, heights)
+        rig = with_righting(one.attributes["rig"], self.time, heights)
         return replace(
             self, recording=Recording(one.variables, one.coordinates, {**one.attributes, "rig": rig})
         )

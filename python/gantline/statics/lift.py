@@ -38,7 +38,7 @@ from gantline.statics.answers import (
 from gantline.statics.linear import LinearModel, linear_model
 from gantline.statics.motion import drums_of, in_words
 from gantline.statics.pieces import Pieces
-from gantline.statics.righted import overturning
+from gantline.statics.righted import righting
 from gantline.statics.streaming import leading_away, leads_straight, motions, streams
 from gantline.version import version
 
@@ -312,7 +312,7 @@ class Statics:
                 for name, support, friction, bound in found["contacts"]
             ),
         )
-        return rest.with_overturning(overturning(self, rest))
+        return rest.with_righting(righting(self, rest))
 
     @_one_at_a_time
     def modes(self, count: int | None = None) -> list[Mode]:

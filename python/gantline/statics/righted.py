@@ -1,4 +1,4 @@
-"""Whether anything rights vessels where a run begins and ends: a run of perfect symmetry does not show it."""
+"""What rights vessels where a run begins and ends: one of perfect symmetry does not show that anything does."""
 
 from __future__ import annotations
 
@@ -16,41 +16,50 @@ from gantline.statics.inclining import metacentric_heights
 if TYPE_CHECKING:
     from gantline.statics.lift import Statics
 
-__all__ = ["overturning", "overturning_at_end", "overturning_at_start"]
+__all__ = ["righting", "righting_at_end", "righting_at_start"]
+
+#: Metacentric heights for heel and trim of vessels by their names [m].
+Heights = dict[str, tuple[float, float]]
 
 #: How far from where it lies in a run a vessel may come to rest before it is asked what rights it there
 #: [rad]. One of GM = -6 mm with BM = 20 m comes to rest by sqrt(-2 GM/BM) = 1.4 deg.
 _ELSEWHERE = math.radians(1.0)
 
 
-def overturning(question: Statics, rest: Equilibrium) -> dict[str, float]:
-    """Vessels that nothing rights, and the least of their metacentric heights, below zero [m].
+def righting(question: Statics, rest: Equilibrium) -> Heights:
+    """Metacentric heights for heel and trim of vessels that nothing rights, of all if there is a limit for them [m].
 
     Args:
         question: The lift.
         rest: Its equilibrium that was found last.
     """
-    if rest.is_stable or not rest.recording.rig.vessels:
+    limits = question.scenario.limits
+    is_limited = limits is not None and limits.metacentric_height is not None
+    if not rest.recording.rig.vessels or (rest.is_stable and not is_limited):
         return {}
     try:
         heights = metacentric_heights(question, rest)
     except NoEquilibriumError:  # it answers to no push smoothly
         return {}
-    least = {name: min(one.transverse, one.longitudinal) for name, one in heights.items()}
-    return {name: height for name, height in least.items() if height < 0.0}
+    both = {name: (one.transverse, one.longitudinal) for name, one in heights.items()}
+    return {
+        name: found
+        for name, found in both.items()
+        if (is_limited and math.isfinite(found[0])) or min(found) < 0.0
+    }
 
 
-def overturning_at_start(question: Statics) -> dict[str, float]:
+def righting_at_start(question: Statics) -> Heights:
     """The same where a lift starts at rest."""
     try:
-        return overturning(question, question.equilibrium(0.0, losses="held"))
+        return righting(question, question.equilibrium(0.0, losses="held"))
     except NoEquilibriumError:
         return {}
 
 
-def overturning_at_end(
+def righting_at_end(
     question: Statics, time: float, state: bytes, attitudes: Mapping[str, npt.ArrayLike]
-) -> dict[str, float]:
+) -> Heights:
     """The same where a run has got to; nothing of one that comes to rest nowhere.
 
     What rounding has moved goes on downhill: where it comes to rest elsewhere, the equilibrium of the plan
@@ -66,7 +75,7 @@ def overturning_at_end(
         rest = question.equilibrium_of(state)
         if rest.is_stable and _is_elsewhere(rest, attitudes):
             rest = question.equilibrium(min(time, question.scenario.duration))
-        return overturning(question, rest)
+        return righting(question, rest)
     except NoEquilibriumError:
         return {}
 
