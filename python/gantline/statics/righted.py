@@ -1,4 +1,4 @@
-"""What rights vessels where a run begins and ends: one of perfect symmetry does not show that anything does."""
+"""What rights vessels where a run begins and ends: one that is symmetrical does not show that anything does."""
 
 from __future__ import annotations
 
