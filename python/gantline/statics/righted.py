@@ -1,4 +1,4 @@
-"""What rights vessels where a run begins and ends: one that is symmetrical does not show that anything does."""
+"""What rights vessels where a run begins and ends: one that is symmetrical does not show that it is there."""
 
 from __future__ import annotations
 
