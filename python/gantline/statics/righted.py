@@ -27,7 +27,7 @@ _ELSEWHERE = math.radians(1.0)
 
 
 def righting(question: Statics, rest: Equilibrium) -> Heights:
-    """Metacentric heights for heel and trim of vessels that nothing rights, of all if there is a limit for them [m].
+    """Metacentric heights for heel and trim of vessels that nothing rights, of all if they have a limit [m].
 
     Args:
         question: The lift.
