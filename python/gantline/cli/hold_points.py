@@ -69,10 +69,10 @@ def _rated(reading: HookReading) -> str:
 
 def _hold(recording: Recording, step: Step, last: int) -> slice:
     """Samples of a hold up to its last one, or that alone of another step."""
-    if step.kind != "hold" or recording.is_equilibrium:
+    span = progress.spans(recording).get(step.step)
+    if step.kind != "hold" or recording.is_equilibrium or span is None:
         return slice(last, last + 1)
-    begin = progress.spans(recording)[step.step][0]
-    return slice(min(last, int(np.searchsorted(recording.time, begin))), last + 1)
+    return slice(min(last, int(np.searchsorted(recording.time, span[0]))), last + 1)
 
 
 def _measure(recording: Recording, measure: str, sample: int, span: slice) -> Iterator[str]:
