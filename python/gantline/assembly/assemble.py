@@ -13,7 +13,7 @@ from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
 from gantline.assembly.doubtful_drums import doubtful_drums
-from gantline.assembly.doubtful_empty import doubtful_empty
+from gantline.assembly.doubtful_empty import doubtful_empty, doubtful_pins
 from gantline.assembly.doubtful_fenders import doubtful_fenders
 from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
@@ -165,6 +165,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         *parts.doubts,
         *doubtful_weight(scenario, rigging),
         *doubtful_empty(scenario, rigging),
+        *doubtful_pins(scenario, rigging, pins),
         *doubtful_turns(scenario),
         *doubtful_waits(parts, scenario),
         *doubtful_vessels(parts, scenario),

@@ -1,4 +1,4 @@
-"""Hooks and equalizers in which nothing hangs, though the plan moves them or the rig has them."""
+"""Hooks and equalizers in which nothing hangs, and equalizers whose pins the plan forgets."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from gantline.assembly.plain import bodies_in_hook, ropes_ending_at, ropes_over
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.hooks import full_name
+from gantline.scenario.pins import Pins
 from gantline.scenario.steps import HookStep
 
-__all__ = ["doubtful_empty"]
+__all__ = ["doubtful_empty", "doubtful_pins"]
 
 
 def doubtful_empty(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
@@ -28,6 +29,23 @@ def doubtful_empty(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
         if hook not in bearing and not _bears_mechanics(scenario, hook):
             sentence = f"nothing hangs in hook {hook}, which step '{scenario.plan[place].step}' {moves}"
             yield Doubt(("plan", place), sentence)
+
+
+def doubtful_pins(scenario: Scenario, rigging: Rigging, pins: Pins) -> Iterator[Doubt]:
+    """Each equalizer that a step lifts and whose pins, all of them in at the start, no step ever pulls.
+
+    One of which only some sheaves are locked is meant so.
+    """
+    moved = set(_moved_first(scenario))
+    pulled = {sheave for sheaves in pins.pulled for sheave in sheaves}
+    held = {sling.equalizer for sling in rigging.slings.values()}
+    for name, equalizer in rigging.equalizers.items():
+        sheaves = {f"{name}.{place + 1}" for place in range(len(equalizer.moving_sheaves.along))}
+        are_in = all(pins.at_start.get(sheave, False) for sheave in sheaves)
+        if name in held and equalizer.hook in moved and are_in and not sheaves & pulled:
+            sentence = f"the pins of {name} hold all its sheaves, and no step of the plan pulls them"
+            wanted = f"it shares as a rigid beam does; 'pull_pins: {name}' in a step lets it equalise"
+            yield Doubt(("equalizers", name), f"{sentence}: {wanted}")
 
 
 def _bears_mechanics(scenario: Scenario, body: str) -> bool:

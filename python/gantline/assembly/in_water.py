@@ -28,6 +28,8 @@ _GAUSS = 1.0 / np.sqrt(3.0)
 #: Added mass along the axis along which it is largest, over the water that a load displaces, at least [1]: a
 #: cylinder has 1 across its axis, a sphere 0.5, and all that is less round more.
 _LEAST = 0.1
+#: Density of a load over that of steel, at most [1]: lead has 1.44, and all that is lifted has less.
+_DENSEST = 1.5
 
 
 def in_water_name(load: str) -> str:
@@ -63,6 +65,7 @@ def add_in_water(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoa
         }
     )
     parts.doubts += _floats(given, load, water.density)
+    parts.doubts += _dense(given, load)
     parts.doubts += _too_much(given, box, water.density)
     parts.doubts += _too_little(given, load, water.density)
 
@@ -123,6 +126,15 @@ def _floats(given: InWater, load: Load, density: float) -> Iterator[Doubt]:
         carried, weighs = (format_by_size(mass, "mass", 4) for mass in (displaced, weight))
         sentence = f"the load floats: it weighs {weighs} and displaces {carried} of water"
         yield Doubt(("load", "in_water"), f"{sentence}; ropes go slack where it has sunk in so far")
+
+
+def _dense(given: InWater, load: Load) -> Iterator[Doubt]:
+    """Of a load that displaces less water than one of lead."""
+    volume, of_steel = _volume(given, load), load.weight.simulated / STEEL
+    if volume * _DENSEST < of_steel:
+        weighs = format_by_size(load.weight.simulated, "mass", 4)
+        sentence = f"it is {volume:.3g} m^3, and {weighs} of solid steel displace {of_steel:.3g} m^3"
+        yield Doubt(("load", "in_water", "displaced_volume"), f"{sentence}; a unit or digit has slipped")
 
 
 def _too_much(given: InWater, box: Array, density: float) -> Iterator[Doubt]:

@@ -10,7 +10,7 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Step
 from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["about_end_of_step", "end_of_step", "one_sample"]
+__all__ = ["about_end_of_step", "end_of_step", "one_sample", "second_half_of_hold"]
 
 #: Rounding of the time of an event [s].
 _ROUNDING = 1e-9
@@ -51,6 +51,20 @@ def about_end_of_step(recording: Recording, step: Step) -> BoolArray | None:
     if _goes_on(recording, step, last):
         found[last + 1] = True
     return found
+
+
+def second_half_of_hold(recording: Recording, step: Step) -> BoolArray | None:
+    """The samples of the second half of a hold, in which what swings goes through plumb and back.
+
+    None of other steps, of holds that did not end, and in waves and gusts, where requirements look back.
+    """
+    found = (
+        end_of_step(recording, step) if step.kind == "hold" and not recording.rig.time_to_average else None
+    )
+    if found is None or recording.is_equilibrium:
+        return None
+    begin, end = progress.spans(recording)[step.step][0], float(recording.time[int(np.argmax(found))])
+    return (recording.time >= (begin + end) / 2) & (recording.time <= end)
 
 
 def one_sample(at: int, like: BoolArray | FloatArray) -> BoolArray:

@@ -42,6 +42,10 @@ _LOWERS = {"lower", "pay_out", "haul_in", "pump", *_TAKES_ALONG}
 _HUNG = 5.0
 #: Share of a load's weight from which it is told that it hangs at the start.
 _HANGS = 0.02
+#: What goes on down after it has met something was not set down on it; contacts that give come to less [m].
+_WENT_ON = 0.1
+#: A load that is turned by more meanwhile is laid down about what it met [rad].
+_LAID = np.radians(10.0)
 #: Speed at which a load that is set down makes nobody wonder, beyond rounding of a hoist's own [m/s].
 _HARD = 0.1 + 1e-3
 #: Way that a hook may lose against motor or brake [m]: its rope stretches, and rings.
@@ -144,7 +148,10 @@ def came_down(recording: Recording) -> list[Check]:
             meaning = "loads that are taken along stay clear"
             check = Check("stays_clear", verdict, meaning, element=name, time=time, remark=remark)
             first.setdefault(name, check)
-    return list(first.values()) + [one for one in _driven_against(recording) if one.element not in first]
+    found = list(first.values())
+    for more in (_driven_against, _caught):
+        found += [one for one in more(recording) if one.element not in {other.element for other in found}]
+    return found
 
 
 def _driven_against(recording: Recording) -> Iterator[Check]:
@@ -172,6 +179,51 @@ def _driven_against(recording: Recording) -> Iterator[Check]:
                 meaning = "loads that hang clear stay so until a step lowers them"
                 yield Check("stays_clear", Verdict.WARNING, meaning, element=name, time=time, remark=remark)
                 break
+
+
+def _caught(recording: Recording) -> Iterator[Check]:
+    """A warning for each load that is lowered onto what stands still, and comes clear of it further down.
+
+    An edge caught it, and it slid off, or it swings against a side. What sets a load down and takes it up
+    again hoists it or takes a support away; what lays one down turns it.
+    """
+    kinds = {step.step: step.kind for step in recording.rig.plan}
+    spans = progress.spans(recording)
+    removed = [one.removed_at for one in recording.rig.supports if one.removed_at is not None]
+    raised = [begin for step, (begin, _) in spans.items() if kinds.get(step) == "hoist"]
+    for load in recording.rig.loads:
+        hangs, met, steps = hangs_from_the_start(recording, load), None, []
+        for time, kind, name in recording.events():
+            if name != load.name or kind not in ("lift_off", "set_down"):
+                continue
+            if kind == "set_down" and met is None and hangs:
+                steps = [step for step, (begin, end) in spans.items() if begin < time <= end]
+                stands = any(contact not in load.meets for contact in _met(recording, load, time))
+                met = time if stands and any(kinds.get(step) in _LOWERS for step in steps) else None
+            elif kind == "lift_off" and met is not None:
+                if any(met < moment <= time for moment in raised + removed):
+                    met = None
+                elif _went_on(recording, load, met, time) > _WENT_ON:
+                    where = progress.BESIDE.join(steps)
+                    remark = (
+                        f"it meets what is in its way in '{where}' and goes on down past it: an edge catches"
+                    )
+                    remark = f"{remark} it, or it swings against a side"
+                    meaning = "loads that are lowered stay clear until they are set down"
+                    check = Check("stays_clear", Verdict.WARNING, meaning, element=name, remark=remark)
+                    yield replace(check, time=met)
+                    break
+            hangs = kind == "lift_off"
+
+
+def _went_on(recording: Recording, load: Load, begin: float, end: float) -> float:
+    """How much lower the centre of gravity of a load is at the second time than at the first [m].
+
+    0 of a load that is turned meanwhile: what is laid down about its foot goes down as it stands.
+    """
+    heights = np.interp((begin, end), recording.time, recording.column("body_position", load.body)[:, 2])
+    tilts = np.interp((begin, end), recording.time, recording.column("load_tilt", load.name))
+    return float(heights[0] - heights[1]) if abs(tilts[1] - tilts[0]) < _LAID else 0.0
 
 
 def hit(recording: Recording) -> list[Check]:

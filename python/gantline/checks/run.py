@@ -11,7 +11,7 @@ import numpy as np
 from gantline.checks.check import ALL_KNOWN, Check, Verdict
 from gantline.checks.crawlers import left_ground
 from gantline.checks.drums import turns_left
-from gantline.checks.ends import about_end_of_step, one_sample
+from gantline.checks.ends import about_end_of_step, one_sample, second_half_of_hold
 from gantline.checks.equalizers import held_upright
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import held_by_tag_lines, on_their_tip, run_through
@@ -47,6 +47,8 @@ _OWN_LIMIT = "a limit of its own under 'limits' would make this a failure"
 #: Of a limit that no element of the lift has.
 _NOTHING = "the lift has nothing that this limit is about, or nothing of that carries"
 
+#: What comes and goes as a load swings.
+_AS_IT_SWINGS = ("falls_out_of_plumb", "off_lead", "side_lead", "load_tilt")
 #: Check that lift file and run give no warnings of their own.
 NO_WARNINGS = "no_warnings"
 
@@ -385,10 +387,26 @@ def _check_requirement(
         return _without_value(recording, check, missing, missing, is_asked=True)
     check = replace(_with_value(check, found.worst), cautions=found.cautions)
     verdict = _verdict(sided, found.worst.value, limit)
-    if found.missing:
+    swings = _swings(recording, step, key, limit) if verdict is Verdict.OK and side == "below" else ""
+    remarks = [f"not checked, {found.missing}" if found.missing else "", swings]
+    if any(remarks):
         verdict = Verdict.WARNING if verdict is Verdict.OK else verdict
-        check = replace(check, remark=f"not checked, {found.missing}")
+        check = replace(check, remark=_joined(remarks))
     return replace(check, verdict=verdict)
+
+
+def _swings(recording: Recording, step: Step, key: str, limit: float) -> str:
+    """That what a load does as it swings keeps a bound at the end of a hold and not before; empty if it does.
+
+    The end of a hold is a moment: half a swing later plumb is what a quarter later is not.
+    """
+    measure = LIMITS[key]
+    during = second_half_of_hold(recording, step) if key in _AS_IT_SWINGS else None
+    worst = None if during is None else _look(measure, recording, during).worst
+    if worst is None or worst.time is None or _verdict(measure, worst.value, limit) is not Verdict.FAILED:
+        return ""
+    shown = format_quantity(worst.value, measure.unit, measure.digits)
+    return f"at the end alone: it is {shown} at {worst.time:.2f} s of this hold, and swings; hold it longer"
 
 
 def _cautioned(check: Check, told: Sequence[Check]) -> Check:

@@ -9,11 +9,17 @@ import numpy as np
 from gantline.checks.readings import OUTSIDE, HookReading, hook_readings
 from gantline.checks.readings import hold_points as held
 from gantline.cli.table import ABSENT, pairs, show, table
-from gantline.results import series
+from gantline.results import progress, series
 from gantline.results.recording import Recording
+from gantline.results.rig import Step
 
 #: What stands in the table of hooks.
 _OF_HOOKS = ("hook_load", "hoist_load", "crane_radius")
+
+#: What comes and goes as a load swings: its value at one moment may be none of it.
+_AS_IT_SWINGS = ("load_swing", "load_tilt", "falls_out_of_plumb", "off_lead", "side_lead")
+#: Share of the most of a hold by which its end is less where that is told.
+_TOLD = 0.25
 
 #: Of a measure that nothing of a lift has.
 _NOTHING = "nothing in this lift has one"
@@ -31,7 +37,8 @@ def hold_points(recording: Recording) -> list[str]:
         shown = {*_OF_HOOKS} if readings else set()
         shown |= {"hook_height"} if any(one.height is not None for one in readings) else set()
         asked = [measure for measure in point.step.report if measure not in shown]
-        measured = {measure: ", ".join(_measure(recording, measure, sample)) for measure in asked}
+        span = _hold(recording, point.step, sample)
+        measured = {measure: ", ".join(_measure(recording, measure, sample, span)) for measure in asked}
         rows = [(measure.replace("_", " "), text or _NOTHING) for measure, text in measured.items()]
         if rows or readings or point.step.report:
             lines += pairs(f"At the end of '{point.step.step}', {show(point.time, 's', 2)}{moment}", rows)
@@ -60,8 +67,16 @@ def _rated(reading: HookReading) -> str:
     return OUTSIDE if reading.is_outside else show(reading.rated, "kN", 1)
 
 
-def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
-    """Values of a measure that a step reports, at one sample."""
+def _hold(recording: Recording, step: Step, last: int) -> slice:
+    """Samples of a hold up to its last one, or that alone of another step."""
+    span = progress.spans(recording).get(step.step)
+    if step.kind != "hold" or recording.is_equilibrium or span is None:
+        return slice(last, last + 1)
+    return slice(min(last, int(np.searchsorted(recording.time, span[0]))), last + 1)
+
+
+def _measure(recording: Recording, measure: str, sample: int, span: slice) -> Iterator[str]:
+    """Values of a measure that a step reports, at a sample; of what swings also the most of its hold."""
     rig = recording.rig
     hooks = {hook.name: hook.name for hook in rig.carried_hooks}
     slings = {one.name: one.rope for one in rig.slings if series.is_on(recording, one.rope)[sample]}
@@ -126,7 +141,11 @@ def _measure(recording: Recording, measure: str, sample: int) -> Iterator[str]:
     variable, unit, digits, names = sources[measure]
     for name, label in names.items():
         if label:
-            yield f"{name} {show(float(recording.column(variable, label)[sample]), unit, digits)}"
+            values = recording.column(variable, label)
+            last, most = float(values[sample]), float(values[span].max())
+            swings = measure in _AS_IT_SWINGS and most > last + _TOLD * most
+            beside = f" (up to {show(most, unit, digits)} in this hold)" if swings else ""
+            yield f"{name} {show(last, unit, digits)}{beside}"
     if measure == "support_force":
         yield from _beside_supports(recording, sample, digits)
 
