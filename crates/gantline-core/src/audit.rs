@@ -37,6 +37,9 @@ pub const KINDS: [&str; 16] = [
 
 /// Rounding of the energies of weight and water, relative to them.
 const ROUNDING: f64 = 1e-12;
+/// What all weight does along this share of a metre and of its height is the least energy that a remainder is held against:
+/// what stands on joints and rigid ropes has no other than the rounding of its places, a ten-millionth of that.
+const STILL: f64 = 1e-9;
 
 /// Energies that flowed [J].
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -147,16 +150,18 @@ pub struct Ledger {
     /// What pressed the water away at the start.
     #[serde(default)]
     fluid_start: f64,
-    /// Largest of kinetic + elastic + |drive work| + |fluid work| so far.
+    /// Largest of kinetic + elastic + |drive work| + |fluid work| so far, and no less than [`STILL`] says.
     scale: f64,
     /// Largest |remainder| so far.
     worst: f64,
 }
 
 impl Ledger {
-    /// Notes the stored energies of the start.
-    pub fn open(stored: Stored) -> Self {
+    /// Notes the stored energies of the start of a system.
+    pub fn open(system: &System, stored: Stored) -> Self {
+        let mass: f64 = system.tree.bodies.iter().map(|body| body.mass).sum();
         let Stored { kinetic, gravity, elastic, fluid } = stored;
+        let least = STILL * (mass * system.tree.gravity.length() + gravity.abs());
         Self {
             kinetic,
             gravity,
@@ -165,7 +170,7 @@ impl Ledger {
             start: stored.sum(),
             gravity_start: gravity,
             fluid_start: fluid,
-            scale: kinetic + elastic,
+            scale: (kinetic + elastic).max(least),
             ..Self::default()
         }
     }
@@ -209,7 +214,8 @@ impl Ledger {
         self.store(Stored { kinetic, gravity, elastic, fluid });
     }
 
-    /// Largest |remainder| relative to the largest of kinetic + elastic + |drive work| + |fluid work|.
+    /// Largest |remainder| relative to the largest of kinetic + elastic + |drive work| + |fluid work|, of a system that stands
+    /// to what its weight does along some nanometres.
     pub fn relative_remainder(&self) -> f64 {
         if self.scale > 0.0 { self.worst / self.scale } else { 0.0 }
     }

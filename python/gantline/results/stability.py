@@ -22,6 +22,9 @@ from gantline.units import format_by_size
 #: Energy from nowhere up to which a run counts as stable, of the largest energy [1]. It is wider than the
 #: bound of the remainder, which leaves out what the method itself takes or gives within its tolerances.
 ENERGY_GAIN_BOUND = 1e-3
+#: Energy of what stands still [J]: a kilogram has it at a thousandth of a millimetre per second. What joints
+#: alone hold at rest has less, made of rounding, and none of that is a gain.
+STILL = 1e-12
 
 
 @dataclass(frozen=True)
@@ -157,7 +160,7 @@ def _energy_gain(recording: Recording) -> tuple[float | None, float | None]:
     kinds = recording.coordinates["energy_kind"]
     works = [energy(kind) for kind in ("drive_work", "fluid_work") if kind in kinds]
     largest = float(np.max(energy("kinetic") + energy("elastic") + np.sum(np.abs(works), axis=0)))
-    if largest <= 0.0:
+    if largest <= STILL:
         return 0.0, None
     kept = energy("kinetic") + energy("gravity") + energy("elastic") - np.sum(works, axis=0)
     if "fluid" in kinds:

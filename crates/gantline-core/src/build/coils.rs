@@ -2,7 +2,7 @@
 
 use super::{BuildError, at_least_zero, error, positive};
 use crate::constraint::AnyConstraint;
-use crate::rope::coil::Layers;
+use crate::rope::coil::{Layers, MOST_LAYERS};
 use crate::spec::{DrumSpec, GuideSpec, LayersSpec, SystemSpec};
 use crate::system::{CoilPlace, Rows};
 use crate::tree::Tree;
@@ -21,6 +21,10 @@ pub(super) fn build_layers(name: &str, given: &LayersSpec) -> Result<Layers, Bui
     at_least_zero(name, "the number of turns on its drum", start)?;
     if !(turns.is_finite() && turns >= 1.0) {
         return error(name, format!("a layer on its drum has {turns} turns; it must have one or more"));
+    }
+    if start > MOST_LAYERS as f64 * turns {
+        let most = format!("{MOST_LAYERS} layers of {turns} turns are the most");
+        return error(name, format!("its drum has {start} turns at the start; {most}"));
     }
     Ok(layers(given))
 }

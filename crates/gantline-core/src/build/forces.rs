@@ -74,7 +74,7 @@ pub(super) fn build_forces(
 fn follow_waves(force: &mut AnyForce, slow: &Slow) {
     match force {
         AnyForce::Memory(memory) => memory.slow = Some(slow.clone()),
-        AnyForce::MeanDrift(damping) => damping.slow = slow.clone(),
+        AnyForce::MeanDrift(drift) => drift.slow = slow.clone(),
         AnyForce::AddedMass(added) => *force = AnyForce::LevelMass(LevelMass::of(added, slow)),
         AnyForce::Drag(drag) => {
             if let Some(damping) = Damping::of(drag, slow) {

@@ -103,8 +103,9 @@ pub(super) fn place_moorings(
         let up = -gravity / gravity.length();
         let height = place.dot(up);
         if mooring.line.on_bed && height <= 0.0 {
-            let below = -height;
-            return error(&given.name, format!("its upper end is {below} m below the sea bed"));
+            let below = height.abs();
+            let problem = format!("its upper end is {below} m below the sea bed; it must be above");
+            return error(&given.name, problem);
         }
         let (aside, chord) = ((place - up * height).length(), place.length());
         positive(&given.name, "the distance of its ends", chord)?;

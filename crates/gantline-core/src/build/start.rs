@@ -10,11 +10,17 @@ use crate::plan::drive::Timeline;
 use crate::rope::coil::Coil;
 use crate::rope::seat::Seat;
 use crate::solver::complementarity::Mode;
+use crate::solver::symbolic::PIVOT_FLOOR;
 use crate::spec::SystemSpec;
 use crate::state::State;
 use crate::stepper::STANDSTILL;
 use crate::stepper::frame::Frame;
 use crate::system::System;
+use crate::tree::Body;
+use crate::tree::mass::MassMatrix;
+
+/// Degrees of freedom of a joint, at most.
+const MOST_MOTIONS: usize = 6;
 
 /// The state at t = 0: forces by their laws, ledger opened, inertia scales set.
 pub(super) fn first_state(
@@ -58,7 +64,7 @@ pub(super) fn first_state(
         elastic: elastic_energy(system, &frame.value, &state.modes) + held.lines,
         fluid: held.fluid,
     };
-    state.ledger = Ledger::open(stored);
+    state.ledger = Ledger::open(system, stored);
     Ok(state)
 }
 
@@ -107,15 +113,42 @@ fn without_forces(
 fn set_inertia_scales(system: &mut System, frame: &Frame) -> Result<(), BuildError> {
     for dof in 0..system.tree.velocities {
         let inertia = frame.mass.diagonal(dof);
-        if system.driven[dof].is_none() && inertia <= 0.0 && !system.is_light[dof] {
-            return error(
-                &system.tree.bodies[system.tree.owner[dof]].name,
-                "it has no inertia in a direction that it can move: give it mass or inertia; mass on an axis has none about it",
-            );
+        if inertia <= 0.0 && system.driven[dof].is_none() && !system.is_light[dof] {
+            return no_inertia(&system.tree.bodies[system.tree.owner[dof]]);
         }
         system.tree.inertia_scale[dof] = if inertia > 0.0 { inertia } else { 1.0 };
     }
-    Ok(())
+    match system.tree.bodies.iter().find(|body| body.velocities > 1 && !moves_all_ways(body, &frame.mass)) {
+        Some(body) => no_inertia(body),
+        None => Ok(()),
+    }
+}
+
+fn no_inertia(body: &Body) -> Result<(), BuildError> {
+    error(
+        &body.name,
+        "it has no inertia in a direction that it can move: give it mass or inertia; mass on an axis has none about it",
+    )
+}
+
+/// True where no mixture of the motions of its joint goes without inertia, as a turn about the line from a ball joint to a
+/// centre of gravity that has all mass would, askew to the axes: elimination leaves pivots.
+fn moves_all_ways(body: &Body, mass: &MassMatrix) -> bool {
+    let (first, size) = (body.first_velocity, body.velocities);
+    let mut left: [[f64; MOST_MOTIONS]; MOST_MOTIONS] = std::array::from_fn(|row| {
+        let entry = |column: usize| mass.values[mass.slot(first + row, first + column)];
+        std::array::from_fn(|column| if column <= row && row < size { entry(column) } else { 0.0 })
+    });
+    (0..size).all(|k| {
+        let pivot = left[k][k];
+        for row in k + 1..size {
+            let share = left[row][k] / pivot;
+            for column in k + 1..=row {
+                left[row][column] -= share * left[column][k];
+            }
+        }
+        pivot > PIVOT_FLOOR * mass.diagonal(first + k)
+    })
 }
 
 /// Sets how a row starts: its force by its law, and on which side it is.

@@ -247,7 +247,7 @@ fn story(system: &System, log: &EventLog, vessel: usize) -> String {
             EventKind::Detached => "was taken off",
             _ => "broke",
         };
-        parts.push(format!("{} {how} at {:.2} s", system.constraints[event.subject].name(), event.time));
+        parts.push(format!("{} {how} at {:.2} s", system.rope_name(event.subject), event.time));
     }
     let is_own = |event: &&super::Event| {
         event.kind == EventKind::Flooding && system.marks[event.subject].vessel == vessel

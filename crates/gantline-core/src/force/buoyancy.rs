@@ -24,7 +24,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::square::{Square, skew};
+use super::square::{Square, outer, skew};
 use super::{At, Force, Tangent};
 use crate::hull::{Hull, Immersion, Plane};
 use crate::tree::bias::Wrench;
@@ -101,7 +101,6 @@ impl Afloat {
     pub fn derivative(&self) -> Square {
         let (up, weight) = (self.up, self.weight);
         let lift = skew(up);
-        let outer = |a: DVec3, b: DVec3| DMat3::from_cols(a * b.x, a * b.y, a * b.z);
         // w = ẑ·δx + (r × ẑ)·δθ, so that ∫ w dA = A ẑ·δx + (s × ẑ)·δθ and, with r (r × ẑ)ᵀ = r rᵀ [ẑ],
         // ∫ r w dA = s ẑ·δx + Q [ẑ] δθ; s and Q are the section's first and second moment.
         let turned = self.area_moment.cross(up);

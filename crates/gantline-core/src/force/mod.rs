@@ -211,7 +211,7 @@ impl std::ops::Deref for AnyForce {
             Self::Tank(tank) => &**tank,
             Self::Mooring(mooring) => &**mooring,
             Self::Wave(wave) => wave,
-            Self::MeanDrift(damping) => damping,
+            Self::MeanDrift(drift) => drift,
             Self::Submerged(load) => &**load,
         }
     }

@@ -35,6 +35,9 @@ const RATES: usize = STAGES - 1;
 /// it, 1e-8, and its rate by 0.25⁶/6!, 3e-7; by less in a shorter one.
 const DEGREE: usize = 6;
 const PART: f64 = 0.25;
+/// A step that is no longer moves nothing [s]: the cubic between its ends would be rounding over rounding, or, where the cube
+/// of its length is no number any more, none.
+const MOMENT: f64 = 1e-12;
 
 /// The filter behind a body.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,8 +90,12 @@ impl Slow {
             let (u, y) = state.split_at_mut(2);
             if h > 0.0 {
                 let way = now - u[0];
-                let square = (3.0 * way - h * (2.0 * u[1] + rate)) / (h * h);
-                let cube = (h * (u[1] + rate) - 2.0 * way) / (h * h * h);
+                let [square, cube] = if h > MOMENT {
+                    let square = (3.0 * way - h * (2.0 * u[1] + rate)) / (h * h);
+                    [square, (h * (u[1] + rate) - 2.0 * way) / (h * h * h)]
+                } else {
+                    [0.0; 2]
+                };
                 self.go_on([u[0], u[1], square, cube], h, y);
             }
             (u[0], u[1]) = (now, rate);

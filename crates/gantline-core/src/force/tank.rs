@@ -35,7 +35,7 @@
 use glam::{DMat3, DVec3};
 
 use super::added_mass::AddedMass;
-use super::square::{Square, skew};
+use super::square::{Square, outer, skew};
 use super::{At, Feeding, Force, Tangent};
 use crate::hull::{Hull, Immersion, Plane};
 use crate::tree::bias::Wrench;
@@ -155,9 +155,8 @@ impl Tank {
             return Contents { up, weight, volume, shift: turn * (moment - known), spread: DMat3::ZERO };
         }
         let below = self.contents(turn.transpose() * up, volume).0;
-        let outer = |a: DVec3| DMat3::from_cols(a * a.x, a * a.y, a * a.z);
         let central = if below.area > 0.0 {
-            below.area_second - outer(below.area_moment) * (1.0 / below.area)
+            below.area_second - outer(below.area_moment, below.area_moment) * (1.0 / below.area)
         } else {
             DMat3::ZERO
         };

@@ -79,7 +79,8 @@ impl WaveForce {
     fn between(&self, direction: f64) -> Between {
         let (count, first) = (self.directions.len(), self.directions[0]);
         let wanted = first + (direction - first).rem_euclid(TAU);
-        let after = self.directions.partition_point(|known| *known <= wanted);
+        // Nothing lies before what is no number: then what comes of it is none either, which whoever asked will see.
+        let after = self.directions.partition_point(|known| *known <= wanted).max(1);
         let start = self.directions[after - 1];
         let end = if after < count { self.directions[after] } else { first + TAU };
         let slope = 1.0 / (end - start);

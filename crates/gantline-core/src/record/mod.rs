@@ -37,8 +37,13 @@ pub struct Sample {
 impl Sample {
     /// That of a state as it is.
     pub fn of(state: &State) -> Self {
-        let State { q, v, acceleration, tension, past, .. } = state.clone();
-        Self { q, v, acceleration, tension, past }
+        Self {
+            q: state.q.clone(),
+            v: state.v.clone(),
+            acceleration: state.acceleration.clone(),
+            tension: state.tension.clone(),
+            past: state.past.clone(),
+        }
     }
 }
 

@@ -184,6 +184,10 @@ fn together(lengths: [f64; 2], strains: [f64; 2]) -> f64 {
 /// Part of a turn in which rope climbs from one layer onto the next.
 const CLIMB: f64 = 0.5;
 
+/// No drum has so many layers. Where a step that is only tried throws a drum far away, what it would have wound is not
+/// counted layer by layer for ever.
+pub const MOST_LAYERS: usize = 1000;
+
 /// Steps of Newton's method for what a drum has turned; it takes about one for each layer.
 const MOST_STEPS: usize = 100;
 
@@ -243,6 +247,6 @@ impl Layers {
     /// Sum over the climbs that have begun at `turns`, of how far over them the rope is, in climbs.
     fn sum(&self, turns: f64, each: impl Fn(f64) -> f64) -> f64 {
         let over = |layer: usize| (turns - layer as f64 * self.turns) / CLIMB + 0.5;
-        (1..).map(over).take_while(|over| *over > 0.0).map(each).sum()
+        (1..=MOST_LAYERS).map(over).take_while(|over| *over > 0.0).map(each).sum()
     }
 }

@@ -335,7 +335,7 @@ impl Statics {
         }
         let frame = &self.search.here.frame;
         force::begin(&system.tree, &frame.kinematics, (&state.v, state.time), &mut state.past);
-        state.ledger = Ledger::open(flows::stored(system, state, frame));
+        state.ledger = Ledger::open(system, flows::stored(system, state, frame));
         state.restart = true;
     }
 

@@ -10,6 +10,7 @@ use crate::event::{EventKind, EventLog};
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::system::System;
+use crate::tree::joint::Motion;
 
 /// A joint that moves faster than this [m/s or rad/s] is not at rest: a pin does not go in.
 const REST: f64 = 1e-3;
@@ -62,7 +63,10 @@ fn refuse_motion(system: &System, state: &State, frame: &Frame, row: usize) -> R
         return Ok(());
     }
     let element = system.constraint_of_row(row).name().to_owned();
+    let turns =
+        system.rows.entries(&frame.gradient, row).any(|(dof, _)| system.tree.motions[dof] == Motion::Turn);
+    let unit = if turns { "rad/s" } else { "m/s" };
     let cause =
-        format!("its pin cannot be put in while it moves by {speed:.3} m/s; hold until it is at rest");
+        format!("its pin cannot be put in while it moves by {speed:.3} {unit}; hold until it is at rest");
     Err(StepError { time: state.time, element, cause })
 }

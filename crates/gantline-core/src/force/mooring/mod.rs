@@ -27,7 +27,7 @@ pub mod jet;
 
 use glam::{DMat3, DVec3};
 
-use super::square::{Square, skew};
+use super::square::{Square, outer, skew};
 use super::{At, Feeding, Force, Tangent, under};
 use crate::tree::Tree;
 use crate::tree::bias::Wrench;
@@ -165,7 +165,6 @@ impl Mooring {
     /// A function of X, Z and L over place and length.
     fn slopes(&self, place: DVec3, up: DVec3, jet: &Jet) -> Slopes {
         let (aside, reach, [_, climb, bend]) = self.distances(place, up);
-        let outer = |a: DVec3, b: DVec3| DMat3::from_cols(a * b.x, a * b.y, a * b.z);
         let out = aside / reach;
         let level = DMat3::IDENTITY - outer(up, up);
         let [over_x, over_z, over_l] = jet.first;
@@ -301,7 +300,6 @@ impl Mooring {
         let Reach { velocity, length, energy, strain, rate, damper, .. } = reach;
         let unstretched = self.winch.map_or(0.0, |winch| winch.unstretched);
         let paying = self.winch.map_or(0.0, |winch| unstretched * at.v[winch.dof]);
-        let outer = |a: DVec3, b: DVec3| DMat3::from_cols(a * b.x, a * b.y, a * b.z);
         let viscosity = self.damping_time * self.line.stiffness;
         // ∂ė over place and length.
         let turned = strain.place_place * *velocity + strain.place_length * paying;

@@ -127,7 +127,7 @@ impl Weights {
     }
 
     /// Name of the element with the largest error.
-    pub fn worst(&self, system: &System, _state: &State, rodas: &Rodas) -> String {
+    pub fn worst(&self, system: &System, rodas: &Rodas) -> String {
         let error = &rodas.course.error;
         let size = |dof: usize| (error.v[dof] * self.arm[dof]).abs();
         let worst = (0..error.v.len()).max_by(|&a, &b| size(a).total_cmp(&size(b)));

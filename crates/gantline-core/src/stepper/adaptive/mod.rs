@@ -386,7 +386,7 @@ impl Adaptive {
         let met = standstill::has_met(system, &self.rodas.here.frame.kinematics);
         let (element, cause) = met.unwrap_or_else(|| {
             let cause = "forces change faster than any step can follow";
-            let worst = self.weights.worst(system, state, &self.rodas);
+            let worst = self.weights.worst(system, &self.rodas);
             (worst, format!("the step fell below {STEP_FLOOR} s: {cause}"))
         });
         seats::explain(system, state, StepError { time: state.time, element, cause })
