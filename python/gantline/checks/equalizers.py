@@ -17,7 +17,7 @@ from gantline.checks.forces import (
     raised_of_capacity,
     sum_force,
 )
-from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, everywhere, extreme
+from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
 from gantline.results.gear import Equalizer, Sling, Spreader
 from gantline.results.parting import stops_met
@@ -213,7 +213,7 @@ def _past_stroke(recording: Recording) -> str:
     met = [one for one in stops_met(recording.events()) if one.joint in sheaves]
     if met:
         return ", ".join(f"{one.joint} met its stop at {one.time:.2f} s" for one in met)
-    everywhen = everywhere(recording)
+    everywhen = series.everywhere(recording)
     past = [(found, way) for way in _ways(recording) for found in _one_way(recording, everywhen, way)]
     furthest, way = max(past, key=lambda one: one[0].value, default=(None, None))
     if furthest is None or way is None or furthest.value <= 1.0:

@@ -23,7 +23,7 @@ _READ_OVER = 5.0
 def hook_row(subject: Subject, hook: Hook) -> dict[str, Any]:
     """Load-cell readings of a hook [t], its largest hoist load and what that is of its rated capacity."""
     load = subject.recording.column("hoist_load", hook.name)
-    highest = float(load.max())
+    highest = float(load[subject.counts].max())
     shares = values_of(subject.recording, "hoist_load_of_rated_capacity")
     own = {"trolley": ABSENT, "crane": ABSENT}
     for rating in subject.rig.ratings:
@@ -50,7 +50,7 @@ def _highest(subject: Subject, hook: Hook) -> float | None:
     recording = subject.recording
     if hook.name not in recording.coordinates.get("crane_hook", ()):
         return None
-    return float(recording.column("hook_height", hook.name).max())
+    return float(recording.column("hook_height", hook.name)[subject.counts].max())
 
 
 def _mass(subject: Subject, force: float | None) -> float | None:
@@ -152,7 +152,7 @@ def _sling(
     tension = series.sling_tension(recording, sling)
     force, time = series.rope_peak(recording, sling.rope)
     angle = series.sling_angle(recording, sling)
-    carrying = series.is_carrying(tension)
+    carrying = series.is_carrying(tension) & subject.counts
     clear = subject.clear & series.is_on(recording, sling.rope)
     own = [f"{of}.{lug}" for _, of, lug in sling.at_lugs()]
     held = [shackles[name] for end in sling.shackles if (name := f"{sling.name} {end}") in shackles]
@@ -181,7 +181,7 @@ def equalizer_row(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
         if not stroke or equalizer.mechanism != "sheaves" or not equalizer.moving_sheaves:
             return ABSENT
         travel = [sign * recording.column("sheave_travel", one) for one in equalizer.moving_sheaves]
-        during = clear if clear.any() else np.ones(len(recording.time), dtype=np.bool_)
+        during = clear if clear.any() else subject.counts
         furthest = max(0.0, *(float(one[during].max()) for one in travel))
         return f"{show(furthest / stroke, '%', 0)} of {show(stroke, 'm', 2)}"
 

@@ -64,17 +64,23 @@ class Subject:
         return stability_of(self.recording)
 
     @cached_property
+    def counts(self) -> BoolArray:
+        """Samples that count: of a lift at rest the last one, for the one before is where it starts."""
+        return series.everywhere(self.recording)
+
+    @cached_property
     def clear(self) -> BoolArray:
-        """Samples at which nothing supports any load."""
-        return series.is_clear(self.recording)
+        """Those of them at which nothing supports any load."""
+        clear: BoolArray = series.is_clear(self.recording) & self.counts
+        return clear
 
     def static(self, values: FloatArray) -> float | None:
         """Static value of a series, where it was largest; None if the lift has no quiet window."""
         return series.greatest_static(self.recording, values)[0]
 
-    def peak(self, values: FloatArray, during: BoolArray | None = None) -> tuple[float, float] | None:
-        """Largest sample and its time [s]."""
-        return series.peak(self.recording, values, during)
+    def peak(self, values: FloatArray) -> tuple[float, float] | None:
+        """Largest sample of those that count, and its time [s]."""
+        return series.peak(self.recording, values, self.counts)
 
     def step_at(self, time: float) -> str:
         """Names of the steps of the plan that go at a time [s], in one; empty where none does."""

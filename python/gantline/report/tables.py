@@ -79,7 +79,7 @@ def _sheaves(subject: Subject, equalizer: Equalizer) -> list[dict[str, Any]]:
     if "sheave_travel" not in subject.recording or equalizer.mechanism != "sheaves":
         return []
     rows = []
-    during = subject.clear if subject.clear.any() else np.ones(len(subject.recording.time), dtype=np.bool_)
+    during = subject.clear if subject.clear.any() else subject.counts
     for name in equalizer.moving_sheaves:
         travel = subject.recording.column("sheave_travel", name)
         up, down = max(0.0, float(-travel[during].min())), max(0.0, float(travel[during].max()))
