@@ -12,6 +12,7 @@ from gantline.report.subject import ABSENT, Subject, as_given, number, show
 from gantline.results import series, upper_end
 from gantline.results.gear import Equalizer, Hook, Sling
 from gantline.results.parting import ATTACHED, PARTING, PLANNED, partings
+from gantline.results.travel import most_used, ways_of
 from gantline.results.variable import FloatArray
 
 #: Shares of the weight over at which a load cell is read.
@@ -177,18 +178,17 @@ def equalizer_row(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
     recording, clear = subject.recording, subject.clear
     spread = series.spread_when_clear(recording, equalizer) if equalizer.slings else None
 
-    def used(sign: float, stroke: float | None) -> str:
-        if not stroke or equalizer.mechanism != "sheaves" or not equalizer.moving_sheaves:
+    def used(word: str) -> str:
+        own = list(ways_of(recording, equalizer, word))
+        if not own:
             return ABSENT
-        travel = [sign * recording.column("sheave_travel", one) for one in equalizer.moving_sheaves]
-        during = clear if clear.any() else subject.counts
-        furthest = max(0.0, *(float(one[during].max()) for one in travel))
-        return f"{show(furthest / stroke, '%', 0)} of {show(stroke, 'm', 2)}"
+        share = most_used(own, clear if clear.any() else subject.counts)
+        return f"{show(share, '%', 0)} of {show(own[0].stroke, 'm', 2)}"
 
     return {
         "name": equalizer.name,
-        "up": used(-1.0, equalizer.travel_up),
-        "down": used(1.0, equalizer.travel_down),
+        "up": used("up"),
+        "down": used("down"),
         "spread": show(spread, "%", 2),
         "pins": _pins(subject, equalizer),
     }

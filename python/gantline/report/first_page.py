@@ -245,8 +245,7 @@ def stop_if(subject: Subject) -> list[str]:
     found = [f"{cell} differs by more than 10 % from its reading in the table “Hooks”"]
     found.append(_tilt(subject, limits.get("load_tilt")))
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
-        travel = limits.get("equalizer_travel_used")
-        found.append(f"travel is over {show(float(travel) if travel else 0.9, '%', 0)} of its stroke")
+        found.append(f"travel is over {show(subject.most_travel, '%', 0)} of its stroke")
     return [*found, *_waves(subject), *_wind(subject), *_current(subject)]
 
 

@@ -16,6 +16,8 @@ from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
 ABSENT = "–"
+#: Share of its stroke that a moving sheave uses at most where no limit says otherwise [1].
+_USUAL_TRAVEL = 0.9
 #: Of a number; a dash between words has a blank behind it, one within a name a letter before it.
 _MINUS = re.compile(r"(?<!\S)-(?=\d)")
 
@@ -73,6 +75,11 @@ class Subject:
         """Those of them at which nothing supports any load."""
         clear: BoolArray = series.is_clear(self.recording) & self.counts
         return clear
+
+    @property
+    def most_travel(self) -> float:
+        """Share of its stroke that a moving sheave may use [1]: the lift's own limit, or the usual one."""
+        return float(self.rig.limits.get("equalizer_travel_used") or _USUAL_TRAVEL)
 
     def static(self, values: FloatArray) -> float | None:
         """Static value of a series, where it was largest; None if the lift has no quiet window."""

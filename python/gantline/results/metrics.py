@@ -98,6 +98,7 @@ from gantline.results.parting import ATTACHED, DETACHED, PLANNED, partings
 from gantline.results.rating import chart_used
 from gantline.results.recording import Recording
 from gantline.results.skew import largest_skew
+from gantline.results.travel import most_used, ways
 
 #: Energy remainder up to which the balance counts as closed, by integrator. A fixed step of first order
 #: cannot do better than a thousandth; an error-controlled one does far better unless something is wrong.
@@ -343,17 +344,12 @@ def _crawlers(recording: Recording) -> Iterator[_Metric]:
 
 def _travel(recording: Recording) -> Iterator[_Metric]:
     clear = series.is_clear(recording)
-    for way, sign in (("up", -1.0), ("down", 1.0)):
-        used = [
-            np.maximum(0.0, sign * recording.column("sheave_travel", sheave)) / stroke
-            for equalizer in recording.rig.equalizers
-            for stroke in [equalizer.travel_up if way == "up" else equalizer.travel_down]
-            for sheave in equalizer.moving_sheaves
-            if stroke and equalizer.mechanism == "sheaves"
-        ]
-        yield f"travel_used_{way}", _largest(float(share.max()) for share in used)
-        if clear.any():
-            yield f"travel_used_{way}_when_clear", _largest(float(share[clear].max()) for share in used)
+    for word in ("up", "down"):
+        own = [way for way in ways(recording) if way.word == word]
+        if own:
+            yield f"travel_used_{word}", most_used(own, series.everywhere(recording))
+        if own and clear.any():
+            yield f"travel_used_{word}_when_clear", most_used(own, clear)
     for sheave in recording.coordinates.get("moving_sheave", ()):
         yield f"final_sheave_travel.{sheave}", float(recording.column("sheave_travel", sheave)[-1])
     for drum in recording.coordinates.get("counted_drum", ()):
