@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from gantline.checks import values_of
+from gantline.checks.sling_figures import SlingFigures, sling_figures
 from gantline.report.subject import ABSENT, Subject, as_given, number, show
 from gantline.results import series, upper_end
 from gantline.results.gear import Equalizer, Hook, Sling
@@ -127,49 +127,30 @@ def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
 
     slings = subject.rig.slings
     kept = {one.name for one in sorted(slings, key=used, reverse=True)[:most]}
-    worst = {
-        name: values_of(subject.recording, name)
-        for name in ("shackle_load_of_working_load_limit", "lug_load_of_capacity", "lug_out_of_plane_angle")
-    }
     return [
         {
-            **_sling(subject, one, *worst.values()),
-            "gone": ", ".join(told.get(one.rope, ())),
-            "is_parted": one.rope in parted,
+            **_sling(one),
+            "gone": ", ".join(told.get(one.sling.rope, ())),
+            "is_parted": one.sling.rope in parted,
         }
-        for one in slings
-        if one.name in kept
+        for one in sling_figures(subject.recording, (one for one in slings if one.name in kept))
     ]
 
 
-def _sling(
-    subject: Subject,
-    sling: Sling,
-    shackles: Mapping[str, float],
-    lugs: Mapping[str, float],
-    aside: Mapping[str, float],
-) -> dict[str, Any]:
-    recording = subject.recording
-    tension = series.sling_tension(recording, sling)
-    force, time = series.rope_peak(recording, sling.rope)
-    angle = series.sling_angle(recording, sling)
-    carrying = series.is_carrying(tension) & subject.counts
-    clear = subject.clear & series.is_on(recording, sling.rope)
-    own = [f"{of}.{lug}" for _, of, lug in sling.at_lugs()]
-    held = [shackles[name] for end in sling.shackles if (name := f"{sling.name} {end}") in shackles]
+def _sling(one: SlingFigures) -> dict[str, Any]:
     return {
-        "name": sling.name,
-        "lug": ", ".join(lug for _, _, lug in sling.at_lugs()) or ABSENT,
-        "length": number(sling.length, "m", 2),
-        "static": number(subject.static(tension), "kN", 0),
-        "peak": number(force, "kN", 0),
-        "time": number(time, "s", 1),
-        "least": number(float(tension[clear].min()) if clear.any() else None, "kN", 0),
-        "angle": number(float(angle[carrying].max()) if carrying.any() else None, "deg", 1),
-        "rope": number(upper_end.utilisation(recording, sling.rope), "%", 0),
-        "shackle": number(max(held, default=None), "%", 0),
-        "lug_used": number(max((lugs[one] for one in own if one in lugs), default=None), "%", 0),
-        "aside": number(max((aside[one] for one in own if one in aside), default=None), "deg", 1),
+        "name": one.sling.name,
+        "lug": ", ".join(lug for _, _, lug in one.sling.at_lugs()) or ABSENT,
+        "length": number(one.sling.length, "m", 2),
+        "static": number(one.static, "kN", 0),
+        "peak": number(one.peak, "kN", 0),
+        "time": number(one.peak_time, "s", 1),
+        "least": number(one.least_clear, "kN", 0),
+        "angle": number(one.largest_angle, "deg", 1),
+        "rope": number(one.of_breaking_force, "%", 0),
+        "shackle": number(one.of_working_load_limit, "%", 0),
+        "lug_used": number(one.of_lug_capacity, "%", 0),
+        "aside": number(one.out_of_plane, "deg", 1),
     }
 
 
