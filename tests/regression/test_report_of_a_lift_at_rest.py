@@ -5,7 +5,9 @@ counts. Checks and metrics knew that; the report of such a recording took the la
 what lies between on a straight line. `upending` at rest as its column stands upright had a table of hook
 loads at 0, 30, 60 and 90 deg, at 500 s and 1000 s, with 0.3 t for the tail crane at 30 deg; a lift-off at
 1500 s, the time that was asked for; and a tightest clearance of 0.41 m at 0 s for 0.56 m.
-`crane_barge_in_swell` had slings that carry at least 96 kN when clear, for 316 kN. Metrics had those.
+`crane_barge_in_swell` had slings that carry at least 96 kN when clear, for 316 kN. Metrics had those. There
+were plots with a straight line from the one to the other, "curves have a sample each 0.100 s; peaks of
+tension are those of all steps" below them, and equalizers that took 0.00 s to equalise, as a metric too.
 """
 
 from __future__ import annotations
@@ -19,7 +21,9 @@ from gantline.report.attitude import attitude
 from gantline.report.booms import boom_rows
 from gantline.report.carried import hook_row, sling_rows
 from gantline.report.first_page import stop_if
+from gantline.report.plots import HookLoads, Tensions
 from gantline.report.subject import Subject
+from gantline.report.tables import Energy, Equalizers
 from gantline.report.turning import turnings
 from gantline.results import series
 from gantline.results.upending import kept_plumb_in_words
@@ -81,3 +85,18 @@ def test_slings_carry_at_least_what_they_carry_at_rest(hanging: Subject) -> None
     assert max(angles) == pytest.approx(
         math.degrees(hanging.metrics["peak_sling_angle_from_vertical"]), abs=0.05
     )
+
+
+def test_nothing_is_told_of_the_way_there(hanging: Subject) -> None:
+    assert Tensions().content(hanging) is None and HookLoads().content(hanging) is None
+    assert not any("curves" in one or "step" in one for one in Energy().content(hanging)["sentences"])
+
+
+def test_a_lift_at_rest_took_no_time_to_equalise() -> None:
+    """Metrics and table of an equalizer whose slings hang within the bound."""
+    rest = Subject(gantline.Statics("equalizer").equilibrium().recording)
+    assert 0.0 < rest.metrics["final_tension_spread"] < rest.rig.equalised_below
+    assert not any(name.startswith("time_to_equalise") for name in rest.metrics)
+    content = Equalizers().content(rest)
+    assert content is not None
+    assert "time to equalise" not in dict(content["equalizers"][0]["facts"])

@@ -47,8 +47,8 @@ class Subject:
 
     @property
     def has_motion(self) -> bool:
-        """Whether there is more than one sample to plot."""
-        return len(self.recording.time) > 1
+        """Whether there are curves to plot; between the start of a lift at rest and that nobody looked."""
+        return len(self.recording.time) > 1 and not self.recording.is_equilibrium
 
     @cached_property
     def checks(self) -> list[Check]:

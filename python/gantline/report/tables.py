@@ -185,7 +185,9 @@ def _energy(value: float) -> str:
 
 
 def _accuracy(recording: Recording) -> Iterator[str]:
-    """What the method was told to keep, as far as the settings say."""
+    """What the method was told to keep, as far as the settings say; a lift at rest has made no step."""
+    if recording.is_equilibrium:
+        return
     settings = recording.attributes.get("settings") or {}
     integrator = settings.get("integrator") or {}
     method = integrator.get("type")

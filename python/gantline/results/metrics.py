@@ -28,7 +28,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_tension_spread_when_clear` [1]: largest (max - min)/mean over one equalizer's slings while clear
 - `final_tension_spread` [1]: the same at the last sample
 - `time_to_equalise.<equalizer>` [s]: from when all its slings are taut and its pins out until its tension
-  spread stays below `Rig.equalised_below`; absent where it never does, see `gantline.results.equalising`
+  spread stays below `Rig.equalised_below`; absent where it never does and of a lift at rest, see
+  `gantline.results.equalising`
 - `peak_pin_force` [N]: largest magnitude of the force on any locking pin at any sample
 - `peak_sling_angle_from_vertical` [rad]: largest angle of a carrying sling from the vertical
 - `peak_fleet_angle` [rad]: largest angle of a carrying rope to the plane of a sheave
