@@ -397,8 +397,7 @@ class Simulation:
         for met in stops_met(
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
         ):
-            often = f", {met.times} times in all" if met.times > 1 else ""
-            warnings.append(f"{met.joint} met its stop at {met.time:.2f} s{often}")
+            warnings.append(f"{met.joint} met its stop at {met.time:.2f} s{met.again}")
         failure = {} if self._failure is None else {"failure": self._failure}
         return recording_of(
             columns,

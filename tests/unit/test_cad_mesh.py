@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
-from gantline.cad.mesh import TriangleMesh
+from gantline.cad.mesh import TriangleMesh, connected
 from solids import box, sphere
 
 
@@ -150,3 +152,19 @@ def test_what_is_no_mesh_is_refused() -> None:
         TriangleMesh(np.eye(3), [[0, 1, -1]])
     with pytest.raises(ValueError, match="no box"):
         _ = TriangleMesh.combined([]).box
+
+
+@given(count=st.integers(1, 30), data=st.data())
+def test_groups_are_those_of_scipy(count: int, data: st.DataObject) -> None:
+    """Numbers of groups too: both count up in the order of their first things."""
+    thing = st.integers(0, count - 1)
+    pairs = np.array(data.draw(st.lists(st.tuples(thing, thing), max_size=50)), dtype=np.int64).reshape(-1, 2)
+    links = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
+    expected = connected_components(links, directed=False)[1]
+    np.testing.assert_array_equal(connected(count, pairs), expected)
+
+
+def test_a_long_chain_in_disorder_is_one_group() -> None:
+    """A hundred thousand links, whose ends are numbered at random: no round for each of them."""
+    order = np.random.default_rng(1).permutation(100_000)
+    assert not connected(len(order), np.column_stack([order[1:], order[:-1]])).any()

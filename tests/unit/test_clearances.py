@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from gantline.checks.contacts import clearance_margin, of_capacity
-from gantline.checks.measure import Finding, Found, Missing, everywhere
+from gantline.checks.measure import Finding, Found, Missing
 from gantline.report.attitude import attitude
 from gantline.report.subject import Subject
+from gantline.results import series
 from gantline.results.clearances import clearance_events, contact_warnings, peak_support_force
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
@@ -97,12 +98,12 @@ def at_samples(found: Finding) -> Finding:
 
 def test_checks_hold_supports_against_capacity_and_pairs_against_their_distance() -> None:
     given = recording()
-    found = list(of_capacity(given, everywhere(given)))
+    found = list(of_capacity(given, series.everywhere(given)))
     assert [at_samples(one) for one in found] == [
         Found(1.2, "support.keel.1", 2.0, "120.0 kN / 100.0 kN"),
         Missing("support.keel.2", "no capacity"),
     ]
-    margins = clearance_margin(given, everywhere(given))
+    margins = clearance_margin(given, series.everywhere(given))
     assert [at_samples(one) for one in margins] == [
         Found(-1.0, "hull - wall", 2.0, "1.000 m - 2 m"),
         Found(0.0, "slings - hull", 3.0, "0.000 m - 0 m"),

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 from gantline.checks import values_of
 from gantline.checks.forces import sling_forces
-from gantline.checks.measure import everywhere
 from gantline.overrides import SettingError
+from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.skew import largest_skew, perfect_forces, skew_loads
 from gantline.scenario import parse_scenario
@@ -91,7 +91,7 @@ def test_a_formula_says_what_is_raised_to_the_design_weight() -> None:
     rig["loads"][0] |= {"simulated_mass": 300e3, "design_mass": 315e3}
     rig["factors"] = {"skew_load_factor": {"value": 1.25, "source": "rule"}}
     recording = at_rest(perfect, rig)
-    force = sling_forces(recording, everywhere(recording))["S1"]
+    force = sling_forces(recording, series.everywhere(recording))["S1"]
     assert force.static == pytest.approx(1.05 * 1.25 * perfect[0], rel=1e-9)
     plain = f"{perfect[0] / 1e3:.1f} kN"
     design = "x 1.05 to the design weight"

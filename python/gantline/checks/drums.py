@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.measure import everywhere
+from gantline.results import series
 from gantline.results.alike import first_peak
 from gantline.results.gear import Drum
 from gantline.results.recording import Recording
@@ -34,7 +34,7 @@ def _of_drum(recording: Recording, drum: Drum) -> Iterator[Check]:
             remark = f"turns at the start not known ('wraps_at_start'), of which {asked:g} have to stay"
             yield replace(check, verdict=Verdict.WARNING, remark=remark)
         return
-    during = everywhere(recording)
+    during = series.everywhere(recording)
     if asked is None or not during.any():
         return
     wraps = np.where(during, recording.column("drum_wraps", drum.name), np.inf)

@@ -17,13 +17,14 @@ from gantline.checks.forces import (
     raised_of_capacity,
     sum_force,
 )
-from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, everywhere, extreme
+from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
 from gantline.results.gear import Equalizer, Sling, Spreader
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
-from gantline.results.variable import BoolArray, FloatArray
+from gantline.results.travel import Way, ways
+from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
 
 #: Slings pull a frame that is held upright this far off plumb below its hook before a warning says so.
@@ -125,11 +126,11 @@ def _at_stop(recording: Recording, clear: BoolArray, sheave: str, time: float) -
     furthest = max(_travel(recording, clear), key=lambda one: one.value, default=None)
     if furthest is not None and furthest.value > 1.0:
         return furthest
-    ways = [way for way in _ways(recording) if way.sheave == sheave]
-    if not ways:
+    own = [way for way in ways(recording) if way.sheave == sheave]
+    if not own:
         return None
     around = _around(recording, time)
-    way = max(ways, key=lambda one: one.travel[around].max() / one.stroke)
+    way = max(own, key=lambda one: one.travel[around].max() / one.stroke)
     stroke = format_quantity(way.stroke, "m", 3)
     return Found(1.0, way.element, time, f"{stroke} / {stroke}")
 
@@ -213,8 +214,8 @@ def _past_stroke(recording: Recording) -> str:
     met = [one for one in stops_met(recording.events()) if one.joint in sheaves]
     if met:
         return ", ".join(f"{one.joint} met its stop at {one.time:.2f} s" for one in met)
-    everywhen = everywhere(recording)
-    past = [(found, way) for way in _ways(recording) for found in _one_way(recording, everywhen, way)]
+    everywhen = series.everywhere(recording)
+    past = [(found, way) for way in ways(recording) for found in _one_way(recording, everywhen, way)]
     furthest, way = max(past, key=lambda one: one[0].value, default=(None, None))
     if furthest is None or way is None or furthest.value <= 1.0:
         return ""
@@ -226,42 +227,12 @@ def _past_stroke(recording: Recording) -> str:
     return f"{place}: it would have met its stop, which is not simulated"
 
 
-@dataclass(frozen=True)
-class _Way:
-    """A moving sheave one way: its name, that way in a word, its travel and stroke that way [m].
-
-    `has_stop` tells whether a stop at the end of that stroke is simulated.
-    """
-
-    sheave: str
-    word: str
-    travel: FloatArray
-    stroke: float
-    has_stop: bool
-
-    @property
-    def element(self) -> str:
-        """Both in words."""
-        return f"{self.sheave} {self.word}"
-
-
-def _ways(recording: Recording) -> Iterator[_Way]:
-    # Sheaves of an approximated equalizer do not travel: a limit of travel says nothing about it.
-    for equalizer in (one for one in recording.rig.equalizers if one.mechanism == "sheaves"):
-        for sheave in equalizer.moving_sheaves:
-            travel = recording.column("sheave_travel", sheave)
-            if equalizer.travel_up:
-                yield _Way(sheave, "up", -travel, equalizer.travel_up, equalizer.stops)
-            if equalizer.travel_down:
-                yield _Way(sheave, "down", travel, equalizer.travel_down, equalizer.stops)
-
-
 def _travel(recording: Recording, during: BoolArray) -> Iterator[Found]:
-    for way in _ways(recording):
+    for way in ways(recording):
         yield from _one_way(recording, during, way)
 
 
-def _one_way(recording: Recording, during: BoolArray, way: _Way) -> Iterator[Found]:
+def _one_way(recording: Recording, during: BoolArray, way: Way) -> Iterator[Found]:
     def text(at: int) -> str:
         return f"{format_quantity(float(way.travel[at]), 'm', 3)} / {format_quantity(way.stroke, 'm', 3)}"
 

@@ -196,13 +196,6 @@ def to_either_side(
         yield from extreme(recording, np.abs(recording.column(variable, element)), during, element)
 
 
-def everywhere(recording: Recording) -> BoolArray:
-    """The mask of all samples that count, shape (time,): of an equilibrium the last one."""
-    if recording.is_equilibrium:
-        return series.last_sample(recording)
-    return np.ones(len(recording.time), dtype=np.bool_)
-
-
 def carrying(recording: Recording, rope: str, during: BoolArray) -> BoolArray:
     """Samples of a mask at which a rope carries enough for its direction to mean something, shape (time,)."""
     return during & series.is_carrying(recording.column("rope_tension", rope))

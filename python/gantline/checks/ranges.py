@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.measure import everywhere
+from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.units import format_quantity
 
@@ -20,7 +20,7 @@ def left_range(recording: Recording) -> list[Check]:
     goes as far as that takes, and no end stop holds what is driven.
     """
     checks = []
-    during = everywhere(recording)
+    during = series.everywhere(recording)
     for one in recording.rig.ranges:
         least, most = one.range
         place = recording.column("joint_position", one.joint)

@@ -15,7 +15,7 @@ from gantline.checks.ends import about_end_of_step, one_sample, second_half_of_h
 from gantline.checks.equalizers import held_upright
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import held_by_tag_lines, on_their_tip, run_through
-from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, everywhere, named
+from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, named
 from gantline.checks.overlaps import run_into
 from gantline.checks.plan import (
     came_down,
@@ -135,7 +135,7 @@ def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> d
     measure = LIMITS[name]
     pick = min if measure.at_least else max
     values: dict[str, float] = {}
-    during = everywhere(recording) if at is None else at
+    during = series.everywhere(recording) if at is None else at
     for found in measure.findings(recording, during) if during.any() else ():
         if isinstance(found, Found):
             values[found.element] = pick(found.value, values.get(found.element, found.value))
@@ -217,7 +217,7 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     source = (
         measure.definition if given is None else rig.limit_sources.get(key, str(rig.limits.get("rule", "")))
     )
-    found = _look(measure, recording, everywhere(recording))
+    found = _look(measure, recording, series.everywhere(recording))
     nothing = found.worst is None and not found.refused
     if nothing and given is None and not (found.missing and measure.is_listed):
         return None
@@ -333,7 +333,7 @@ def _never_clear(recording: Recording, measure: Measure) -> str:
     """Why there is no value of what counts while the load hangs clear, and would have one else."""
     if (
         not measure.when_clear
-        or _look(replace(measure, when_clear=False), recording, everywhere(recording)).worst is None
+        or _look(replace(measure, when_clear=False), recording, series.everywhere(recording)).worst is None
     ):
         return ""
     return "the load never came clear of its supports"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from gantline.results.equalising import equalising
 from gantline.results.gear import Equalizer
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
+from gantline.results.travel import Way, most_used, ways_of
 
 
 def equalizer_table(recording: Recording, equalizer: Equalizer) -> list[str]:
@@ -41,12 +42,10 @@ def equalizer_table(recording: Recording, equalizer: Equalizer) -> list[str]:
     rows += _equalising(recording, equalizer)
     rows += _pins(recording, equalizer)
     met = [one for one in stops_met(recording.events()) if one.joint in equalizer.moving_sheaves]
-    rows += [("stop met", f"{one.joint} at {show(one.time, 's', 2)}{again(one.times)}") for one in met]
-    rows += [
-        (f"travel used {way}", _travel(recording, equalizer, sign, stroke))
-        for way, sign, stroke in (("up", -1.0, equalizer.travel_up), ("down", 1.0, equalizer.travel_down))
-        if stroke and equalizer.moving_sheaves and equalizer.mechanism == "sheaves"
-    ]
+    rows += [("stop met", f"{one.joint} at {show(one.time, 's', 2)}{one.again}") for one in met]
+    for word in ("up", "down"):
+        own = list(ways_of(recording, equalizer, word))
+        rows += [(f"travel used {word}", _travel(recording, own))] if own else []
     return pairs(f"Equalizer {equalizer.name}", rows) if rows else []
 
 
@@ -78,11 +77,6 @@ def _pins(recording: Recording, equalizer: Equalizer) -> list[tuple[str, str]]:
     return [("locking pins", text)]
 
 
-def again(times: int) -> str:
-    """What is added to an event that came several times."""
-    return f", {times} times in all" if times > 1 else ""
-
-
 def of_breaking_force(recording: Recording, rope: str) -> str:
     """What share of its minimum breaking force a rope had to carry, if that is known."""
     share = upper_end.utilisation(recording, rope)
@@ -102,14 +96,14 @@ def _lengthening(recording: Recording, equalizer: Equalizer) -> Iterator[tuple[s
         yield title, f"{show(most, 'm', 3)} at most ({sling} at {show(time, 's', 2)}), not limited"
 
 
-def _travel(recording: Recording, equalizer: Equalizer, sign: float, stroke: float) -> str:
-    travel = {sheave: sign * recording.column("sheave_travel", sheave) for sheave in equalizer.moving_sheaves}
-    sheave = list(travel)[first_peak([float(one.max()) for one in travel.values()])]
-    furthest = max(0.0, float(travel[sheave].max()))
-    time = float(recording.time[first_peak(travel[sheave])])
-    text = f"{show(furthest / stroke, '%', 1)} of {show(stroke, 'm', 3)} ({sheave} at {show(time, 's', 2)})"
-    clear = series.is_clear(recording)
+def _travel(recording: Recording, own: Sequence[Way]) -> str:
+    """How much of one stroke the sheaves of an equalizer use, which are all that have it."""
+    stroke, clear = own[0].stroke, series.is_clear(recording)
+    way = own[first_peak([float(one.travel.max()) for one in own])]
+    used = most_used(own, series.everywhere(recording))
+    time = float(recording.time[first_peak(way.travel)])
+    text = f"{show(used, '%', 1)} of {show(stroke, 'm', 3)} ({way.sheave} at {show(time, 's', 2)})"
     if clear.any():
-        furthest = max(0.0, *(float(values[clear].max()) for values in travel.values()))
-        text += f", {show(furthest / stroke, '%', 1)} when clear"
-    return f"{text}, margin {show(stroke - furthest, 'mm', 0)}"
+        used = most_used(own, clear)
+        text += f", {show(used, '%', 1)} when clear"
+    return f"{text}, margin {show((1.0 - used) * stroke, 'mm', 0)}"

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from gantline.checks import Check, Verdict, values_of
+from gantline.checks.sling_figures import SlingFigures, sling_figures
 from gantline.cli.check_table import check_table
 from gantline.cli.equalizer_table import equalizer_table
 from gantline.cli.hold_points import hold_points
@@ -47,13 +48,14 @@ def summary(
     """
     rig = recording.rig
     metrics = recording.metrics()
+    slings = sling_figures(recording, rig.slings)
     parts = [
         heading(rig),
         _loads(recording),
-        cut(_slings(recording), _MOST_ROWS),
+        cut(_slings(slings), _MOST_ROWS),
         _parted(recording),
         _put_on(recording),
-        cut(_used(recording), _MOST_ROWS),
+        cut(_used(slings), _MOST_ROWS),
         *(equalizer_table(recording, equalizer) for equalizer in rig.equalizers),
         _hooks(recording),
         vessels(recording),
@@ -138,27 +140,19 @@ def _yaw(recording: Recording, load: Load) -> list[tuple[str, str]]:
     return [("yaw from the start", f"{show(most[0], 'deg', 2)} at most, at {show(most[1], 's', 2)}")]
 
 
-def _slings(recording: Recording) -> list[str]:
-    clear = series.is_clear(recording)
-    rows = []
-    for sling in recording.rig.slings:
-        tension = series.sling_tension(recording, sling)
-        static, window = series.greatest_static(recording, tension)
-        force, time = series.rope_peak(recording, sling.rope)
-        angle = series.sling_angle(recording, sling)
-        carrying = series.is_carrying(tension)
-        counts = clear & series.is_on(recording, sling.rope)
-        rows.append(
-            (
-                sling.name,
-                show(static, "kN", 1),
-                show(force, "kN", 1),
-                show(time, "s", 2),
-                show(float(tension[counts].min()) if counts.any() else None, "kN", 1),
-                show(series.static_value(recording, angle, window), "deg", 1),
-                show(float(angle[carrying].max()) if carrying.any() else None, "deg", 1),
-            )
+def _slings(figures: Sequence[SlingFigures]) -> list[str]:
+    rows = [
+        (
+            one.sling.name,
+            show(one.static, "kN", 1),
+            show(one.peak, "kN", 1),
+            show(one.peak_time, "s", 2),
+            show(one.least_clear, "kN", 1),
+            show(one.static_angle, "deg", 1),
+            show(one.largest_angle, "deg", 1),
         )
+        for one in figures
+    ]
     head = ("Sling", "static", "peak", "at", "least clear", "angle", "largest")
     return table(head, rows, "lrrrrrr") if rows else []
 
@@ -184,24 +178,18 @@ def _put_on(recording: Recording) -> list[str]:
     return table(("Put on", "at"), rows, "lr") if rows else []
 
 
-def _used(recording: Recording) -> list[str]:
+def _used(figures: Sequence[SlingFigures]) -> list[str]:
     """What each sling uses of its rope, shackles and lug."""
-    shackles = values_of(recording, "shackle_load_of_working_load_limit")
-    lugs = values_of(recording, "lug_load_of_capacity")
-    aside = values_of(recording, "lug_out_of_plane_angle")
-    rows = []
-    for sling in recording.rig.slings:
-        leads = [f"{of}.{lug}" for _, of, lug in sling.at_lugs()]
-        own = [shackles[name] for end in sling.shackles if (name := f"{sling.name} {end}") in shackles]
-        rows.append(
-            (
-                sling.name,
-                show(upper_end.utilisation(recording, sling.rope), "%", 1),
-                show(max(own, default=None), "%", 1),
-                show(max((lugs[lug] for lug in leads if lug in lugs), default=None), "%", 1),
-                show(max((aside[lug] for lug in leads if lug in aside), default=None), "deg", 1),
-            )
+    rows = [
+        (
+            one.sling.name,
+            show(one.of_breaking_force, "%", 1),
+            show(one.of_working_load_limit, "%", 1),
+            show(one.of_lug_capacity, "%", 1),
+            show(one.out_of_plane, "deg", 1),
         )
+        for one in figures
+    ]
     if not any(cell != ABSENT for row in rows for cell in row[1:]):
         return []
     head = (

@@ -196,7 +196,7 @@ def _sea(subject: Subject) -> list[tuple[str, str]]:
         ahead = axes(recording["body_orientation"].values[:1, body])[0, :, 0]
         heading = float(np.arctan2(ahead[1], ahead[0]))
         sides = [train.comes_from(heading) for train in sea.trains]
-        waves = recording.column("vessel_wave_elevation", vessel.name)
+        waves = recording.column("vessel_wave_elevation", vessel.name)[subject.counts]
         ends = f"{show(float(waves.min()), 'm', 2)} to {show(float(waves.max()), 'm', 2)} amidships"
         rows.append((f"waves at {vessel.name}", ", ".join([*dict.fromkeys(sides), ends])))
     seas = subject.beside.seas

@@ -22,7 +22,7 @@ def attitude(subject: Subject) -> list[tuple[str, str]]:
     if subject.rig.current is not None:
         rows.append(("current", subject.rig.current.in_words))
     lift_off = subject.metrics.get("lift_off_time")
-    if any(load.contacts for load in subject.rig.loads):
+    if any(load.contacts for load in subject.rig.loads) and not recording.is_equilibrium:
         rows.append(("lift-off", lift_off_in_words(recording, 1)))
     for load in subject.rig.loads:
         rows += _of_load(subject, load, lift_off)
@@ -42,7 +42,7 @@ def _wind(subject: Subject) -> list[tuple[str, str]]:
     rows = [("wind", wind.in_words)]
     if "wind_at_load" in recording and len(recording.time):
         for load in subject.rig.loads:
-            speed = recording.column("wind_at_load", load.name)
+            speed = recording.column("wind_at_load", load.name)[subject.counts]
             ends = f"{show(float(speed.min()), 'm/s', 1)} to {show(float(speed.max()), 'm/s', 1)}"
             rows.append((f"wind at {load.name}", ends))
     return rows
@@ -55,7 +55,7 @@ def _of_load(subject: Subject, load: Load, lift_off: float | None) -> list[tuple
     tilt = subject.peak(recording.column("load_tilt", load.name))
     place = recording.column("body_position", load.body)
     drift = load_drift(recording, load)
-    clear = series.load_is_clear(recording, load)
+    clear = series.load_is_clear(recording, load) & subject.counts
     rows = [("largest tilt", _peak(tilt) if tilt else ABSENT)]
     turned = series.load_yaw(recording, load)
     yaw = None if turned is None else subject.peak(np.abs(turned))
@@ -93,7 +93,8 @@ def _tag_lines(subject: Subject) -> list[tuple[str, str]]:
 def _swing_after_travel(subject: Subject, load: Load) -> tuple[str, float] | None:
     """Kind of the last step that traverses or travels, and the largest swing after it [m]; None without."""
     recording = subject.recording
-    if load.name not in recording.coordinates.get("load", ()) or "load_swing" not in recording:
+    swings = "load_swing" in recording and not recording.is_equilibrium
+    if not swings or load.name not in recording.coordinates.get("load", ()):
         return None
     goes = {step.step: step.kind for step in subject.rig.plan if step.kind in ("traverse", "travel")}
     ends = [(time, goes[name]) for time, _, name in recording.events("step_end") if name in goes]
@@ -114,6 +115,7 @@ def _clearance(subject: Subject) -> list[tuple[str, str]]:
     watched = {name: watched_during(recording, watch) for name, watch in watches.items()}
     keeps = np.array([watches[name].smallest if name in watches else 0.0 for name in pairs])
     during = np.stack([watched.get(name, np.ones(len(recording.time), bool)) for name in pairs], axis=1)
+    during &= subject.counts[:, np.newaxis]
     distance = np.where(during, recording["clearance"].values, np.inf)
     if not np.isfinite(distance).any():
         return []

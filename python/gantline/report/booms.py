@@ -38,14 +38,14 @@ def _reach(subject: Subject, boom: Boom) -> dict[str, str]:
     recording = subject.recording
 
     def of_hooks(variable: str) -> list[FloatArray]:
-        return [recording.column(variable, hook.name) for hook in boom.hooks]
+        return [recording.column(variable, hook.name)[subject.counts] for hook in boom.hooks]
 
     leads = {
         name: number(max((float(np.abs(one).max()) for one in of_hooks(name)), default=None), "deg", 2)
         for name in ("off_lead", "side_lead")
     }
     return {
-        "angle": _range([recording.column("boom_angle", boom.name)], "deg", 1),
+        "angle": _range([recording.column("boom_angle", boom.name)[subject.counts]], "deg", 1),
         "radius": _range(of_hooks("crane_radius"), "m", 1),
         **leads,
     }
@@ -64,15 +64,16 @@ def _rated(subject: Subject, chart: RatingChart | None) -> dict[str, str]:
     if chart is None:
         return nothing
     recording, gravity = subject.recording, subject.rig.gravity
-    if not chart_load(recording, chart, chart.hooks).any():
+    if not chart_load(recording, chart, chart.hooks)[subject.counts].any():
         return {**nothing, "hangs": "no load"}
     # One hook may carry a part of a row only: then it governs, and not the crane with all of the row.
     # Of hooks that share alike, to what nobody reads, the crane has the line.
     groups = rated_groups(chart)
-    most = {one: float(group_used(recording, chart, one).max()) for one in groups}
+    uses = {one: np.where(subject.counts, group_used(recording, chart, one), -np.inf) for one in groups}
+    most = {one: float(used.max()) for one, used in uses.items()}
     group = max(groups, key=most.__getitem__)
     group = groups[0] if most[group] <= _ALIKE * most[groups[0]] else group
-    used = group_used(recording, chart, group)
+    used = uses[group]
     load = chart_load(recording, chart, group.hooks)
     at = first_peak(used)
     places = chart_places(recording, chart, group.hooks)[at]
@@ -95,10 +96,14 @@ def _ground(subject: Subject, crane: Crawler | None) -> dict[str, str]:
     if crane is None:
         return {"pressure": ABSENT, "pressure_used": ABSENT, "tipping": ABSENT}
     recording = subject.recording
-    pressure = max(float(recording.column("ground_pressure", corner).max()) for corner in crane.corners)
+
+    def most(variable: str, name: str) -> float:
+        return float(recording.column(variable, name)[subject.counts].max())
+
+    pressure = max(most("ground_pressure", corner) for corner in crane.corners)
     used = pressure / crane.allowed_pressure if crane.allowed_pressure else None
     return {
         "pressure": number(pressure, "kPa", 0),
         "pressure_used": number(used, "%", 0),
-        "tipping": number(float(recording.column("tipping_utilisation", crane.name).max()), "%", 0),
+        "tipping": number(most("tipping_utilisation", crane.name), "%", 0),
     }

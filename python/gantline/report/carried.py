@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from gantline.checks import values_of
+from gantline.checks.sling_figures import SlingFigures, sling_figures
 from gantline.report.subject import ABSENT, Subject, as_given, number, show
 from gantline.results import series, upper_end
 from gantline.results.gear import Equalizer, Hook, Sling
 from gantline.results.parting import ATTACHED, PARTING, PLANNED, partings
+from gantline.results.travel import most_used, ways_of
 from gantline.results.variable import FloatArray
 
 #: Shares of the weight over at which a load cell is read.
@@ -23,7 +24,7 @@ _READ_OVER = 5.0
 def hook_row(subject: Subject, hook: Hook) -> dict[str, Any]:
     """Load-cell readings of a hook [t], its largest hoist load and what that is of its rated capacity."""
     load = subject.recording.column("hoist_load", hook.name)
-    highest = float(load.max())
+    highest = float(load[subject.counts].max())
     shares = values_of(subject.recording, "hoist_load_of_rated_capacity")
     own = {"trolley": ABSENT, "crane": ABSENT}
     for rating in subject.rig.ratings:
@@ -50,7 +51,7 @@ def _highest(subject: Subject, hook: Hook) -> float | None:
     recording = subject.recording
     if hook.name not in recording.coordinates.get("crane_hook", ()):
         return None
-    return float(recording.column("hook_height", hook.name).max())
+    return float(recording.column("hook_height", hook.name)[subject.counts].max())
 
 
 def _mass(subject: Subject, force: float | None) -> float | None:
@@ -126,49 +127,30 @@ def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
 
     slings = subject.rig.slings
     kept = {one.name for one in sorted(slings, key=used, reverse=True)[:most]}
-    worst = {
-        name: values_of(subject.recording, name)
-        for name in ("shackle_load_of_working_load_limit", "lug_load_of_capacity", "lug_out_of_plane_angle")
-    }
     return [
         {
-            **_sling(subject, one, *worst.values()),
-            "gone": ", ".join(told.get(one.rope, ())),
-            "is_parted": one.rope in parted,
+            **_sling(one),
+            "gone": ", ".join(told.get(one.sling.rope, ())),
+            "is_parted": one.sling.rope in parted,
         }
-        for one in slings
-        if one.name in kept
+        for one in sling_figures(subject.recording, (one for one in slings if one.name in kept))
     ]
 
 
-def _sling(
-    subject: Subject,
-    sling: Sling,
-    shackles: Mapping[str, float],
-    lugs: Mapping[str, float],
-    aside: Mapping[str, float],
-) -> dict[str, Any]:
-    recording = subject.recording
-    tension = series.sling_tension(recording, sling)
-    force, time = series.rope_peak(recording, sling.rope)
-    angle = series.sling_angle(recording, sling)
-    carrying = series.is_carrying(tension)
-    clear = subject.clear & series.is_on(recording, sling.rope)
-    own = [f"{of}.{lug}" for _, of, lug in sling.at_lugs()]
-    held = [shackles[name] for end in sling.shackles if (name := f"{sling.name} {end}") in shackles]
+def _sling(one: SlingFigures) -> dict[str, Any]:
     return {
-        "name": sling.name,
-        "lug": ", ".join(lug for _, _, lug in sling.at_lugs()) or ABSENT,
-        "length": number(sling.length, "m", 2),
-        "static": number(subject.static(tension), "kN", 0),
-        "peak": number(force, "kN", 0),
-        "time": number(time, "s", 1),
-        "least": number(float(tension[clear].min()) if clear.any() else None, "kN", 0),
-        "angle": number(float(angle[carrying].max()) if carrying.any() else None, "deg", 1),
-        "rope": number(upper_end.utilisation(recording, sling.rope), "%", 0),
-        "shackle": number(max(held, default=None), "%", 0),
-        "lug_used": number(max((lugs[one] for one in own if one in lugs), default=None), "%", 0),
-        "aside": number(max((aside[one] for one in own if one in aside), default=None), "deg", 1),
+        "name": one.sling.name,
+        "lug": ", ".join(lug for _, _, lug in one.sling.at_lugs()) or ABSENT,
+        "length": number(one.sling.length, "m", 2),
+        "static": number(one.static, "kN", 0),
+        "peak": number(one.peak, "kN", 0),
+        "time": number(one.peak_time, "s", 1),
+        "least": number(one.least_clear, "kN", 0),
+        "angle": number(one.largest_angle, "deg", 1),
+        "rope": number(one.of_breaking_force, "%", 0),
+        "shackle": number(one.of_working_load_limit, "%", 0),
+        "lug_used": number(one.of_lug_capacity, "%", 0),
+        "aside": number(one.out_of_plane, "deg", 1),
     }
 
 
@@ -177,18 +159,17 @@ def equalizer_row(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
     recording, clear = subject.recording, subject.clear
     spread = series.spread_when_clear(recording, equalizer) if equalizer.slings else None
 
-    def used(sign: float, stroke: float | None) -> str:
-        if not stroke or equalizer.mechanism != "sheaves" or not equalizer.moving_sheaves:
+    def used(word: str) -> str:
+        own = list(ways_of(recording, equalizer, word))
+        if not own:
             return ABSENT
-        travel = [sign * recording.column("sheave_travel", one) for one in equalizer.moving_sheaves]
-        during = clear if clear.any() else np.ones(len(recording.time), dtype=np.bool_)
-        furthest = max(0.0, *(float(one[during].max()) for one in travel))
-        return f"{show(furthest / stroke, '%', 0)} of {show(stroke, 'm', 2)}"
+        share = most_used(own, clear if clear.any() else subject.counts)
+        return f"{show(share, '%', 0)} of {show(own[0].stroke, 'm', 2)}"
 
     return {
         "name": equalizer.name,
-        "up": used(-1.0, equalizer.travel_up),
-        "down": used(1.0, equalizer.travel_down),
+        "up": used("up"),
+        "down": used("down"),
         "spread": show(spread, "%", 2),
         "pins": _pins(subject, equalizer),
     }

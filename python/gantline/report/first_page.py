@@ -9,7 +9,6 @@ import numpy as np
 
 from gantline.checks import NO_WARNINGS, Check, Verdict, foremost, outcome_of, past_limits
 from gantline.checks.forces import hook_force
-from gantline.checks.measure import everywhere
 from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.attitude import attitude
 from gantline.report.booms import boom_rows
@@ -209,8 +208,7 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
     if not rig.hooks:
         return rows
     hooks = [hook.name for hook in rig.hooks]
-    during = everywhere(subject.recording)
-    force = hook_force(subject.recording, hooks, "hook_load", during)
+    force = hook_force(subject.recording, hooks, "hook_load", subject.counts)
     if force.static is not None:
         designed = sum(load.design_mass or _simulated_mass(rig, load) for load in rig.loads)
         # Contingency raises rigging too that hangs between a load and its slings: so the sum adds up.
@@ -223,7 +221,7 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
         text = f"× dynamic amplification factor of the rule {factor.value:.2f}"
         rows.append((text, show(force.rule / rig.gravity, "t", 1)))
     hoisted = np.sum([subject.recording.column("hoist_load", hook) for hook in hooks], axis=0)
-    largest = float(hoisted.max())
+    largest = float(hoisted[subject.counts].max())
     # Of what one crane, with all hooks of the lift, is rated for with its hook blocks, or one hook alone.
     level = "crane" if any(rating.level == "crane" for rating in rig.ratings) else "hook"
     rated = [one for one in rig.ratings if one.level == level and set(one.hooks) == set(hooks)]
@@ -247,8 +245,7 @@ def stop_if(subject: Subject) -> list[str]:
     found = [f"{cell} differs by more than 10 % from its reading in the table “Hooks”"]
     found.append(_tilt(subject, limits.get("load_tilt")))
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
-        travel = limits.get("equalizer_travel_used")
-        found.append(f"travel is over {show(float(travel) if travel else 0.9, '%', 0)} of its stroke")
+        found.append(f"travel is over {show(subject.most_travel, '%', 0)} of its stroke")
     return [*found, *_waves(subject), *_wind(subject), *_current(subject)]
 
 
@@ -263,7 +260,8 @@ def _tilt(subject: Subject, limit: Any) -> str:
     if max(still, default=0.0) > _USUAL_TILT:
         stands = f"in which it hangs still at up to {show(max(still), 'deg', 1)}"
         return f"tilt is more than {usual} off the plan, {stands}"
-    most = max((float(recording.column("load_tilt", load.name).max()) for load in loads), default=0.0)
+    tilts = (recording.column("load_tilt", load.name)[subject.counts] for load in loads)
+    most = max((float(tilt.max()) for tilt in tilts), default=0.0)
     if most > _USUAL_TILT and any(step.turns for step in subject.rig.plan):
         return f"tilt is more than {usual} off the plan, in which it tilts by up to {show(most, 'deg', 1)}"
     return f"tilt is over {usual}"

@@ -16,6 +16,8 @@ from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
 ABSENT = "–"
+#: Share of its stroke that a moving sheave uses at most where no limit says otherwise [1].
+_USUAL_TRAVEL = 0.9
 #: Of a number; a dash between words has a blank behind it, one within a name a letter before it.
 _MINUS = re.compile(r"(?<!\S)-(?=\d)")
 
@@ -45,8 +47,8 @@ class Subject:
 
     @property
     def has_motion(self) -> bool:
-        """Whether there is more than one sample to plot."""
-        return len(self.recording.time) > 1
+        """Whether there are curves to plot; between the start of a lift at rest and that nobody looked."""
+        return len(self.recording.time) > 1 and not self.recording.is_equilibrium
 
     @cached_property
     def checks(self) -> list[Check]:
@@ -64,17 +66,28 @@ class Subject:
         return stability_of(self.recording)
 
     @cached_property
+    def counts(self) -> BoolArray:
+        """Samples that count: of a lift at rest the last one, for the one before is where it starts."""
+        return series.everywhere(self.recording)
+
+    @cached_property
     def clear(self) -> BoolArray:
-        """Samples at which nothing supports any load."""
-        return series.is_clear(self.recording)
+        """Those of them at which nothing supports any load."""
+        clear: BoolArray = series.is_clear(self.recording) & self.counts
+        return clear
+
+    @property
+    def most_travel(self) -> float:
+        """Share of its stroke that a moving sheave may use [1]: the lift's own limit, or the usual one."""
+        return float(self.rig.limits.get("equalizer_travel_used") or _USUAL_TRAVEL)
 
     def static(self, values: FloatArray) -> float | None:
         """Static value of a series, where it was largest; None if the lift has no quiet window."""
         return series.greatest_static(self.recording, values)[0]
 
-    def peak(self, values: FloatArray, during: BoolArray | None = None) -> tuple[float, float] | None:
-        """Largest sample and its time [s]."""
-        return series.peak(self.recording, values, during)
+    def peak(self, values: FloatArray) -> tuple[float, float] | None:
+        """Largest sample of those that count, and its time [s]."""
+        return series.peak(self.recording, values, self.counts)
 
     def step_at(self, time: float) -> str:
         """Names of the steps of the plan that go at a time [s], in one; empty where none does."""

@@ -68,7 +68,7 @@ def _equalizer(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
     if found is not None:
         facts.append(("time to equalise", f"{show(found.time, 's', 2)}, from {show(found.begin, 's', 2)} on"))
     met = [one for one in stops_met(recording.events()) if one.joint in equalizer.moving_sheaves]
-    facts += [("stop met", f"{one.joint} at {show(one.time, 's', 2)}, {one.times} times") for one in met]
+    facts += [("stop met", f"{one.joint} at {show(one.time, 's', 2)}{one.again}") for one in met]
     if equalizer.travel_up or equalizer.travel_down:
         facts.append(("stops", "simulated" if equalizer.stops else "not simulated"))
     return {"name": equalizer.name, "facts": facts, "sheaves": _sheaves(subject, equalizer)}
@@ -79,7 +79,7 @@ def _sheaves(subject: Subject, equalizer: Equalizer) -> list[dict[str, Any]]:
     if "sheave_travel" not in subject.recording or equalizer.mechanism != "sheaves":
         return []
     rows = []
-    during = subject.clear if subject.clear.any() else np.ones(len(subject.recording.time), dtype=np.bool_)
+    during = subject.clear if subject.clear.any() else subject.counts
     for name in equalizer.moving_sheaves:
         travel = subject.recording.column("sheave_travel", name)
         up, down = max(0.0, float(-travel[during].min())), max(0.0, float(travel[during].max()))
@@ -89,18 +89,18 @@ def _sheaves(subject: Subject, equalizer: Equalizer) -> list[dict[str, Any]]:
                 "end": show(float(travel[-1]), "m", 3),
                 "up": show(up, "m", 3),
                 "down": show(down, "m", 3),
-                "up_used": _used(up, equalizer.travel_up),
-                "down_used": _used(down, equalizer.travel_down),
+                "up_used": _used(subject, up, equalizer.travel_up),
+                "down_used": _used(subject, down, equalizer.travel_down),
             }
         )
     return rows
 
 
-def _used(travel: float, stroke: float | None) -> dict[str, Any] | None:
+def _used(subject: Subject, travel: float, stroke: float | None) -> dict[str, Any] | None:
     if not stroke:
         return None
     used = travel / stroke
-    tone = "bad" if used > 1.0 else "warn" if used > 0.9 else "good"
+    tone = "bad" if used > 1.0 else "warn" if used > subject.most_travel else "good"
     return {"text": show(used, "%", 0), "share": min(1.0, used), "tone": tone}
 
 
@@ -185,7 +185,9 @@ def _energy(value: float) -> str:
 
 
 def _accuracy(recording: Recording) -> Iterator[str]:
-    """What the method was told to keep, as far as the settings say."""
+    """What the method was told to keep, as far as the settings say; a lift at rest has made no step."""
+    if recording.is_equilibrium:
+        return
     settings = recording.attributes.get("settings") or {}
     integrator = settings.get("integrator") or {}
     method = integrator.get("type")

@@ -45,8 +45,10 @@ def equalising(recording: Recording, equalizer: Equalizer) -> Equalising | None:
 
     Returns:
         Its begin and end; None if it does not end equalised: a sling is slack or has parted, a pin is in, the
-        spread is not below the bound, or no sling hangs from it.
+        spread is not below the bound, or no sling hangs from it. None of a lift at rest, which took no time.
     """
+    if recording.is_equilibrium:
+        return None
     begins = [_taut_from(recording, rope) for rope in equalizer.slings]
     begins += [_out_from(recording, sheave) for sheave in equalizer.moving_sheaves]
     if not equalizer.slings or not len(recording.time) or None in begins:

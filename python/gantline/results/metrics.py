@@ -28,7 +28,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_tension_spread_when_clear` [1]: largest (max - min)/mean over one equalizer's slings while clear
 - `final_tension_spread` [1]: the same at the last sample
 - `time_to_equalise.<equalizer>` [s]: from when all its slings are taut and its pins out until its tension
-  spread stays below `Rig.equalised_below`; absent where it never does, see `gantline.results.equalising`
+  spread stays below `Rig.equalised_below`; absent where it never does and of a lift at rest, see
+  `gantline.results.equalising`
 - `peak_pin_force` [N]: largest magnitude of the force on any locking pin at any sample
 - `peak_sling_angle_from_vertical` [rad]: largest angle of a carrying sling from the vertical
 - `peak_fleet_angle` [rad]: largest angle of a carrying rope to the plane of a sheave
@@ -98,6 +99,7 @@ from gantline.results.parting import ATTACHED, DETACHED, PLANNED, partings
 from gantline.results.rating import chart_used
 from gantline.results.recording import Recording
 from gantline.results.skew import largest_skew
+from gantline.results.travel import most_used, ways
 
 #: Energy remainder up to which the balance counts as closed, by integrator. A fixed step of first order
 #: cannot do better than a thousandth; an error-controlled one does far better unless something is wrong.
@@ -343,17 +345,12 @@ def _crawlers(recording: Recording) -> Iterator[_Metric]:
 
 def _travel(recording: Recording) -> Iterator[_Metric]:
     clear = series.is_clear(recording)
-    for way, sign in (("up", -1.0), ("down", 1.0)):
-        used = [
-            np.maximum(0.0, sign * recording.column("sheave_travel", sheave)) / stroke
-            for equalizer in recording.rig.equalizers
-            for stroke in [equalizer.travel_up if way == "up" else equalizer.travel_down]
-            for sheave in equalizer.moving_sheaves
-            if stroke and equalizer.mechanism == "sheaves"
-        ]
-        yield f"travel_used_{way}", _largest(float(share.max()) for share in used)
-        if clear.any():
-            yield f"travel_used_{way}_when_clear", _largest(float(share[clear].max()) for share in used)
+    for word in ("up", "down"):
+        own = [way for way in ways(recording) if way.word == word]
+        if own:
+            yield f"travel_used_{word}", most_used(own, series.everywhere(recording))
+        if own and clear.any():
+            yield f"travel_used_{word}_when_clear", most_used(own, clear)
     for sheave in recording.coordinates.get("moving_sheave", ()):
         yield f"final_sheave_travel.{sheave}", float(recording.column("sheave_travel", sheave)[-1])
     for drum in recording.coordinates.get("counted_drum", ()):

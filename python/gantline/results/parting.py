@@ -54,6 +54,11 @@ class Met:
     time: float
     times: int
 
+    @property
+    def again(self) -> str:
+        """What is added where it came several times."""
+        return f", {self.times} times in all" if self.times > 1 else ""
+
 
 def partings(recording: Recording) -> list[Parting]:
     """Ropes that parted or were taken off, in order of time; one that is put on again may go again.

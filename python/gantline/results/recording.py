@@ -128,6 +128,7 @@ class Recording:
     def _repr_html_(self) -> str:
         """For notebooks: what was lifted, how long it is, how it ended, its warnings."""
         from gantline.html import facts_table
+        from gantline.results import series
         from gantline.results.alike import first_largest
         from gantline.units import format_quantity
 
@@ -137,8 +138,8 @@ class Recording:
             span = f"{self.time[0]:g} s to {self.time[-1]:g} s"
             rows.append(("time", f"{span}, {len(self.time)} samples"))
         slings = [sling.rope for sling in self.rig.slings]
-        if slings and "rope_tension" in self:
-            peaks = {rope: float(self.column("rope_tension", rope).max(initial=0.0)) for rope in slings}
+        if slings and "rope_tension" in self and len(self.time):
+            peaks = {rope: series.rope_peak(self, rope)[0] for rope in slings}
             rope = first_largest(peaks, lambda name: peaks[name], "kN") or slings[0]
             rows.append(("largest sling tension", f"{format_quantity(peaks[rope], 'kN', 1)} ({rope})"))
         rows += [("names", sizes), ("variables", ", ".join(self._variables))]

@@ -102,6 +102,13 @@ def last_sample(recording: Recording) -> BoolArray:
     return mask
 
 
+def everywhere(recording: Recording) -> BoolArray:
+    """The mask of all samples that count, shape (time,): of an equilibrium the last one."""
+    return (
+        last_sample(recording) if recording.is_equilibrium else np.ones(len(recording.time), dtype=np.bool_)
+    )
+
+
 def _no_sample(recording: Recording) -> BoolArray:
     return np.zeros(len(recording.time), dtype=np.bool_)
 
@@ -383,7 +390,7 @@ def is_loaded(recording: Recording, equalizer: Equalizer) -> BoolArray:
 
 def spread_when_clear(recording: Recording, equalizer: Equalizer) -> float | None:
     """Largest tension spread while the loads are clear and an equalizer is loaded [1]; None if never."""
-    counts = is_clear(recording) & is_loaded(recording, equalizer)
+    counts = everywhere(recording) & is_clear(recording) & is_loaded(recording, equalizer)
     return float(tension_spread(recording, equalizer)[counts].max()) if counts.any() else None
 
 

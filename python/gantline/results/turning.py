@@ -62,9 +62,10 @@ def at_tilts(recording: Recording, load: Load) -> list[AtTilt]:
         load: One of its loads.
 
     Returns:
-        In order of time; nothing of a load that is not turned.
+        In order of time; nothing of a load that is not turned, nor of a lift at rest: nobody looked at how it
+        came there.
     """
-    if not is_turned(recording, load):
+    if recording.is_equilibrium or not is_turned(recording, load):
         return []
     tilt = recording.column("load_tilt", load.name)
     passings = _passings(recording.time, tilt)

@@ -32,7 +32,7 @@ _MOST_HOOKS = 4
 
 def is_turned(recording: Recording, load: Load) -> bool:
     """Whether a load tilts by so much as it hangs clear that it is turned."""
-    clear = series.load_is_clear(recording, load)
+    clear = series.load_is_clear(recording, load) & series.everywhere(recording)
     return bool((recording.column("load_tilt", load.name)[clear] > TURNED_FROM).any())
 
 
@@ -47,7 +47,7 @@ def turning_in_words(recording: Recording, load: Load, *, in_t: bool) -> list[tu
     Returns:
         What, and how much, in words.
     """
-    during = series.load_is_clear(recording, load)
+    during = series.load_is_clear(recording, load) & series.everywhere(recording)
     tilt = recording.column("load_tilt", load.name)
 
     def row(what: str, hook: str, values: FloatArray, unit: str, digits: int) -> tuple[str, str]:
@@ -78,8 +78,10 @@ def kept_plumb_in_words(recording: Recording) -> list[tuple[str, str]]:
         recording: The recording.
 
     Returns:
-        What, and how much, in words.
+        What, and how much, in words; nothing of a lift at rest, which knows no way there.
     """
+    if recording.is_equilibrium:
+        return []
     during = spans(recording)
     farthest: dict[str, tuple[float, float, str]] = {}
     for step in recording.rig.plan:

@@ -86,6 +86,20 @@ class Line(Curve):
     points: Array
     points_per_span = 2
 
+    @property
+    def start(self) -> Array:
+        """See `Curve`; as it is given, without a sum."""
+        return np.asarray(self.points[0])
+
+    @property
+    def end(self) -> Array:
+        """See `Curve`."""
+        return np.asarray(self.points[-1])
+
+    def polyline(self, tolerance: float) -> Array:
+        """See `Curve`; its own points miss nothing."""
+        return self.points
+
     def evaluate(self, places: Array) -> tuple[Array, Array, Array]:
         """See `Curve`."""
         ways = np.diff(self.points, axis=0)[:, None, :]
@@ -303,9 +317,10 @@ def chained(curves: Sequence[Curve], tolerance: float) -> tuple[list[Curve], flo
 
 def _next(ends: Array, free: npt.NDArray[np.bool_], here: Array) -> tuple[int, int, float]:
     """The first of the nearest free curves: its number, its near end (0 start, 1 end), how far [m]."""
-    away = np.where(free[:, None], np.linalg.norm(ends - here, axis=2), np.inf)
-    index, side = divmod(int(np.argmin(away)), 2)
-    return index, side, float(away[index, side])
+    ways = ends - here
+    squares = np.where(free[:, None], np.einsum("nsk,nsk->ns", ways, ways), np.inf)
+    index, side = divmod(int(np.argmin(squares)), 2)
+    return index, side, math.sqrt(squares[index, side])
 
 
 def polyline(curves: Sequence[Curve], tolerance: float) -> Array:
