@@ -19,6 +19,7 @@ import gantline
 from gantline.export import gltf_binary
 from gantline.report import render_live, write_report
 from gantline.results import Recording
+from gantline.results.saved import Beside, SavedCase, SavedCases
 from gantline.viewer import BundleMissing, bundle
 from gantline.viewer.chromium import NAMES, chromium
 from gantline.viewer.decimate import frames
@@ -176,6 +177,10 @@ def test_report_and_player_in_a_browser(tmp_path: Path) -> None:
     long = tmp_path / "long.yaml"
     long.write_text(LONG_NAMES, encoding="utf-8")
     write_report(gantline.simulate(long), tmp_path / "long.html")
+    told = "cannot start: slings.S1: the sling is 4.35 m, but from 'hook' to 'hull.A' it is 4.531 m at the"
+    told += " start: it would be stretched by 4.16 %; lower the hook or make the sling longer"
+    cases = SavedCases("", False, [SavedCase("", 1, ()), SavedCase("hook_level", 4, (told,))], ())
+    write_report(recording, tmp_path / "cases.html", beside=Beside(cases=cases))
     (tmp_path / "lift.glb").write_bytes(gltf_binary(recording))
     (tmp_path / "watched.glb").write_bytes(gltf_binary(watched))
     (tmp_path / "expected.json").write_text(json.dumps(expected(recording)), encoding="utf-8")

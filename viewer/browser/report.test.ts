@@ -150,6 +150,20 @@ describe("the report", () => {
     expect(Math.max(...right)).toBeLessThanOrEqual(360);
   });
 
+  // Why a case is not sound stood in a column of a word in each line, which ran out of the page.
+  it("has what is said of cases on a phone", async () => {
+    const { page } = await open(browser, "cases.html", { width: 360, height: 740 });
+    const places = await page.evaluate(() =>
+      [...document.querySelectorAll(".cases tbody :is(th, td)")]
+        .map((one) => one.getBoundingClientRect())
+        .filter((one) => one.width > 0)
+        .map(({ right, height }) => ({ right, height })),
+    );
+    expect(places.length).toBe(7); // three figures of each of two cases, and what is said of one
+    expect(Math.max(...places.map((one) => one.right))).toBeLessThanOrEqual(360);
+    expect(Math.max(...places.map((one) => one.height))).toBeLessThan(150); // 160 letters in four lines or so
+  });
+
   // Names of slings in legends and of what lies upon each other ran out of the page, with the values beside them; the
   // list of ropes to pin was as wide as its longest name.
   it("fits a phone with long names too", async () => {

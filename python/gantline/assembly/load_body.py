@@ -250,6 +250,11 @@ def _of_the_file(model: CadModel, name: str) -> list[Doubt]:
     return [Doubt(_CAD, doubt) for doubt in doubts]
 
 
+def _share_more(ratio: float) -> str:
+    """How far a mass is from another by their ratio; nobody reads +104666666566.7 % of a slip."""
+    return f"{ratio:,.0f} times as much" if ratio >= 10.0 else f"{100 * (ratio - 1):+.1f} %"
+
+
 def _weighed(load: Load, own: MassProperties) -> tuple[MassProperties, list[Doubt]]:
     """Structure scaled to what the outfitting leaves of the weight, joined with the outfitting."""
     outfitting = [MassProperties.of_point(piece.mass, piece.at) for piece in load.outfitting]
@@ -259,7 +264,7 @@ def _weighed(load: Load, own: MassProperties) -> tuple[MassProperties, list[Doub
         without = " less outfitting" if outfitting else ""
         sentence = (
             f"the CAD file of the load weighs {_weight(own.mass)}, its calculated weight{without} is "
-            f"{_weight(steel)} ({100 * (own.mass / steel - 1):+.1f} %): masses are scaled to the weight"
+            f"{_weight(steel)} ({_share_more(own.mass / steel)}): masses are scaled to the weight"
         )
         doubts.append(Doubt(("load", "weight"), sentence))
     return MassProperties.combined([own.scaled_to(steel), *outfitting]), doubts

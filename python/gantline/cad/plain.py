@@ -55,7 +55,9 @@ def read_stl(data: bytes, most: int) -> TriangleMesh:
             f"it is a broken STL file: {count} triangles are announced, but there are bytes of {held}; "
             "export it anew, into a file of its own"
         )
-    return _soup(np.frombuffer(data, _BINARY, count, _HEAD)["corners"].astype(float), most)
+    with np.errstate(invalid="ignore"):  # what is no number is refused with the mesh
+        corners = np.frombuffer(data, _BINARY, count, _HEAD)["corners"].astype(float)
+    return _soup(corners, most)
 
 
 def _text_corners(data: bytes) -> npt.NDArray[np.float64]:

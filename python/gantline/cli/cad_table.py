@@ -24,7 +24,8 @@ def cad_table(model: CadModel, width: int, *, list_parts: bool = False) -> list[
         width: columns that a line may have.
         list_parts: whether every part has a line.
     """
-    lines = [model.name, f"{model.form}; {len(model.parts)} parts; lengths in {model.unit}", ""]
+    count = f"{len(model.parts)} part{'s' * (len(model.parts) != 1)}"
+    lines = [model.name, f"{model.form}; {count}; lengths in {model.unit}", ""]
     lines += [*_kinds(model), "", *_whole(model), ""]
     if list_parts:
         lines += [*_parts(model), ""]

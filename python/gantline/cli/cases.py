@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from gantline.cli.lift import Lift, Moment, folder_option, moment_of, output_folder, refuse_beyond
+from gantline.cli.lift import Lift, Moment, folder_in_use, folder_option, moment_of, refuse_beyond
 from gantline.cli.messages import (
     CHECK_FAILED,
     COULD_NOT_GO_ON,
@@ -53,8 +53,7 @@ def cases(
         if not scenario.cases:
             right = "cases: {heavy: {set: {load.weight.simulate: design}}}"
             stop(f"{scenario.source}: there are no 'cases' in this file; one is written like '{right}'")
-        folder = None if output is None else output_folder(output)
-        with telling("cases") as tell:
+        with folder_in_use(output) as folder, telling("cases") as tell:
             result = run_cases(scenario, moment, on_progress=tell)
     text = json.dumps(result.to_json(), indent=2, allow_nan=False)
     from gantline.cli.cases_table import cases_table, nothing_hangs

@@ -29,6 +29,7 @@ from gantline.plot.style import (
     widen,
 )
 from gantline.results import series
+from gantline.results.alike import without_rounding
 from gantline.results.common_time import CommonTime
 from gantline.results.comparison import Comparison, ForceComparison, MotionComparison
 from gantline.results.drift import load_drift
@@ -41,6 +42,9 @@ _T = TypeVar("_T")
 
 _MOST_CURVES = 8  # as many as there are colours
 _WIDE, _THIN = 3.0, 1.1
+# Size [SI] and name of units of differences.
+_MILLIMETRES = (1e-3, "mm")
+_DEGREES = (float(np.radians(1.0)), "deg")
 _PALE = 0.5  # share of white in a curve of A
 
 
@@ -109,12 +113,15 @@ def _forces(
         for force in shown
     }
     _over_each_other(panels[0], comparison, curves)
-    peak = max(max(force.peak_a.value, force.peak_b.value) for force in shown) / scale
+    peaks = {
+        names.get(force.name, force.name): max(force.peak_a.value, force.peak_b.value) for force in shown
+    }
+    peak = max(peaks.values()) / scale
     panels[0].set_ylim(0.0, 1.14 * peak if peak > 0.0 else 1.0)
     force_axis(panels[0], kind.label, unit)
     _legend(panels[0], list(curves), _left_out(len(shown), len(forces), kind.many))
-    differences = {name: common.difference(a, b) for name, (a, b) in curves.items()}
-    _difference_panel(panels[1], common, differences, f"B − A [{unit}]", unit)
+    differences = {name: scale * common.difference(a, b) for name, (a, b) in curves.items()}
+    _difference_panel(panels[1], common, differences, "B − A", (scale, unit), peaks)
     figure.align_ylabels(panels)
     return figure
 
@@ -136,7 +143,7 @@ def _load_motion(comparison: Comparison, load: MotionComparison) -> Figure:
         panel.set_ylabel(label)
         widen(panel, least_span)
         if quantity in (_drift, _tilt):
-            panel.set_ylim(bottom=0.0)
+            _from_zero(panel, float(max(a.max(), b.max())))
         few_ticks(panel)
     _legend(panels[0], [load.name], "")
     common = comparison.common
@@ -145,12 +152,15 @@ def _load_motion(comparison: Comparison, load: MotionComparison) -> Figure:
         (comparison.a.column(name, load.body), comparison.b.column(name, load.body_b))
         for name in ("body_position", "body_orientation")
     )
-    apart, turned = 1e3 * common.distance(*place), np.degrees(common.turn(*attitude))
-    _difference_panel(panels[4], common, {"": apart}, "A and B\napart [mm]", "mm")
-    _difference_panel(panels[5], common, {"": turned}, "A and B\nturned [deg]", "deg")
-    for panel, least in ((panels[4], 1e-3), (panels[5], 1e-4)):
+    apart, turned = common.distance(*place), common.turn(*attitude)
+    _difference_panel(panels[4], common, {"": apart}, "A and B\napart", _MILLIMETRES)
+    _difference_panel(panels[5], common, {"": turned}, "A and B\nturned", _DEGREES)
+    for panel, least, largest in (
+        (panels[4], 1e-3, apart.max() / _MILLIMETRES[0]),
+        (panels[5], 1e-4, turned.max() / _DEGREES[0]),
+    ):
         widen(panel, least)
-        panel.set_ylim(bottom=0.0)
+        _from_zero(panel, float(largest))
     figure.align_ylabels(panels)
     return figure
 
@@ -176,8 +186,8 @@ def _body_motion(comparison: Comparison) -> Figure | None:
     _over_each_other(panels[0], comparison, curves)
     panels[0].set_ylabel("Height above start [m]")
     _legend(panels[0], list(curves), _left_out(len(shown), len(moving), "bodies"))
-    differences = {name: 1e3 * common.difference(a, b) for name, (a, b) in curves.items()}
-    _difference_panel(panels[1], common, differences, "B − A [mm]", "mm")
+    differences = {name: common.difference(a, b) for name, (a, b) in curves.items()}
+    _difference_panel(panels[1], common, differences, "B − A", _MILLIMETRES)
     figure.align_ylabels(panels)
     return figure
 
@@ -264,27 +274,54 @@ def _written(value: float, sign: str = "") -> str:
     return f"{value:{sign},.0f}" if abs(value) >= 100.0 else f"{value:{sign}.3g}"
 
 
+def _from_zero(panel: Axes, largest: float) -> None:
+    """Begin a panel at zero, and leave room above its largest value: a constant one lay upon the edge."""
+    panel.set_ylim(0.0, max(panel.get_ylim()[1], 1.3 * largest))
+
+
 def _difference_panel(
-    panel: Axes, common: CommonTime, differences: dict[str, FloatArray], label: str, unit: str
+    panel: Axes,
+    common: CommonTime,
+    differences: Mapping[str, FloatArray],
+    label: str,
+    shown_in: tuple[float, str],
+    peaks: Mapping[str, float] | None = None,
 ) -> None:
-    """Differences over the common time, with the largest marked and said."""
-    widths = np.linspace(2.2, 1.0, len(differences)) if len(differences) > 1 else [1.3]
-    shades = [INK] if len(differences) == 1 else [colour(index) for index in range(len(differences))]
-    for values, width, shade in zip(differences.values(), widths, shades, strict=True):
+    """Differences over the common time, with the largest marked and said; what is rounding alone is zero.
+
+    Args:
+        panel: To draw upon.
+        common: The times.
+        differences: By name, SI, shape (common,).
+        label: Of the axis, without its unit.
+        shown_in: Size [SI] and name of the unit of the axis.
+        peaks: The largest values that were subtracted, by name [SI]; zero if not given, as the table has it.
+    """
+    size, unit = shown_in
+    kept = {
+        name: values / size
+        if without_rounding(float(np.abs(values).max()), (peaks or {}).get(name, 0.0), unit)
+        else np.zeros_like(values)
+        for name, values in differences.items()
+    }
+    widths = np.linspace(2.2, 1.0, len(kept)) if len(kept) > 1 else [1.3]
+    shades = [INK] if len(kept) == 1 else [colour(index) for index in range(len(kept))]
+    for values, width, shade in zip(kept.values(), widths, shades, strict=True):
         panel.plot(common.times, values, color=shade, linewidth=float(width))
-    name = max(differences, key=lambda one: float(np.abs(differences[one]).max()))
-    deviation = common.deviation(unit, differences[name])
-    panel.set_ylabel(label)
+    name = max(kept, key=lambda one: float(np.abs(kept[one]).max()))
+    deviation = common.deviation(unit, kept[name])
+    panel.set_ylabel(f"{label} [{unit}]")
     panel.margins(y=0.22)
     few_ticks(panel)
     if deviation.largest == 0.0:
         panel.set_ylim(-1.0, 1.0)
-        text = "no difference"
+        is_rounding = any(values.any() for values in differences.values())
+        text = "no difference but rounding" if is_rounding else "no difference"
     else:
         panel.plot([deviation.time], [deviation.largest], "o", color=INK, markersize=3.5, zorder=5)
         sign = "+" if "−" in label else ""  # distances and angles have none
         largest = _written(deviation.largest, sign).replace("-", "−")
-        where = f"{name}  " if len(differences) > 1 else ""
+        where = f"{name}  " if len(kept) > 1 else ""
         rms = _written(deviation.rms)
         text = f"largest: {where}{largest} {unit} at {deviation.time:.2f} s; rms {rms} {unit}"
     panel.annotate(

@@ -12,6 +12,7 @@ from typing import Self
 
 import numpy as np
 
+from gantline.results.alike import ROUNDING
 from gantline.results.rotation import angle_between
 from gantline.results.variable import FloatArray
 
@@ -99,13 +100,16 @@ class CommonTime:
         return angle_between(self.a(_continuous(orientation_a)), self.b(_continuous(orientation_b)))
 
     def deviation(self, unit: str, difference: FloatArray) -> Deviation:
-        """Mean square and largest value of a difference over the common times.
+        """Mean square and largest value of a difference over the common times, of those alike the first.
 
         Args:
             unit: SI unit of the difference.
             difference: Shape (common,).
         """
-        at = int(np.argmax(np.abs(difference)))
+        size = np.abs(difference)
+        at = int(np.argmax(size))
+        if np.isfinite(size[at]):
+            at = int(np.argmax(size >= (1.0 - ROUNDING) * size[at]))
         return Deviation(unit, self._rms(difference), float(difference[at]), float(self.times[at]))
 
     def _rms(self, values: FloatArray) -> float:

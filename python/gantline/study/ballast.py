@@ -255,6 +255,7 @@ class _Search:
         Raises:
             CannotBeError: If no contents do it.
         """
+        reached = True
         for found in range(_ROUNDS):
             missing = self._missing(self.now)
             left = (
@@ -272,7 +273,9 @@ class _Search:
             if not reached and float(np.abs(target - self._contents).max()) <= 1.0:
                 raise CannotBeError(f"the tanks cannot do it; {self._short_of()}")
             self._step(target, found + 1)
-        raise CannotBeError(f"no answer in {_ROUNDS} rounds; {self._short_of()}")
+        # Nearest contents may go on to others that are hardly nearer for as long as one looks.
+        why = f"no answer in {_ROUNDS} rounds" if reached else "the tanks cannot do it"
+        raise CannotBeError(f"{why}; {self._short_of()}")
 
     def _missing(self, one: Afloat) -> dict[str, float]:
         return {key: value - float(getattr(one.attitude, key)) for key, value in self._wanted.items()}

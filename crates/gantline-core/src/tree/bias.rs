@@ -7,7 +7,9 @@
 //! ȯ = ȯ_p + ω_p × r + Σ l_j v_j   ö = ö_p + α_p × r + ω_p × (ω_p × r) + 2 ω_p × Σ l_j v_j + Σ l_j v̇_j
 //! ```
 //!
-//! It holds for every joint type, since l_j is fixed in the parent and a_j in the parent or in the body.
+//! It holds for every joint type, since the l_j are fixed in the parent and the a_j all in the parent or all in
+//! the body: there Σ ȧ_j v_j = (ω_p + Σ a_j v_j) × Σ a_j v_j is ω_p × Σ a_j v_j too. One of each would leave
+//! v₁ v₂ a₁ × a₂.
 
 use glam::{DMat3, DVec3};
 

@@ -1,8 +1,9 @@
 //! The closed set of joints. Each type is one file that implements [`JointModel`].
 //!
 //! Velocity coordinates: one *column* per degree of freedom, the angular velocity and the velocity of
-//! the body's origin that one unit of it gives. Linear parts are fixed in the parent's axes and angular
-//! parts in the parent's or the body's, so one bias formula serves all types ([`super::bias`]).
+//! the body's origin that one unit of it gives. Linear parts are fixed in the parent's axes and the angular
+//! parts of a joint all in the parent's or all in the body's, so one bias formula serves all types
+//! ([`super::bias`]).
 
 use glam::DVec3;
 
