@@ -161,6 +161,8 @@ _TONS: Final = "a short ton is 0.9072 t, a long ton 1.016 t"
 
 _NUMBER: Final = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 _QUANTITY: Final = re.compile(rf"({_NUMBER})\s*(\S.*)?", re.ASCII)
+#: A number whose thousands are marked, or which has three digits behind a decimal comma; and what follows it.
+_GROUPED: Final = re.compile(r"([+-]?[0-9]{1,3})([, ])([0-9]{3}(?:\2[0-9]{3})*)\s*([^0-9\s,.].*)", re.ASCII)
 #: One of several quantities that are written as one, `1 min 30 s`.
 _PART: Final = re.compile(r"([0-9]+\.?[0-9]*)\s*([A-Za-z%]+)\s*", re.ASCII)
 #: A power without its sign, `m/s2`.
@@ -351,6 +353,12 @@ def _not_a_number(shown: str, dimension: str) -> str:
 
 
 def _wrong_unit(shown: str, number: float, unit: str, dimension: str) -> str:
+    if grouped := _GROUPED.fullmatch(shown.strip()):
+        first, mark, digits, rest = grouped.groups()
+        whole = f"'{first}{digits.replace(mark, '')} {rest}'"
+        is_either = mark == "," and len(digits) == 3
+        decimal = f", or decimals with a point, '{first}.{digits} {rest}'" if is_either else ""
+        return f"'{shown}': thousands are written without a mark, {whole}{decimal}"
     if re.match(r",[0-9]", unit):
         return f"'{shown}' has a decimal comma; a decimal point is needed: {example(dimension)}"
     if (several := _several(shown, dimension)) is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import subprocess
 import tomllib
@@ -204,6 +205,24 @@ def test_the_lock_satisfies_the_project_file() -> None:
         version = locked.get(canonicalize_name(item.name))
         assert version is not None, f"{item.name} is not locked: run `make lock`"
         assert item.specifier.contains(version, prereleases=True), f"{item} is locked at {version}"
+
+
+def test_every_dependency_has_a_line_in_the_architecture() -> None:
+    """By its own name, a scoped package of npm by the last part of it; stubs of types need none."""
+    project = toml("pyproject.toml")
+    asked = project["project"]["dependencies"] + project["project"]["optional-dependencies"]["cad"]
+    asked += [item for group in project["dependency-groups"].values() for item in group]
+    player = json.loads((ROOT / "viewer" / "package.json").read_text(encoding="utf-8"))
+    names = [*(Requirement(item).name for item in asked), *player["dependencies"], *player["devDependencies"]]
+    for manifest in ROOT.glob("crates/*/Cargo.toml"):
+        crate = tomllib.loads(manifest.read_text(encoding="utf-8"))
+        names += [*crate["dependencies"], *crate.get("dev-dependencies", {})]
+    text = (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8").split("## Dependencies")[1]
+    told = set(
+        re.findall(r"[\w.-]+", "".join(line.split("|")[1] for line in re.findall(r"^\|.*", text, re.M)))
+    )
+    of_others = [name for name in names if not name.startswith(("types-", "@types/", "gantline-"))]
+    assert {name.rpartition("/")[2] for name in of_others} - told == set()
 
 
 # --- lifts in the wheel --------------------------------------------------------------------------

@@ -58,18 +58,13 @@ impl Simulation {
         let until = until.unwrap_or(f64::INFINITY);
         let status = PyDict::new(py);
         loop {
-            let (pause, time) = {
+            let (pause, mut time) = {
                 let inner = &mut *self.inner(py)?;
                 (py.detach(|| run_for_a_while(inner, until, exact)), inner.time())
             };
             // Not locked here: the callback may ask for the step under way, or for the columns so far.
-            let goes_on = match &on_progress {
-                Some(callback) => {
-                    let answer = callback.call1((time,))?;
-                    answer.is_none() || answer.is_truthy()?
-                }
-                None => true,
-            };
+            let answer = on_progress.as_ref().map(|callback| callback.call1((time,))).transpose()?;
+            let goes_on = answer.filter(|said| !said.is_none()).map_or(Ok(true), |said| said.is_truthy())?;
             match pause {
                 Pause::Reached => status.set_item("status", "done")?,
                 Pause::Progress if goes_on => {
@@ -82,8 +77,7 @@ impl Simulation {
                     status.set_item("message", error.to_string())?;
                     status.set_item("element", error.element)?;
                     status.set_item("cause", error.cause)?;
-                    status.set_item("time", error.time)?;
-                    return Ok(status);
+                    time = error.time;
                 }
             }
             status.set_item("time", time)?;
@@ -241,4 +235,15 @@ fn array<'py>(py: Python<'py>, values: Vec<f64>, shape: &[usize]) -> PyResult<Bo
 mod _core {
     #[pymodule_export]
     use super::{Simulation, hull::Hull, statics::Statics};
+    use numpy::{PyArray1, PyArrayMethods};
+    use pyo3::prelude::*;
+
+    /// Looks numpy's functions up, which runs Python: a Ctrl-C that waits for that is an error here, and would be a
+    /// panic at the first array that the core hands out.
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.py().import("numpy")?;
+        PyArray1::<f64>::zeros(module.py(), 0, false).readonly();
+        Ok(())
+    }
 }

@@ -165,11 +165,8 @@ impl Statics {
         py: Python<'py>,
         parameters: Vec<(String, String)>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let wanted: Vec<Parameter> = parameters
-            .iter()
-            .map(|(kind, name)| self.inner.parameter(kind, name))
-            .collect::<Result<_, _>>()
-            .map_err(value_error)?;
+        let named = parameters.iter().map(|(kind, name)| self.inner.parameter(kind, name));
+        let wanted: Vec<Parameter> = named.collect::<Result<_, _>>().map_err(value_error)?;
         let found = py.detach(|| self.inner.sensitivities(&wanted)).map_err(no_equilibrium)?;
         let (ropes, bodies) = (self.inner.system().all_ropes(), self.inner.names().body.len());
         let answers = || found.iter().zip(&wanted);

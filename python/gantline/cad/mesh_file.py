@@ -191,10 +191,15 @@ def _too_many(path: Path) -> CadError:
 def _check_gltf(path: Path, kind: str, data: bytes) -> None:
     """Refuse what is no glTF, and what needs an extension that moves vertices: trimesh reads past it."""
     form = MESH_FORMATS["." + kind]
+    if kind == "glb" and not data.startswith(b"glTF"):
+        raise CadError(f"{path}: it is no {form} file: 'glTF' does not stand at its beginning")
     try:
         # A GLB file: twelve bytes, then length and kind of the first chunk, which is the document.
         text = data if kind == "gltf" else data[20 : 20 + int.from_bytes(data[12:16], "little")]
         document = json.loads(text)
+    except UnicodeDecodeError:
+        said = "its JSON is not UTF-8 text"
+        raise CadError(f"{path}: it is no {form} file, or a broken one: {said}") from None
     except ValueError as problem:
         raise CadError(f"{path}: it is no {form} file, or a broken one: {problem}") from None
     if not isinstance(document, dict) or "asset" not in document:

@@ -90,8 +90,8 @@ def _print_version(is_wanted: bool) -> None:
 
 
 @app.callback(
-    epilog="Exit codes: 0 done, 1 a check failed, 2 bad input, 3 the simulation could not go on, "
-    "4 no verdict."
+    epilog="Exit codes: 0 done, 1 a check failed, 2 bad input, 3 the simulation could not go on or there is "
+    "no equilibrium, 4 no verdict, 130 stopped by Ctrl-C."
 )
 def _gantline(
     context: typer.Context,

@@ -49,12 +49,14 @@ def ballast(
         Path | None,
         typer.Option(metavar="FILE", help="Write the lift file with these contents to a new file."),
     ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print all numbers as JSON, in SI units.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print all numbers as JSON, SI units.")] = False,
 ) -> None:
     """Find contents of tanks with which a vessel floats as wanted at a moment of the plan.
 
     Everything that hangs on the vessel then counts, exactly. Of all contents that do it those with the least
     water moved are found, and how the vessel floats with them before the lift.
+
+    Ends with code 3 where the tanks cannot do it.
     """
     moment = quantity_of("--at-time", at_time, "time")
     angles = {"--heel": quantity_of("--heel", heel, "angle"), "--trim": quantity_of("--trim", trim, "angle")}

@@ -39,7 +39,9 @@ def make_ship_block(
     longitudinal_spacing: Annotated[
         str, typer.Option(metavar="LENGTH", help="Between longitudinals.")
     ] = "0.9 m",
-    tween_decks: Annotated[int, typer.Option(help="Decks between inner bottom and uppermost deck.")] = 0,
+    tween_decks: Annotated[
+        int, typer.Option(metavar="N", help="Decks between inner bottom and uppermost deck.")
+    ] = 0,
 ) -> None:
     """Make a ship block: double bottom, sides, decks, web frames and pillars of a given size and mass.
 

@@ -27,7 +27,9 @@ def cases(
     variants: Annotated[
         bool, typer.Option("--variants", help="Show each variant of a case in a line of its own.")
     ] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print all numbers as JSON.")] = False,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print all numbers and checks as JSON, SI units.")
+    ] = False,
     output: Annotated[
         Path | None,
         folder_option(

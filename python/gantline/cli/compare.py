@@ -49,7 +49,10 @@ _SETTINGS: dict[str, str] = {
 _WRITTEN = ("a.nc", "b.nc", "a.state.bin", "b.state.bin", "comparison.json", "comparison.txt")
 _SWITCH = {"true": True, "false": False}
 
-_LIFT_HELP = "Lift file, its folder, the name of a lift that comes with gantline, or a recording (.nc)"
+_LIFT_HELP = (
+    "Lift file, its folder, the name of a lift that comes with gantline; or a recording (.nc), or a folder "
+    "that `gantline run` wrote"
+)
 _Changes = list[str] | None
 
 
@@ -99,8 +102,10 @@ def compare(
 
     Settings: integrator, step, tension_tolerance, position_tolerance, sample_interval, duration, paper and
     geometric_stiffness (true or false), adjusting_factor, and equalizers=locked, the lift without moving
-    sheaves. Each of --a, --b and --both may be given several times. Ctrl-C stops, saves what there is and
-    ends with code 130.
+    sheaves. Each of --a, --b and --both may be given several times.
+
+    Ends with code 3 if one of the two could not go on; verdicts do not change it. Ctrl-C stops, saves what
+    there is and ends with code 130.
     """
     if second is None and not (changes_a or changes_b):
         stop("nothing to compare: name a second lift, or change a setting of one side with --a or --b")

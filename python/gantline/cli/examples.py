@@ -17,7 +17,7 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
             "at another time, with what errors change",
         ),
         ("gantline statics mylift -o results/mylift", "for the report in that folder"),
-        ("gantline statics mylift --sweep 'slings.S1.length=23 m..23.1 m/5'", "over a length"),
+        ("gantline statics equalizer --sweep 'slings.S1.length=23 m..23.1 m/5'", "over a length"),
     ),
     "cases": (
         ("gantline cases goliath", "all cases of the lift file, and the worst of each element"),
@@ -34,7 +34,11 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
         ),
     ),
     "compare": (
-        ("gantline compare mechanisms mechanisms", "a lift with itself: no difference"),
+        (
+            "gantline compare equalizer --b integrator=del --b 'step=1 ms'",
+            "a lift with itself by another method",
+        ),
+        ("gantline compare mylift changed -o out", "two lifts"),
         ("gantline compare before.nc after.nc", "two recordings"),
     ),
     "check": (
@@ -56,8 +60,11 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
     ),
     "hydro": (("gantline hydro box:100m,30m,8m --kg '5 m'", "drafts, displacement, GM of a barge"),),
     "ballast": (
-        ("gantline ballast mylift --step 'hold point 6'", "even keel while the load hangs"),
-        ("gantline ballast mylift --draft '4.4 m' --tanks row1,row2", "with a draft, by two tanks"),
+        ("gantline ballast floating_crane --step 'hold point 6'", "even keel while the load hangs"),
+        (
+            "gantline ballast floating_crane --draft '4.4 m' --write ballasted.yaml",
+            "with a draft, into a new lift file",
+        ),
     ),
     "report": (
         ("gantline report results/mylift", "the report beside its recording, made anew"),
@@ -68,7 +75,10 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
         ("gantline export results/mylift lift.glb", "for Blender"),
         ("gantline export results/mylift t.csv --variable rope_tension", "for spreadsheets"),
     ),
-    "new": (("gantline new mylift --from equalizer", "a folder with a lift file to change"),),
+    "new": (
+        ("gantline new mylift", "a module on four slings, with comments, to change"),
+        ("gantline new mylift --from equalizer", "a folder with a lift file to change"),
+    ),
     "schema": (("gantline schema -o lift.schema.json", "for an editor"),),
     "doctor": (("gantline doctor", "what is installed here"),),
 }

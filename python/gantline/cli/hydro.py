@@ -94,7 +94,7 @@ def hydro(
             "--output", "-o", metavar="FILE", help="Picture of the curves, such as hull.png, .svg or .pdf."
         ),
     ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print all numbers as JSON, in SI units.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print all numbers as JSON, SI units.")] = False,
 ) -> None:
     """Print hydrostatics of a hull over its drafts, with righting arms where angles and --kg are given.
 

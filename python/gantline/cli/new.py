@@ -58,8 +58,10 @@ def new(
     files |= {folder / path.name: path.read_bytes() for path in beside}
     if folder.exists() and not folder.is_dir():
         stop(f"{folder}: is a file; the name of a folder is needed")
-    if (folder / FILE_NAME).exists():
-        stop(f"{folder / FILE_NAME}: exists already; nothing was written")
+    # The schema is gantline's own, and of this version once it is written anew.
+    for path in (folder / FILE_NAME, *(folder / path.name for path in beside)):
+        if path.exists():
+            stop(f"{path}: exists already; nothing was written")
     with writing(folder):
         folder.mkdir(parents=True, exist_ok=True)
         for path, content in files.items():

@@ -43,19 +43,38 @@ def run(
     ] = None,
     integrator: Annotated[
         str | None,
-        typer.Option(help="Method in place of that of the lift file: adaptive, del or explicit."),
+        typer.Option(
+            metavar="NAME",
+            help="Method: adaptive, del or explicit.  [default: that of the lift file]",
+        ),
     ] = None,
     step: Annotated[
-        str | None, typer.Option(metavar="TIME", help="Step of del or explicit, such as '1 ms'.")
+        str | None,
+        typer.Option(
+            metavar="TIME",
+            help="Step of del or explicit, such as '1 ms'.  [default: that of the lift file]",
+        ),
     ] = None,
     tension_tolerance: Annotated[
-        str | None, typer.Option(metavar="FORCE", help="Error of tensions in a step of adaptive: '50 N'.")
+        str | None,
+        typer.Option(
+            metavar="FORCE",
+            help="Error of tensions in a step of adaptive, such as '50 N'.  [default: that of the lift file, "
+            "else a ten-thousandth of the mean load of a rope]",
+        ),
     ] = None,
     sample_interval: Annotated[
-        str | None, typer.Option(metavar="TIME", help="Time between samples, such as '20 ms'.")
+        str | None,
+        typer.Option(
+            metavar="TIME",
+            help="Time between samples, such as '20 ms'.  [default: that of the lift file]",
+        ),
     ] = None,
     duration: Annotated[
-        str | None, typer.Option(metavar="TIME", help="Time to simulate, such as '40 s'.")
+        str | None,
+        typer.Option(
+            metavar="TIME", help="Time to simulate, such as '40 s'.  [default: that of the lift file]"
+        ),
     ] = None,
     plots: Annotated[bool, typer.Option("--plots/--no-plots", help="Draw pictures.")] = True,
     report: Annotated[
@@ -80,7 +99,8 @@ def run(
 ) -> None:
     """Simulate a lift; write its recording, pictures and report into a folder and print its table.
 
-    Ctrl-C stops the lift, saves what there is and ends with code 130.
+    Ends with code 1 if a check failed, with 3 if the simulation could not go on, and with 4 if the checks
+    give no verdict. Ctrl-C stops the lift, saves what there is and ends with code 130.
     """
     clock = _Clock()
     settings = {} if integrator is None else {"integrator": _typed("--integrator", integrator)}

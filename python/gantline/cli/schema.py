@@ -13,7 +13,8 @@ from gantline.replacing import replace_text
 
 def schema(
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="File to write instead of printing.")
+        Path | None,
+        typer.Option("--output", "-o", metavar="FILE", help="File to write instead of printing."),
     ] = None,
 ) -> None:
     """Print the JSON Schema of lift files, by which editors complete and check while typing."""

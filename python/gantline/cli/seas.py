@@ -68,15 +68,27 @@ def seas(
         ),
     ] = None,
     records: Annotated[
-        int, typer.Option(min=1, max=_MOST_RECORDS, help="Records of each sea, by the seeds after its own.")
+        int,
+        typer.Option(
+            metavar="NUMBER",
+            min=1,
+            max=_MOST_RECORDS,
+            help="Records of each sea, by the seeds after its own.",
+        ),
     ] = 1,
     duration: Annotated[
-        str | None, typer.Option(metavar="TIME", help="Time to simulate in each, such as '600 s'.")
+        str | None,
+        typer.Option(
+            metavar="TIME",
+            help="Time to simulate in each, such as '600 s'.  [default: that of the lift file]",
+        ),
     ] = None,
     every: Annotated[
         bool, typer.Option("--every", help="Run seas higher than the first in which the lift is no go, too.")
     ] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print all numbers as JSON.")] = False,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print all numbers and checks as JSON, SI units.")
+    ] = False,
     output: Annotated[
         Path | None,
         folder_option("Folder for all numbers as seas.json, and a picture; a report there shows them."),

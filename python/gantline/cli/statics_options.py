@@ -30,7 +30,7 @@ __all__ = [
     "refuse_unrelated",
 ]
 
-Modes = Annotated[int, typer.Option("--modes", min=0, help="How many natural motions to show.")]
+Modes = Annotated[int, typer.Option("--modes", metavar="N", min=0, help="How many natural motions to show.")]
 Sensitivities = Annotated[
     bool, typer.Option("--sensitivities", help="Show what lengths, stiffness and weight change.")
 ]

@@ -20,7 +20,7 @@ LARGE = 5_000_000
 
 def view(
     recording: Recorded,
-    port: Annotated[int, typer.Option(min=0, max=65535, help="Port; 0 takes a free one.")] = 0,
+    port: Annotated[int, typer.Option(metavar="N", min=0, max=65535, help="Port; 0 takes a free one.")] = 0,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open a browser.")] = True,
 ) -> None:
     """Show a recording in the browser of this machine, and again whenever it changes; Ctrl-C ends it.

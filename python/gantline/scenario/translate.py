@@ -17,18 +17,23 @@ __all__ = ["translate"]
 
 #: What people look for at another place of a lift file than where it is.
 _ELSEWHERE = {
+    "gravity": "it belongs to 'simulation': {gravity: 9.81 m/s^2}",
     "gusts": "gusts belong to 'wind': {speed: 10 m/s, direction: 0 deg, gusts: {speed: 14 m/s}}",
+    "title": "it belongs to 'lift': {title: Four slings lift a module}",
 }
 #: Keys by other words, which are not written like them; the first that may stand there is meant.
 _MEANT = {
     "active_heave_compensation": ("heave_compensation",),
+    "acceptance": ("limits",),
     "ahc": ("heave_compensation", "compensate_heave"),
     "buoyancy": ("displaced_volume",),
     "ca": ("added_mass",),
     "capacity": ("rated_capacity", "working_load_limit"),
     "cd": ("drag_coefficients",),
     "cog": ("centre_of_gravity",),
+    "criteria": ("limits",),
     "cs": ("slamming_coefficient",),
+    "dia": ("diameter",),
     "dimensions": ("shape",),
     "disconnect": ("detach",),
     "distance": ("by",),
@@ -42,15 +47,26 @@ _MEANT = {
     "hs": ("significant_height",),
     "in_step": ("from_step",),
     "height": ("to",),
+    "hook": ("from", "cranes"),
     "hook_on": ("attach",),
+    "hooks": ("cranes",),
     "inclination": ("load_tilt",),
+    "keel_blocks": ("supports",),
+    "lifting": ("hoist",),
+    "lifting_points": ("lugs",),
     "location": ("position", "at"),
-    "mass": ("weight",),
+    "lug": ("to",),
+    "mass": ("weight", "calculated"),
     "mbf": ("minimum_breaking_force",),
+    "mu": ("friction",),
+    "operations": ("plan",),
     "position": ("at",),
     "pitch": ("load_tilt", "trim"),
     "put_on": ("attach",),
     "radius": ("diameter", "pitch_diameter", "sheave_diameter"),
+    "schedule": ("plan",),
+    "sea": ("waves",),
+    "sequence": ("plan",),
     "size": ("shape",),
     "skl": ("skew_load_factor",),
     "slack": ("slings",),
@@ -66,8 +82,19 @@ _MEANT = {
     "weight": ("mass",),
     "wll": ("working_load_limit", "rated_capacity", "capacity"),
     # <!-- words: off -->
+    "barge": ("vessels",),
+    "barges": ("vessels",),
+    "cable": ("rope",),
+    "cables": ("ropes",),
     "mbl": ("minimum_breaking_force",),
+    "pad_eyes": ("lugs",),
+    "padeyes": ("lugs",),
+    "ship": ("vessels",),
+    "ships": ("vessels",),
     "swl": ("working_load_limit", "rated_capacity", "capacity"),
+    "wire": ("rope",),
+    "wire_ropes": ("ropes",),
+    "wires": ("ropes",),
     # <!-- words: on -->
 }
 _WET = "what water does to a load that is lowered into it stands under its 'in_water'"
@@ -202,15 +229,17 @@ def _unknown_key(key: str, parent: Any) -> str:
     if instead is not None:
         return f"'{shown}' is not a key of {parent.what}: {instead}"
     unused = [name for name in parent.allowed if name not in parent] or list(parent.allowed)
-    meant = next((name for name in _MEANT.get(key.lower(), ()) if name in unused), None)
+    other_words = [name for name in _MEANT.get(key.lower(), ()) if name in parent.allowed]
+    meant = next((name for name in other_words if name in unused), None)
     if meant is not None:
         return (
             f"'{shown}' is not a key of {parent.what}; did you mean '{meant}'{_BESIDE.get(key.lower(), '')}?"
         )
-    used = closest(key, [name for name in parent.allowed if name in parent])
-    is_used = used is not None and closest(key, unused) is None
-    likely = f"did you mean '{used}', which is there already?" if is_used else nearest(key, unused)
-    return f"'{shown}' is not a key of {parent.what}; {likely}"
+    # Of all: beside `cranes`, `crane` is that, and not what is left and written most alike, `cases`.
+    likely = closest(key, parent.allowed)
+    is_used = likely not in unused and likely is not None and not other_words
+    answer = f"did you mean '{likely}', which is there already?" if is_used else nearest(key, unused)
+    return f"'{shown}' is not a key of {parent.what}; {answer}"
 
 
 def _kind_of_thing(context: Mapping[str, Any], node: Any) -> str:

@@ -58,6 +58,15 @@ _NUMBERED: Final = re.compile(r"[ \t]+#[0-9]\w*")
 _NO_TEXT: Final = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
 #: With what a text of two bytes for each letter begins, of either order.
 _UTF_16: Final = (b"\xff\xfe", b"\xfe\xff")
+#: How files that people write lifts into begin, and are no text.
+_OTHER_KINDS: Final = {
+    b"PK\x03\x04": "a zip file, as spreadsheets and documents are",
+    b"\xd0\xcf\x11\xe0": "an older spreadsheet or document",
+    b"%PDF": "a PDF",
+    b"\x1f\x8b": "a gzip file",
+}
+#: Bytes that no text holds, in whatever code.
+_IN_NO_TEXT: Final = bytes({*range(32)} - set(b"\t\n\f\r\x1b"))
 #: With what a recording begins.
 _HDF5: Final = b"\x89HDF"
 _YAML_TAG: Final = "tag:yaml.org,2002:"
@@ -120,11 +129,16 @@ def read_text(path: Path, source: str) -> str:
     if len(content) > LARGEST_FILE:
         size = status.st_size / 1e6
         raise _whole(source, f"has {size:.1f} MB; a lift file has at most {LARGEST_FILE / 1e6:.0f} MB")
+    kind = next((what for begin, what in _OTHER_KINDS.items() if content.startswith(begin)), None)
+    if kind is not None:
+        raise _whole(source, f"is no lift file but {kind}; a lift file is plain text")
     if content.startswith(_UTF_16) or content[:2].count(0) == 1:
         raise _whole(source, "looks like UTF-16, two bytes for each letter; save the file as UTF-8")
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
+        if len(content.translate(None, _IN_NO_TEXT)) < len(content):
+            raise _whole(source, "is no text but a binary file; a lift file is plain text") from None
         raise ScenarioError(source, [_not_utf_8(content, error.start)]) from None
 
 

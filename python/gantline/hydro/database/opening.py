@@ -64,6 +64,9 @@ def checked_hdf5(path: Path) -> list[str]:
         DatabaseError: if something is.
     """
     names: list[str] = []
+    if not h5py.is_hdf5(path):
+        said = "it is no hydrodynamic database, or a broken one: it does not begin as HDF5 does"
+        raise DatabaseError(f"{path}: {said}")
     with h5py.File(path, "r") as file:
         _walk(path, file, "", names)
     return names
