@@ -23,6 +23,7 @@ from gantline.assembly.doubtful_lee import doubtful_lee
 from gantline.assembly.doubtful_rails import doubtful_rails
 from gantline.assembly.doubtful_sheaves import doubtful_sheaves
 from gantline.assembly.doubtful_stops import doubtful_stops
+from gantline.assembly.doubtful_strength import doubtful_strength
 from gantline.assembly.doubtful_turns import doubtful_turns
 from gantline.assembly.doubtful_vessels import doubtful_vessels
 from gantline.assembly.doubtful_waits import doubtful_waits
@@ -179,6 +180,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         *doubtful_gear(scenario, rigging),
         *doubtful_sheaves(scenario, rigging),
         *doubtful_drums(scenario),
+        *doubtful_strength(scenario, rigging),
         *doubtful_following(scenario, rigging),
     )
     return Assembly(

@@ -58,6 +58,9 @@ def _off(
         times = f"{diameter / thick:.0f} times its rope of {1e3 * thick:g} mm"
         wide = f"{name} has a diameter of {diameter:g} m, {times}"
         yield Doubt(at, f"{wide}; 16 to 30 times are usual, and a unit has slipped")
+    elif diameter < thick:
+        narrow = f"{name} has a diameter of {1e3 * diameter:g} mm, less than its rope of {1e3 * thick:g} mm"
+        yield Doubt(at, f"{narrow}; 16 to 30 times are usual, and a unit has slipped")
     if drum.layers > 1 and drum.layer_step is not None and drum.layer_step > _THICKEST * thick:
         steps = f"each layer of {name} adds {1e3 * drum.layer_step:g} mm to its radius"
         usual = "0.87 to 1 times that are usual, and a unit has slipped"

@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from gantline.cad.assumptions import STEEL
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Path
+from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.steps import LowerStep
 from gantline.units import format_by_size
 
@@ -21,6 +23,10 @@ _STEEL_DAMPING = "2 ms to 20 ms is usual for steel"
 _LEAST_STRETCH, _MOST_STRETCH = 0.002, 1.0
 #: Modulus of solid steel [Pa], EN 1993-1-1, 3.2.6: no rope is stiffer over its circle.
 _STEEL_MODULUS = 210e9
+#: Ropes of fibre weigh a tenth of a bar of steel as thick, none as much as that [1].
+_LIGHTEST_ROPE = 0.02
+#: What ropes break at over their circle [Pa]: compacted steel of grade 2160 some 1500 MPa, soft fibre 50 MPa.
+_WEAKEST_ROPE, _STRONGEST_ROPE = 5e6, 3e9
 #: Slings that stretch by this share under their part of the load are none [1]; those of nylon by a tenth.
 _MOST_OF_LENGTH = 0.2
 #: Shackles break at 4 to 6 times their limit; beyond this force and limit are not of one shackle [1].
@@ -62,6 +68,7 @@ def _ropes(scenario: Scenario) -> Iterator[Doubt]:
             pulls = "it pulls up to that long before it is taut, and hides how the lift rings"
             sentence = f"rope {name} has a damping time of {rope.damping_time:g} s: {pulls}; {_STEEL_DAMPING}"
             yield Doubt(("ropes", name), sentence)
+        yield from _of_its_diameter(name, rope)
         stiffness, force = rope.stiffness, rope.breaking_force
         solid = _STEEL_MODULUS * math.pi / 4 * (rope.diameter or math.inf) ** 2
         if stiffness is not None and stiffness > solid:
@@ -79,6 +86,24 @@ def _ropes(scenario: Scenario) -> Iterator[Doubt]:
             at = f"it would break at {_short(100.0 * stretch)} % of stretch"
             usual = "about 1.5 % is usual for steel; one of both has a wrong unit"
             yield Doubt(("ropes", name), f"rope {name} {figures}: {at}; {usual}")
+
+
+def _of_its_diameter(name: str, rope: RopeMaterial) -> Iterator[Doubt]:
+    """A mass or a strength that no rope of its diameter has."""
+    if rope.diameter is None:
+        return
+    thick, area = f"{_short(1e3 * rope.diameter)} mm", math.pi / 4 * rope.diameter**2
+    full = rope.mass_per_length / (STEEL * area)
+    if rope.mass_per_length > 0.0 and not _LIGHTEST_ROPE <= full <= 1.0:
+        figures = f"is {thick} thick and weighs {_short(rope.mass_per_length)} kg/m"
+        bar = f"a bar of solid steel has {_short(STEEL * area)} kg/m"
+        yield Doubt(("ropes", name), f"rope {name} {figures}: {bar}; one of both has a wrong unit")
+    force = rope.breaking_force
+    if force is not None and not _WEAKEST_ROPE <= force / area <= _STRONGEST_ROPE:
+        figures = f"is {thick} thick and breaks at {_force(force)}"
+        over = f"{_short(force / area / 1e6)} N/mm^2 over its circle"
+        usual = "ropes of steel have 500 to 1200, of fibre 100 to 1500"
+        yield Doubt(("ropes", name), f"rope {name} {figures}, {over}; {usual}: one of both has a wrong unit")
 
 
 def _soft_slings(scenario: Scenario) -> Iterator[Doubt]:
