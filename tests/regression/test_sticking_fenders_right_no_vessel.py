@@ -2,8 +2,8 @@
 
 The equilibria where a run begins and ends held friction, and a vessel that fenders hold to its neighbour
 heels with that: the cargo barge of `off_a_barge`, empty in the end, had a GM of 35.5 m, the crane barge
-of 26.1 m. A limit `metacentric_height` of 25 m was kept by both in a run, while `gantline statics` had 24.6 and 21.6 m
-and failed.
+of 26.1 m. A limit `metacentric_height` of 25 m was kept by both in a run, while `gantline statics` had
+24.6 and 21.6 m and failed.
 """
 
 from __future__ import annotations
