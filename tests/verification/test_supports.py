@@ -150,8 +150,8 @@ def test_a_load_leaves_a_support_at_its_edge(tmp_path: Path) -> None:
     done = adaptive(document, 4.5)
     left = done.events("off_support")
     assert [name for _, name in left] == [f"support.keel_blocks.1.{row}" for row in (1, 2, 3, 4)]
-    # Seen within 10 mm of the edge, at 1 m/s.
-    assert [time for time, _ in left] == pytest.approx([3.8] * 4, abs=0.011)
+    # Seen within 1 mm of the edge, at 1 m/s.
+    assert [time for time, _ in left] == pytest.approx([3.8] * 4, abs=0.0011)
 
 
 def document_of(folder: Path, given: dict[str, Any]) -> dict[str, Any]:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
 
 from gantline.results.rotation import axes
-from gantline.statics.answers import Equilibrium, NoEquilibriumError
+from gantline.statics.answers import Equilibrium, Losses, NoEquilibriumError
 from gantline.statics.inclining import metacentric_heights
 
 if TYPE_CHECKING:
@@ -24,6 +24,8 @@ Heights = dict[str, tuple[float, float]]
 #: How far from where it lies in a run a vessel may come to rest before it is asked what rights it there
 #: [rad]. One of GM = -6 mm with BM = 20 m comes to rest by sqrt(-2 GM/BM) = 1.4 deg.
 _ELSEWHERE = math.radians(1.0)
+#: What friction does where it is asked what rights vessels, in turn until they rest.
+_LOSSES: Final[tuple[Losses, ...]] = ("none", "held")
 
 
 def righting(question: Statics, rest: Equilibrium) -> Heights:
@@ -33,14 +35,19 @@ def righting(question: Statics, rest: Equilibrium) -> Heights:
         question: The lift.
         rest: Its equilibrium that was found last.
     """
+    try:
+        return _righting_of(question, rest)
+    except NoEquilibriumError:  # it answers to no push smoothly
+        return {}
+
+
+def _righting_of(question: Statics, rest: Equilibrium) -> Heights:
+    """The same, with an error where it answers to no push smoothly."""
     limits = question.scenario.limits
     is_limited = limits is not None and limits.metacentric_height is not None
     if not rest.recording.rig.vessels or (rest.is_stable and not is_limited):
         return {}
-    try:
-        heights = metacentric_heights(question, rest)
-    except NoEquilibriumError:  # it answers to no push smoothly
-        return {}
+    heights = metacentric_heights(question, rest)
     both = {name: (one.transverse, one.longitudinal) for name, one in heights.items()}
     return {
         name: found
@@ -51,10 +58,7 @@ def righting(question: Statics, rest: Equilibrium) -> Heights:
 
 def righting_at_start(question: Statics) -> Heights:
     """The same where a lift starts at rest."""
-    try:
-        return righting(question, question.equilibrium(0.0, losses="held"))
-    except NoEquilibriumError:
-        return {}
+    return _righting(question, lambda losses: question.equilibrium(0.0, losses=losses))
 
 
 def righting_at_end(
@@ -71,13 +75,28 @@ def righting_at_end(
         state: What it has saved there.
         attitudes: Of its vessels there by their bodies, world from body, shape (4,).
     """
-    try:
-        rest = question.equilibrium_of(state)
-        if rest.is_stable and _is_elsewhere(rest, attitudes):
-            rest = question.equilibrium(min(time, question.scenario.duration))
-        return righting(question, rest)
-    except NoEquilibriumError:
-        return {}
+
+    def rest(losses: Losses) -> Equilibrium:
+        found = question.equilibrium_of(state, losses=losses)
+        if found.is_stable and _is_elsewhere(found, attitudes):
+            return question.equilibrium(min(time, question.scenario.duration), losses=losses)
+        return found
+
+    return _righting(question, rest)
+
+
+def _righting(question: Statics, rest: Callable[[Losses], Equilibrium]) -> Heights:
+    """What rights vessels where they rest without friction, with it where nothing rests without.
+
+    Friction rights no vessel: one that fenders hold to its neighbour as long as they stick seems to have of
+    its neighbour's GM.
+    """
+    for losses in _LOSSES:
+        try:
+            return _righting_of(question, rest(losses))
+        except NoEquilibriumError:
+            continue
+    return {}
 
 
 def _is_elsewhere(rest: Equilibrium, attitudes: Mapping[str, npt.ArrayLike]) -> bool:

@@ -1,11 +1,17 @@
 //! The top of a support: a flat, level rectangle of the world, and the flat sides of a body that may lie on it.
 //!
 //! A side that lies flat over the middle of the top carries there, wherever the body has been moved; one that is steeper
-//! carries the nearer to the low rim of the top, for that is what it touches first. Where the edge of the
-//! side has come past that place it carries at the place of the edge that is nearest, until that has left the top: there the
-//! body leaves the support. Of several sides over a top the one that is lowest carries, so that a body that turns over an
-//! edge stands on the edge. Always it is a point of the body against the plane of the top, so the force is upright,
-//! however the body is tilted.
+//! carries at the rim, for the low rim of the top is what it touches first. Where the edge of the side has come past that
+//! place it carries on its edge, until that has left the top: there the body leaves the support. All of that is the least of one
+//! convex function over what of the body is upright over the top,
+//!
+//! ```text
+//! f = z + φ(x) + φ(y),  φ(x) = 0.2 |x| + 0.15 x²/h     z height of the body over the top, h half of its side
+//! ```
+//!
+//! as if the top were a little domed, with slopes of 0.2 beside its middle and of 0.5 at its rim. Its least is one place, and moves without
+//! jumps as the body turns and slides, from side to side by the edge between them too. It is always a point of the body against the plane
+//! of the top, so the force is upright, however the body is tilted.
 
 use glam::DVec3;
 
@@ -20,8 +26,6 @@ const LEAST_SLOPE: f64 = 0.5;
 /// A side that rises by less than the first of its length along the top carries in the middle of it, by more than the
 /// second at its rim: 11° and 27°.
 const RISES: [f64; 2] = [0.2, 0.5];
-/// How far from the middle the rim is, in half sides of the top: a little inside, so that rounding does not leave it.
-const RIM: f64 = 0.95;
 
 /// A support's top and the sides of a body.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,72 +50,116 @@ pub struct Side {
 impl Pad {
     /// Where the body at `pose` may lie on the top; the body is the first of the two, the world the second.
     pub fn spot(&self, pose: &Pose) -> Spot {
-        let mut lowest = (Spot::none(), f64::NEG_INFINITY);
+        let (mut found, mut least) = (Spot::none(), f64::INFINITY);
         for (number, side) in (1..).zip(&self.sides) {
-            let Some(point) = self.place(side, pose) else { continue };
-            let depth = self.top.depth(pose.point(point));
-            if depth > lowest.1 {
+            let Some((point, value)) = self.place(side, pose) else { continue };
+            if value < least {
+                least = value;
                 let plane = self.top;
-                let spot =
+                found =
                     Spot { is_near: true, is_swapped: false, point, plane, crossing: None, feature: number };
-                lowest = (spot, depth);
             }
         }
-        lowest.0
+        found
     }
 
-    /// The point [m] of a side of the body at `pose` that may lie on the top, in the frame of the body.
-    fn place(&self, side: &Side, pose: &Pose) -> Option<DVec3> {
+    /// The point [m] of a side of the body at `pose` that may lie on the top, in the frame of the body, and f there [m].
+    fn place(&self, side: &Side, pose: &Pose) -> Option<(DVec3, f64)> {
         let inwards = pose.rotation.transpose();
         let up = inwards * self.top.normal;
         let slope = side.face.normal.dot(up);
         if slope > -LEAST_SLOPE {
             return None;
         }
-        let mut target = self.top.point;
-        for (tangent, half) in self.top.tangents.into_iter().zip(self.half) {
-            // How fast the side rises along a side of the top.
-            let rise = -side.face.normal.dot(inwards * tangent) / slope;
-            target -= tangent * (rise.signum() * RIM * half * eased(rise.abs()));
-        }
-        // The place of the side that is upright over that of the top.
-        let target = inwards * (target - pose.position);
-        let above = target + up * (side.face.depth(target) / slope);
-        let nearest = clamped(&side.outline, side.face.along(above));
-        let [first, second] = side.face.tangents;
-        let point = side.face.point + first * nearest[0] + second * nearest[1];
-        let place = pose.point(point);
-        let [along, across] = self.top.along(place);
-        let is_off = along.abs() > self.half[0] || across.abs() > self.half[1];
-        let is_beside = self.top.depth(place) > DEEPEST * self.half[0].max(self.half[1]);
-        (!is_off && !is_beside).then_some(point)
+        // How high its plane is over the middle of the top, and how fast it rises along the sides of the top.
+        let height = side.face.depth(inwards * (self.top.point - pose.position)) / slope;
+        let rises = self.top.tangents.map(|tangent| -side.face.normal.dot(inwards * tangent) / slope);
+        let ([x, y], value) = self.least(rises, side, pose)?;
+        let above = height + rises[0] * x + rises[1] * y;
+        let is_beside = -above > DEEPEST * self.half[0].max(self.half[1]);
+        let [first, second] = self.top.tangents;
+        let place = self.top.point + first * x + second * y + self.top.normal * above;
+        (!is_beside).then(|| (inwards * (place - pose.position), height + value))
     }
-}
 
-/// From 0 to 1 between the two [`RISES`], with no kink at either.
-fn eased(rise: f64) -> f64 {
-    let share = ((rise - RISES[0]) / (RISES[1] - RISES[0])).clamp(0.0, 1.0);
-    share * share * (3.0 - 2.0 * share)
-}
-
-/// A point itself where it lies in a convex outline, else the point of the outline's edge that is nearest to it.
-fn clamped(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> [f64; 2] {
-    let (mut best, mut least) = ([x, y], f64::INFINITY);
-    let (mut left, mut right) = (false, false);
-    for (index, &[fx, fy]) in outline.iter().enumerate() {
-        let [tx, ty] = outline[(index + 1) % outline.len()];
-        let (dx, dy) = (tx - fx, ty - fy);
-        let side = dx * (y - fy) - dy * (x - fx);
-        left |= side > 0.0;
-        right |= side < 0.0;
-        let share = (((x - fx) * dx + (y - fy) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
-        let place = [fx + share * dx, fy + share * dy];
-        let distance = (place[0] - x).hypot(place[1] - y);
-        if distance < least {
-            (best, least) = (place, distance);
+    /// Where along the top [m] the side carries, and f there less its height over the middle [m].
+    fn least(&self, rises: [f64; 2], side: &Side, pose: &Pose) -> Option<([f64; 2], f64)> {
+        let corner = |index: usize| {
+            let [along, across] = side.outline[index % side.outline.len()];
+            let [first, second] = side.face.tangents;
+            self.top.along(pose.point(side.face.point + first * along + second * across))
+        };
+        let free = [0, 1].map(|axis| {
+            let share = (rises[axis].abs() - RISES[0]) / (RISES[1] - RISES[0]);
+            -rises[axis].signum() * self.half[axis] * share.clamp(0.0, 1.0)
+        });
+        let mut found: Option<([f64; 2], f64)> = None;
+        let (mut left, mut right) = (false, false);
+        for index in 0..side.outline.len() {
+            let (from, to) = (corner(index), corner(index + 1));
+            let turns = (to[0] - from[0]) * (free[1] - from[1]) - (to[1] - from[1]) * (free[0] - from[0]);
+            left |= turns > 0.0;
+            right |= turns < 0.0;
+            if let Some(on_edge) = self.least_along(rises, from, to)
+                && found.is_none_or(|(_, least)| on_edge.1 < least)
+            {
+                found = Some(on_edge);
+            }
         }
+        if left && right { found } else { Some((free, self.value(rises, free))) }
     }
-    if left && right { best } else { [x, y] }
+
+    /// The same on what is over the top of an edge from one corner to another, nothing where none of it is.
+    fn least_along(&self, rises: [f64; 2], from: [f64; 2], to: [f64; 2]) -> Option<([f64; 2], f64)> {
+        let way = [to[0] - from[0], to[1] - from[1]];
+        let at = |share: f64| [from[0] + share * way[0], from[1] + share * way[1]];
+        let mut ends = [0.0, 1.0];
+        // Where it comes past the middle of a side of the top, from which on f is another parabola.
+        let mut bends = [0.0, 0.0];
+        for axis in 0..2 {
+            if way[axis] == 0.0 {
+                if from[axis].abs() > self.half[axis] {
+                    return None;
+                }
+                continue;
+            }
+            let [one, other] = [-1.0, 1.0].map(|sign| (sign * self.half[axis] - from[axis]) / way[axis]);
+            ends = [f64::max(ends[0], one.min(other)), f64::min(ends[1], one.max(other))];
+            bends[axis] = -from[axis] / way[axis];
+        }
+        let [start, end] = ends;
+        if start > end {
+            return None;
+        }
+        let bends = bends.map(|bend| bend.clamp(start, end));
+        let knots = [start, bends[0].min(bends[1]), bends[0].max(bends[1]), end];
+        let mut found = (at(start), self.value(rises, at(start)));
+        for piece in knots.windows(2) {
+            let middle = 0.5 * (piece[0] + piece[1]);
+            let (mut slope, mut bend) = (0.0, 0.0);
+            for axis in 0..2 {
+                let curved = (RISES[1] - RISES[0]) / self.half[axis];
+                let place = at(middle)[axis];
+                slope += way[axis] * (rises[axis] + RISES[0] * place.signum() + curved * place);
+                bend += way[axis] * way[axis] * curved;
+            }
+            let lowest = at((middle - slope / bend).clamp(piece[0], piece[1]));
+            let value = self.value(rises, lowest);
+            if value < found.1 {
+                found = (lowest, value);
+            }
+        }
+        Some(found)
+    }
+
+    /// f less the height over the middle [m].
+    fn value(&self, rises: [f64; 2], place: [f64; 2]) -> f64 {
+        let parts = [0, 1].map(|axis| {
+            let (at, curved) = (place[axis], (RISES[1] - RISES[0]) / self.half[axis]);
+            rises[axis] * at + RISES[0] * at.abs() + 0.5 * curved * at * at
+        });
+        parts[0] + parts[1]
+    }
 }
 
 /// Directions of the sides of a top: `along` [world axes] made square to `normal`.
@@ -183,8 +231,8 @@ mod tests {
         // Turned by 30° its end is low; a point of the underside well inside of the edge is upright over the middle.
         let point = DVec3::new(0.5, 0.0, -1.0);
         let spot = pad().spot(&turned(30.0_f64.to_radians(), point, DVec3::ZERO));
-        // The rim is 0.285 m from the middle, along the side by 1/cos 30° of that.
-        let along = 0.285 / 30.0_f64.to_radians().cos();
+        // The rim is 0.3 m from the middle, along the side by 1/cos 30° of that.
+        let along = 0.3 / 30.0_f64.to_radians().cos();
         assert!(spot.is_near && (spot.point - point - DVec3::new(along, 0.0, 0.0)).length() < 1e-12);
         // Turned by 11° it is flat enough to lie in the middle.
         let spot = pad().spot(&turned(11.0_f64.to_radians(), point, DVec3::ZERO));
@@ -202,6 +250,34 @@ mod tests {
         let point = DVec3::new(2.0, 0.0, -0.6);
         let spot = pad().spot(&turned(std::f64::consts::FRAC_PI_2, point, DVec3::ZERO));
         assert!(spot.is_near && spot.feature == 2 && (spot.point - point).length() < 1e-12);
+    }
+
+    /// The underside at 45° as its edge slides over the rim, however the top is turned: the place follows the edge to the
+    /// last of it over the top, then stays where that was.
+    #[test]
+    fn nothing_jumps_as_an_edge_leaves_a_top_that_is_turned() {
+        let edge = DVec3::new(2.0, 0.0, -1.0);
+        for degrees in [0.0_f64, 5.0, 11.0, 20.0, 30.0, 45.0] {
+            let along = DVec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0);
+            let pad = Pad { top: top(DVec3::ZERO, DVec3::Z, along).unwrap(), ..pad() };
+            let place = |x: f64| {
+                let pose = turned(std::f64::consts::FRAC_PI_4, edge, DVec3::new(x, 0.0, 0.0));
+                let spot = pad.spot(&pose);
+                assert!(spot.is_near, "{degrees}°, {x} m");
+                pose.point(spot.point)
+            };
+            let mut before = place(-0.2);
+            for step in 1..8000 {
+                let after = place(-0.2 + 1e-4 * f64::from(step));
+                if after.z > 0.3 {
+                    break;
+                }
+                // Along the edge the place goes by cot of the angle as fast as the edge over a rim.
+                assert!((after.z - before.z).abs() < 2e-4, "{degrees}°: {before} to {after}");
+                assert!((after - before).length() < 3e-3, "{degrees}°: {before} to {after}");
+                before = after;
+            }
+        }
     }
 
     #[test]

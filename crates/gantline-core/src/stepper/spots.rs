@@ -29,7 +29,7 @@ const SAME_DEPTH: f64 = 1e-7;
 /// A point of a body on a support stays the same within this [m].
 const STAYS_ON_PAD: f64 = 2e-4;
 /// How far beyond the edge of a support a place that carries is seen to have left it [m].
-const EDGE: f64 = 1e-2;
+const EDGE: f64 = 1e-3;
 /// Cosine of the angle between normals that are the same.
 const ALIKE: f64 = 0.99;
 /// A spot between other features is still the same place within this [m].
