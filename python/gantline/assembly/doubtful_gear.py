@@ -23,8 +23,9 @@ _STEEL_DAMPING = "2 ms to 20 ms is usual for steel"
 _LEAST_STRETCH, _MOST_STRETCH = 0.002, 1.0
 #: Modulus of solid steel [Pa], EN 1993-1-1, 3.2.6: no rope is stiffer over its circle.
 _STEEL_MODULUS = 210e9
-#: Ropes of fibre weigh a tenth of a bar of steel as thick, none as much as that [1].
-_LIGHTEST_ROPE = 0.02
+#: Ropes of fibre weigh a tenth of a bar of steel as thick, none of steel as much as that [1]; chain, whose
+#: diameter is that of its bar of which two lie side by side, 3.3 to 3.6 times as much: 20 to 22 t/m times d².
+_LIGHTEST_ROPE, _HEAVIEST_ROPE = 0.02, 5.0
 #: What ropes break at over their circle [Pa]: compacted steel of grade 2160 some 1500 MPa, soft fibre 50 MPa.
 _WEAKEST_ROPE, _STRONGEST_ROPE = 5e6, 3e9
 #: Slings that stretch by this share under their part of the load are none [1]; those of nylon by a tenth.
@@ -94,7 +95,7 @@ def _of_its_diameter(name: str, rope: RopeMaterial) -> Iterator[Doubt]:
         return
     thick, area = f"{_short(1e3 * rope.diameter)} mm", math.pi / 4 * rope.diameter**2
     full = rope.mass_per_length / (STEEL * area)
-    if rope.mass_per_length > 0.0 and not _LIGHTEST_ROPE <= full <= 1.0:
+    if rope.mass_per_length > 0.0 and not _LIGHTEST_ROPE <= full <= _HEAVIEST_ROPE:
         figures = f"is {thick} thick and weighs {_short(rope.mass_per_length)} kg/m"
         bar = f"a bar of solid steel has {_short(STEEL * area)} kg/m"
         yield Doubt(("ropes", name), f"rope {name} {figures}: {bar}; one of both has a wrong unit")

@@ -21,10 +21,13 @@ __all__ = ["doubtful_strength"]
 _STRONGEST = 25e6
 #: The farthest that a crane reaches is some 200 m [m].
 _FARTHEST = 500.0
-#: The largest shackles have limits of 3000 t; each bears a thousand to three thousand times its own mass.
-_STRONGEST_SHACKLE, _OF_OWN_MASS = 5e6, 20e3
+#: The largest shackles have limits of 3000 t; those of steel bear a thousand to three thousand times their
+#: own mass, small ones of fibre fifty thousand times: 1.7 t by a loop of 6 mm HMPE, which weighs 30 g.
+_STRONGEST_SHACKLE, _OF_OWN_MASS = 5e6, 100e3
 #: Lugs and supports bear some of the load that they are made for; more than so often all of it is a slip [1].
 _TIMES_THE_LOAD = 100.0
+#: But small loads, as models in a laboratory, hang in what the shop has [kg].
+_FROM_THE_SHOP = 10e3
 #: No chart holds for a crane that leans, or falls that lead, by more [rad].
 _MOST_LEAN = math.radians(30.0)
 #: Hoists and trolleys do 2 m/s, cranes slew by 3 revolutions and luff by some ten degrees a minute.
@@ -54,22 +57,24 @@ _ANGLES = (
     "lug_out_of_plane_angle",
     "fleet_angle",
 )
-#: A distance that is kept and is less is no distance [m].
-_LEAST_KEPT = 5e-3
+#: A distance that is kept and is less is no distance [m]; of models, less than this share of the load's
+#: longest side [1].
+_LEAST_KEPT, _LEAST_OF_LOAD = 5e-3, 1e-3
 #: Moving sheaves travel by some metres [m].
 _FARTHEST_SHEAVE = 20.0
 #: Ground and supports come to rest within some ten milliseconds [s].
 _LONGEST_DAMPING = 1.0
 _SLIPPED = "a unit or digit has slipped"
-#: Share of a side of the load within which its centre of gravity is known, plus and minus [1].
-_LEAST_KNOWN = 0.5
+#: Share of a side of the load within which its centre of gravity is known, plus and minus [1]; of a thin
+#: panel a share of its longest side, since all margins of a weight report are often one.
+_LEAST_KNOWN, _OF_LONGEST = 0.5, 0.1
 
 
 def doubtful_strength(scenario: Scenario, rigging: Rigging) -> list[Doubt]:
     """Each strength, rating, speed and limit that hides what it should show."""
     found: list[Doubt] = []
     for path, element, key, value in _values(scenario, ()):
-        found += _of_value(path, element, key, value)
+        found += _of_value(path, element, key, value, _least_kept(scenario))
     return [
         *found,
         *_shackles(scenario),
@@ -105,7 +110,12 @@ def _below(
         yield path, element, key, value
 
 
-def _of_value(path: Path, element: Element, key: str, value: object) -> Iterator[Doubt]:
+def _least_kept(scenario: Scenario) -> float:
+    box = scenario.load.shape.box if scenario.load is not None else None
+    return _LEAST_KEPT if box is None else min(_LEAST_KEPT, _LEAST_OF_LOAD * max(box))
+
+
+def _of_value(path: Path, element: Element, key: str, value: object, least_kept: float) -> Iterator[Doubt]:
     most = max(value) if isinstance(value, tuple) and value and isinstance(value[0], float) else value
     if not isinstance(most, float):
         return
@@ -120,7 +130,7 @@ def _of_value(path: Path, element: Element, key: str, value: object) -> Iterator
         yield Doubt(path, f"{leans}: no chart holds so far, and a few degrees are usual; {_SLIPPED}")
     elif key == "spare_turns" and 0.0 < most < 1.0:
         yield Doubt(path, f"{most:g}: less than one turn holds no rope on its drum; 3 are usual")
-    elif key == "smallest" and path[0] == "watch" and 0.0 < most < _LEAST_KEPT:
+    elif key == "smallest" and path[0] == "watch" and 0.0 < most < least_kept:
         yield Doubt(path, f"{1e3 * most:g} mm: that is no distance to keep; {_SLIPPED}, mm for m")
     elif len(path) > 1 and (of := (str(path[-2]), key)) in _FASTEST:
         fastest, unit, usual = _FASTEST[of]
@@ -138,7 +148,7 @@ def _shackles(scenario: Scenario) -> Iterator[Doubt]:
             sentence = (
                 f"a shackle of {_mass(own)} that bears {_mass(limit)}, {limit / own:,.0f} times as much"
             )
-            yield Doubt(path, f"{sentence}; 500 to 3000 times are usual, and {_SLIPPED}")
+            yield Doubt(path, f"{sentence}; 500 to 3000 times are usual of steel, and {_SLIPPED}")
 
 
 def _beside_the_load(scenario: Scenario) -> Iterator[Doubt]:
@@ -150,7 +160,7 @@ def _beside_the_load(scenario: Scenario) -> Iterator[Doubt]:
         is_beside = path[0] in ("supports", "lug_types") or path[:2] == ("load", "lugs")
         if is_beside and key == "capacity" and isinstance(value, float):
             times = value / load.weight.design
-            if times > _TIMES_THE_LOAD:
+            if times > _TIMES_THE_LOAD and value > _FROM_THE_SHOP:
                 yield Doubt(path, f"{_mass(value)}: {times:.3g} times all of the load; {_SLIPPED}")
 
 
@@ -201,7 +211,7 @@ def _centre(scenario: Scenario) -> Iterator[Doubt]:
         return
     envelope = load.centre_of_gravity.envelope
     for axis, margin, side in zip("xyz", envelope, load.shape.box, strict=True):
-        if margin > _LEAST_KNOWN * side:
+        if margin > max(_LEAST_KNOWN * side, _OF_LONGEST * max(load.shape.box)):
             sentence = f"{margin:g} m to either side along {axis}, and the load is {side:g} m long there"
             yield Doubt(("load", "centre_of_gravity", "envelope"), f"{sentence}; {_SLIPPED}")
             return

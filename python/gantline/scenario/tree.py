@@ -52,6 +52,8 @@ _KEY_AND_VALUE: Final = re.compile(r"[a-z_]+ (?:\S+|[-+]?[0-9.]+ \S+)$")
 _THOUSANDS: Final = re.compile(r"[0-9]{3}(?![0-9])")
 #: What stands before such a comma, or a decimal one.
 _WHOLE: Final = re.compile(r"[+-]?[0-9]+")
+#: A text before a comma that is no number, and whose comma is therefore no decimal one.
+_IN_WORDS: Final = re.compile(r"[^\W\d_]{2}")
 #: A comment that YAML sees where a number may be meant: `Lift #3`.
 _NUMBERED: Final = re.compile(r"[ \t]+#[0-9]\w*")
 #: What the reader refuses as it stands comes by an escape of quoted text; no file can be written with it.
@@ -318,8 +320,8 @@ class _Builder:
                 is_known = _WHOLE.fullmatch(whole) is not None
                 right = f"{whole}{key}, or {whole}.{key}" if is_known else "26000 kg, or 26.5 m"
                 sentence += f" (a comma within a number? write {shorten(right)})"
-            elif key[:1].isdigit():  # `{length: 26,0 m}` is two keys to YAML
-                whole = self._before_the_comma(key)
+            elif key[:1].isdigit() and not _IN_WORDS.search(whole := self._before_the_comma(key)):
+                # `{length: 26,0 m}` is two keys to YAML, and so is `{title: Model, 1 to 50}`.
                 right = f"{whole}.{key}" if _WHOLE.fullmatch(whole) else "a point, such as 26.5 m"
                 sentence += f" (a decimal comma? write {shorten(right)})"
             else:
