@@ -109,7 +109,7 @@ def test_a_shackle_of_fibre_is_no_slip() -> None:
     [
         ("0.5 t", "4 mm", []),  # shackles and eyes from the shop bear 125 times the model
         ("0.5 t", "0.3 mm", ["0.3 mm: that is no distance to keep"]),
-        ("500 t", "4 mm", ["500 t: 1.25e+05 times all of the load"] * 4),
+        ("500 t", "4 mm", ["500 t: 125,000 times all of the load"] * 4),
     ],
 )
 def test_a_model_in_a_laboratory(tmp_path: Path, capacity: str, kept: str, told: list[str]) -> None:

@@ -161,7 +161,7 @@ def _beside_the_load(scenario: Scenario) -> Iterator[Doubt]:
         if is_beside and key == "capacity" and isinstance(value, float):
             times = value / load.weight.design
             if times > _TIMES_THE_LOAD and value > _FROM_THE_SHOP:
-                yield Doubt(path, f"{_mass(value)}: {times:.3g} times all of the load; {_SLIPPED}")
+                yield Doubt(path, f"{_mass(value)}: {times:,.0f} times all of the load; {_SLIPPED}")
 
 
 def _limits(scenario: Scenario) -> Iterator[Doubt]:
