@@ -74,7 +74,7 @@ def doubtful_strength(scenario: Scenario, rigging: Rigging) -> list[Doubt]:
     """Each strength, rating, speed and limit that hides what it should show."""
     found: list[Doubt] = []
     for path, element, key, value in _values(scenario, ()):
-        found += _of_value(path, element, key, value, _least_kept(scenario))
+        found += _of_value(path, element, key, value)
     return [
         *found,
         *_shackles(scenario),
@@ -82,6 +82,7 @@ def doubtful_strength(scenario: Scenario, rigging: Rigging) -> list[Doubt]:
         *_limits(scenario),
         *_travels(rigging),
         *_contacts(scenario),
+        *_distances(scenario),
         *_centre(scenario),
     ]
 
@@ -110,12 +111,7 @@ def _below(
         yield path, element, key, value
 
 
-def _least_kept(scenario: Scenario) -> float:
-    box = scenario.load.shape.box if scenario.load is not None else None
-    return _LEAST_KEPT if box is None else min(_LEAST_KEPT, _LEAST_OF_LOAD * max(box))
-
-
-def _of_value(path: Path, element: Element, key: str, value: object, least_kept: float) -> Iterator[Doubt]:
+def _of_value(path: Path, element: Element, key: str, value: object) -> Iterator[Doubt]:
     most = max(value) if isinstance(value, tuple) and value and isinstance(value[0], float) else value
     if not isinstance(most, float):
         return
@@ -130,8 +126,6 @@ def _of_value(path: Path, element: Element, key: str, value: object, least_kept:
         yield Doubt(path, f"{leans}: no chart holds so far, and a few degrees are usual; {_SLIPPED}")
     elif key == "spare_turns" and 0.0 < most < 1.0:
         yield Doubt(path, f"{most:g}: less than one turn holds no rope on its drum; 3 are usual")
-    elif key == "smallest" and path[0] == "watch" and 0.0 < most < least_kept:
-        yield Doubt(path, f"{1e3 * most:g} mm: that is no distance to keep; {_SLIPPED}, mm for m")
     elif len(path) > 1 and (of := (str(path[-2]), key)) in _FASTEST:
         fastest, unit, usual = _FASTEST[of]
         if most > fastest:
@@ -202,6 +196,16 @@ def _contacts(scenario: Scenario) -> Iterator[Doubt]:
         if damping is not None and stiffness is not None and damping > _LONGEST_DAMPING * stiffness:
             sentence = f"it is {damping / stiffness:.3g} s times its stiffness, and gives like dough"
             yield Doubt(path, f"{sentence}; 10 ms to 20 ms are usual, and {_SLIPPED}")
+
+
+def _distances(scenario: Scenario) -> Iterator[Doubt]:
+    """Distances of watched pairs that are as good as none."""
+    box = scenario.load.shape.box if scenario.load is not None else None
+    least = _LEAST_KEPT if box is None else min(_LEAST_KEPT, _LEAST_OF_LOAD * max(box))
+    for place, pair in enumerate(scenario.watch):
+        if 0.0 < pair.smallest < least:
+            sentence = f"{1e3 * pair.smallest:g} mm: that is no distance to keep; {_SLIPPED}, mm for m"
+            yield Doubt(("watch", place, "smallest"), sentence)
 
 
 def _centre(scenario: Scenario) -> Iterator[Doubt]:
