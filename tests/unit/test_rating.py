@@ -13,6 +13,7 @@ from pydantic import ValidationError
 from gantline.assembly import assemble
 from gantline.checks.check import Check, Verdict
 from gantline.checks.run import check_recording
+from gantline.results.rating import overloads
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
 from gantline.rule_data import several_cranes
@@ -157,14 +158,14 @@ def test_moments_at_which_a_chart_is_passed() -> None:
     """250 t carried out from 13 to 17 m in 4 s: 250 t are rated between 14 and 16 m, at 15.269 m."""
     chart = RatingChart("c1", "radius", RADII, RATED)
     time = np.arange(5.0)
-    out = (13.0 + time)[:, None]
+    out = 13.0 + time
     # Between samples on a line of the load less what is rated: -7 t at 15 m, 19 t at 16 m.
-    assert chart.overloads(time, np.full(5, 250 * T), out) == pytest.approx([2.0 + 7 / 26])
-    assert chart.overloads(time, np.full(5, 190 * T), out) == []
-    assert chart.overloads(time, np.full(5, 10 * T), out + 2.0) == pytest.approx(
-        [3 + 185 / 195]
-    )  # 19 m: outside
-    assert chart.overloads(time, np.zeros(5), out + 20.0) == []
+    rated = chart.rated_at(out)
+    assert overloads(time, np.full(5, 250 * T), rated) == pytest.approx([2.0 + 7 / 26])
+    assert overloads(time, np.full(5, 190 * T), rated) == []
+    outside = chart.rated_at(out + 2.0)  # at 19 m
+    assert overloads(time, np.full(5, 10 * T), outside) == pytest.approx([3 + 185 / 195])
+    assert overloads(time, np.zeros(5), chart.rated_at(out + 20.0)) == []
 
 
 def test_a_table_may_rise_or_fall() -> None:

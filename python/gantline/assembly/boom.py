@@ -161,7 +161,7 @@ def _weight_moment(parts: Parts, scenario: Scenario, placed: PlacedBoom) -> floa
         moments.append(_about_heel(parts, placed, centre, body["mass"] * plumb))
     for hook in placed.hooks:
         name = f"{placed.crane}.{hook}"
-        pin = parts.place(placed.name, (*scenario.hooks[name].place, 0.0))
+        pin = parts.place(placed.name, scenario.hooks[name].pin)
         moments.append(_about_heel(parts, placed, pin, mass_on(parts, name) * plumb))
     return math.fsum(moments)
 
@@ -192,12 +192,23 @@ def boom_shape(scenario: Scenario, body: str) -> Json | None:
 def _boom(placed: PlacedBoom) -> Json:
     length = placed.boom.length
     thick = _THICK * length
-    row = max(abs(hook.across) for hook in placed.hooks.values())
-    boxes = [
-        _box((length, max(placed.apart / 2, thick), thick), (length / 2, 0.0, 0.0)),
-        _box((thick, 2 * row + thick, thick), (length, 0.0, 0.0)),
-    ]
+    places: dict[tuple[float, float], float] = {(0.0, 0.0): 0.0}  # along and above: half of the row there
+    for hook in placed.hooks.values():
+        at = hook.along, hook.above
+        places[at] = max(places.get(at, 0.0), abs(hook.across))
+    boxes = [_box((length, max(placed.apart / 2, thick), thick), (length / 2, 0.0, 0.0))]
+    for (along, above), row in places.items():
+        boxes.append(_box((thick, 2 * row + thick, thick), (length + along, 0.0, above)))
+        boxes += _jib(length, along, above, thick)
     return {"type": "boxes", "boxes": boxes}
+
+
+def _jib(length: float, along: float, above: float, thick: float) -> list[Json]:
+    """What bears hooks beyond the head or beside the boom: a post square to it, and what goes on outwards."""
+    foot = length + min(along, 0.0)
+    post = _box((thick, thick, abs(above)), (foot, 0.0, above / 2))
+    arm = _box((along, thick, thick), (length + along / 2, 0.0, above))
+    return [*([post] if above else []), *([arm] if along > 0.0 else [])]
 
 
 def _platform(placed: PlacedBoom) -> list[Json]:

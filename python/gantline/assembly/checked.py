@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gantline.assembly.lifting import lifting_cranes
@@ -23,7 +23,7 @@ from gantline.rule_data import (
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.crane import FixedHook
 from gantline.scenario.goliath import Goliath
-from gantline.scenario.hooks import trolley_name
+from gantline.scenario.hooks import Hook, trolley_name
 from gantline.scenario.limits import Rules
 from gantline.scenario.reeving import hoist_drum
 
@@ -136,12 +136,22 @@ def rating_charts(scenario: Scenario) -> list[Json]:
                 "between": chart.between or "lines",
                 "includes_hook_block": crane.rating_includes_hook_block,
                 "hooks": [hook.name for hook in hooks],
+                **_apart(hooks),
                 "hook_shares": shares,
                 "hooks_share": chart.hooks_share,
                 **{key: getattr(chart, key) for key in ("heel", "trim", "off_lead", "side_lead")},
             }
         )
     return found
+
+
+def _apart(hooks: Sequence[Hook]) -> Json:
+    """Hooks by where on the boom they hang; nothing where all hang at one place."""
+    places: dict[tuple[float, float], list[str]] = {}
+    for hook in hooks:
+        along, _, above = hook.pin
+        places.setdefault((along, above), []).append(hook.name)
+    return {"apart": list(places.values())} if len(places) > 1 else {}
 
 
 def _rating(name: str, level: str, hooks: tuple[str, ...], rated: Any, gravity: float) -> Json:

@@ -76,7 +76,7 @@ class Commanded:
         if head is None or self.boom is None:
             return 0.0, 0.0
         angle, turning = Commanded(self.boom.name, "luff", self.boom).state(drive)
-        return head.rise(angle), head.length * math.cos(angle) * turning
+        return head.rise(angle), head.rate(angle) * turning
 
 
 def commanded(scenario: Scenario, text: str, motion: str | None) -> Commanded:

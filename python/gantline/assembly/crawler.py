@@ -100,15 +100,17 @@ def _stands(scenario: Scenario, name: str, crane: Crawler) -> tuple[float, float
     level, rise = math.cos(boom.angle), math.sin(boom.angle)
     pins = boom.heel_pins
     along = boom.centre_of_gravity * boom.length
-    hook_blocks = math.fsum(
-        hook.hook_block.mass for hook in scenario.hooks.values() if hook.crane == name and hook.hook_block
-    )
     lumps = [  # mass, ahead of the slewing axis, height
         (crane.base_mass + crane.central_ballast, 0.0, tracks.height / 2),
         (weight.mass, -weight.behind, weight.height),
         (boom.mass, pins.ahead + along * level, pins.height + along * rise),
-        (boom.head_gear + hook_blocks, pins.ahead + boom.length * level, pins.height + boom.length * rise),
+        (boom.head_gear, pins.ahead + boom.length * level, pins.height + boom.length * rise),
     ]
+    for hook in scenario.hooks.values():
+        if hook.crane == name and hook.hook_block is not None:
+            out, _, above = hook.pin
+            at = pins.ahead + out * level - above * rise, pins.height + out * rise + above * level
+            lumps.append((hook.hook_block.mass, *at))
     mass = math.fsum(lump for lump, _, _ in lumps)
     ahead = math.fsum(lump * at for lump, at, _ in lumps) / mass
     high = math.fsum(lump * at for lump, _, at in lumps) / mass

@@ -70,7 +70,7 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
             line = far - near
             assert scenario.load is not None  # it hangs between hooks
             towards = scenario.load.heading + math.atan2(line[1], line[0])
-            way = way_of(scenario, one, towards, (float(np.linalg.norm(line)), float(line[2])))
+            way = way_of(scenario, one, own, towards, (float(np.linalg.norm(line)), float(line[2])))
             if _others_beside(scenario, stage, step):
                 continue
             path = ("plan", scenario.plan.index(step))

@@ -75,7 +75,7 @@ def _way(scenario: Scenario, one: Mover, own: list[str]) -> Json:
     assert carriers[0] is not None  # what moves takes them along
     at = [0.0, 0.0, 0.0]
     if carriers[0].kind == "boom":
-        at[:2] = np.mean([scenario.hooks[name].place for name in own], axis=0).tolist()
+        at = np.mean([scenario.hooks[name].pin for name in own], axis=0).tolist()
     found: Json = {"carried": [carriers[0].name, at], "tackles": None}
     placed = next((boom for boom in scenario.booms.values() if boom.name == one.name), None)
     if placed is not None and placed.tackles is not None:

@@ -7,8 +7,10 @@ luffs, which lifts its hooks or lets them down as it does, and of one that slews
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+
+import numpy as np
 
 from gantline.scenario import Scenario
 from gantline.scenario.boom import FloatingCrane, PlacedBoom
@@ -63,7 +65,7 @@ class Slewing(Along):
     """An upper structure whose boom stands across the line of lugs, as it starts.
 
     Attributes:
-        radius: of the boom head [m].
+        radius: of what it takes along, from its axis [m].
         askew: angle of its way to the line of lugs [rad].
     """
 
@@ -87,13 +89,16 @@ class Slewing(Along):
 class Luffing(Along):
     """A boom over one end of the line of lugs.
 
+    Its angles are those of the line from the heel pins to where its hooks hang.
+
     Attributes:
-        length: of the boom [m].
+        length: of that line [m].
         start: its angle as the lift begins [rad].
         line: distance of the lugs [m].
         level: angle of the lugs as the lift begins [rad].
         side: share of its way that is along the line of lugs; positive where it luffs out as they rise.
-        range: least and largest angle of the boom [rad].
+        range: least and largest angle of that line [rad].
+        said_range: the same of the boom, as the lift file has it [rad].
     """
 
     length: float
@@ -102,6 +107,7 @@ class Luffing(Along):
     level: float
     side: float
     range: tuple[float, float]
+    said_range: tuple[float, float]
 
     def boom(self, angle: float) -> float:
         """Angle of the boom at which falls are plumb at an angle of the lugs; NaN beyond its reach [rad]."""
@@ -142,7 +148,7 @@ class Luffing(Along):
     @property
     def range_in_words(self) -> str:
         """Its range."""
-        return " to ".join(said("boom", end, "position") for end in self.range)
+        return " to ".join(said("boom", end, "position") for end in self.said_range)
 
 
 def first_angle(holds: Callable[[float], bool], low: float, high: float) -> float:
@@ -156,13 +162,14 @@ def first_angle(holds: Callable[[float], bool], low: float, high: float) -> floa
 
 
 def way_of(
-    scenario: Scenario, one: Mover, towards: float, line: tuple[float, float]
+    scenario: Scenario, one: Mover, hooks: Sequence[str], towards: float, line: tuple[float, float]
 ) -> Along | Luffing | Slewing:
     """How something goes along that keeps falls plumb, from where it is as the lift begins.
 
     Args:
         scenario: The lift.
         one: What goes along.
+        hooks: Its hooks whose falls it keeps plumb.
         towards: Direction of the line of lugs from its own hooks to the others, from world x [rad].
         line: Length of that line [m], and how much of that its other end is higher at first [m].
     """
@@ -173,14 +180,18 @@ def way_of(
         crane = (scenario.cranes or {}).get(one.name)
         return Along(crane.heading if isinstance(crane, Crawler) else math.pi / 2)
     boom, heading = placed.boom, _heading(scenario, placed)
+    along, _, above = np.mean([scenario.hooks[hook].pin for hook in hooks], axis=0)
+    length, turned = math.hypot(along, above), math.atan2(above, along)
     if one.kind == "upper":
-        radius = placed.heel[0] + boom.length * math.cos(boom.angle)
+        radius = placed.heel[0] + length * math.cos(boom.angle + turned)
         way = heading + math.pi / 2
         return Slewing(way, radius, math.remainder(towards - way, math.pi))
     assert one.range is not None  # what luffs has one
     level = math.asin(min(max(line[1] / line[0], -1.0), 1.0))
     side = math.cos(towards - heading)
-    return Luffing(heading, boom.length, boom.angle, line[0], level, side, one.range)
+    low, high = one.range
+    ends = low + turned, high + turned
+    return Luffing(heading, length, boom.angle + turned, line[0], level, side, ends, one.range)
 
 
 def _heading(scenario: Scenario, placed: PlacedBoom) -> float:

@@ -168,8 +168,7 @@ def _add_at_boom(parts: Parts, scenario: Scenario, hook: ReevedHook, boom: str, 
     The pin is parallel to the heel pins: in the boom's plane the sheave block turns into the line of its
     falls.
     """
-    along, across = hook.hook.place
-    pin = parts.place(boom, (along, across, 0.0))
+    pin = parts.place(boom, hook.hook.pin)
     axes = parts.pose(boom)[1]
     below, kind = _said(hook.reeving.below_head), (scenario.ropes or {})[hook.reeving.rope]
     lowest = pin[2] - below - hook.reeving.diameter(kind.diameter)
@@ -189,7 +188,7 @@ def _add_at_boom(parts: Parts, scenario: Scenario, hook: ReevedHook, boom: str, 
         upper_sheaves(hook.name),
         hinge | {"friction": 0.0, "drive": None, "stops": None},
         parent=boom,
-        position=(along, across, 0.0),
+        position=hook.hook.pin,
         mass=hung,
         centre_of_gravity=(0.0, 0.0, -below),
         inertia=inertia_list(solid_box(hung, (size, size, size))),

@@ -14,6 +14,7 @@ from gantline.checks.check import (
 )
 from gantline.checks.ends import end_of_step
 from gantline.checks.limits import LIMITS
+from gantline.checks.ratings import shown_places
 from gantline.checks.readings import HoldPoint, HookReading, hold_points, hook_readings
 from gantline.checks.run import NO_WARNINGS, check_recording, values_of
 
@@ -35,6 +36,7 @@ __all__ = [
     "hook_readings",
     "outcome_of",
     "past_limits",
+    "shown_places",
     "values_of",
     "verdict_of",
 ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -11,7 +11,15 @@ import numpy as np
 from gantline.checks.forces import UNRAISED, Force, factor, hook_force, kilonewton
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
-from gantline.results.rating import RatedGroup, bears, chart_load, chart_places, rated_groups, rated_load
+from gantline.results.rating import (
+    RatedGroup,
+    at_one_place,
+    bears,
+    chart_load,
+    chart_places,
+    rated_groups,
+    rated_load,
+)
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
@@ -105,7 +113,7 @@ def _of_row(
     def text(at: int) -> str:
         raised = f" x {kept:.4g}" if kept > 1 else ""
         of_row = f"{share * 100:.4g} % of " if share < 1 else ""
-        row = f"{of_row}{kilonewton(rated[at] / share)} at {_shown(chart, _worst(chart, places[at]))}"
+        row = f"{of_row}{kilonewton(rated[at] / share)} at {shown_places(chart, hooks, places[at])}"
         return f"{kilonewton(load[at])}{raised} / {row}"
 
     for found in extreme(recording, used, loaded, element, text):
@@ -147,7 +155,7 @@ def _by_rule(
         text = f"{force.rule_text if force.rule is not None else force.static_text}"
         raised = f" x {kept:.4g}" if kept > 1 else ""
         names = (*force.factors, *((SEVERAL,) if kept > 1 else ()))
-        where = "" if window[at] else f" at {_shown(chart, _worst(chart, places[at]))}"
+        where = "" if window[at] else f" at {shown_places(chart, hooks, places[at])}"
         yield Found(
             kept * still / least, element, None, f"({text}){raised} / {kilonewton(least)}{where}", names
         )
@@ -163,9 +171,20 @@ def _hangs(recording: Recording, chart: RatingChart, hooks: tuple[str, ...]) -> 
     return hanging
 
 
-def _worst(chart: RatingChart, places: FloatArray) -> float:
-    """Of some places that with the least rated load."""
-    return float(places[int(np.argmin(chart.rated_at(places)))])
+def shown_places(chart: RatingChart, hooks: Sequence[str], places: FloatArray, digits: int = 2) -> str:
+    """Where hooks are, of those at one place of the boom that with the least rated load.
+
+    Args:
+        chart: Their chart.
+        hooks: The hooks.
+        places: As `chart_places` has them at one moment, shape (hooks or 1,).
+        digits: Of a radius or angle.
+    """
+    worst = []
+    for several in at_one_place(chart, hooks):
+        own = places if chart.over == "angle" else places[[hooks.index(hook) for hook in several]]
+        worst.append(_shown(chart, float(own[int(np.argmin(chart.rated_at(own)))]), digits))
+    return " and ".join(worst)
 
 
 def _outside(recording: Recording, chart: RatingChart, places: FloatArray, outside: BoolArray) -> str:
@@ -176,10 +195,8 @@ def _outside(recording: Recording, chart: RatingChart, places: FloatArray, outsi
     return f"{chart.over} of {_shown(chart, place)} {when} is outside of the chart, {rows}: no lift"
 
 
-def _shown(chart: RatingChart, place: float) -> str:
-    if chart.over == "angle":
-        return format_quantity(place, "deg", 2)
-    return format_quantity(place, "m", 2)
+def _shown(chart: RatingChart, place: float, digits: int = 2) -> str:
+    return format_quantity(place, "deg" if chart.over == "angle" else "m", digits)
 
 
 def beyond_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from gantline.checks import values_of
-from gantline.report.subject import ABSENT, Subject, number, show
+from gantline.checks import shown_places, values_of
+from gantline.report.subject import ABSENT, Subject, number, typeset
 from gantline.results.alike import first_peak
 from gantline.results.boom import Boom
 from gantline.results.crawler import Crawler
-from gantline.results.rating import chart_load, chart_places, group_used, rated_groups
+from gantline.results.rating import chart_load, chart_places, group_used, rated_groups, rated_load
 from gantline.results.rating_chart import RatingChart
 from gantline.results.variable import FloatArray
 
@@ -77,16 +77,14 @@ def _rated(subject: Subject, chart: RatingChart | None) -> dict[str, str]:
     load = chart_load(recording, chart, group.hooks)
     at = first_peak(used)
     places = chart_places(recording, chart, group.hooks)[at]
-    rated = chart.rated_at(places)
-    place = float(places[int(np.argmin(rated))])
+    rated = float(rated_load(recording, chart, group)[at])
     values = values_of(recording, "hoist_load_of_rating")
     checked = [values[one.element] for one in groups if one.element in values]
-    unit, digits = ("deg", 1) if chart.over == "angle" else ("m", 1)
     return {
         **({} if group is groups[0] else {"name": group.element}),
         "hangs": number(float(load[at]) / gravity, "t", 1),
-        "may": number(group.share * float(rated.min()) / gravity, "t", 1),
-        "place": show(place, unit, digits),
+        "may": number(rated / gravity, "t", 1),
+        "place": typeset(shown_places(chart, group.hooks, places, 1)),
         "used": number(float(used[at]), "%", 1) if np.isfinite(used[at]) else "outside",
         "checked": number(max(checked, default=None), "%", 1),
     }

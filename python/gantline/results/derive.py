@@ -16,7 +16,7 @@ from gantline.results.flows import rope_flows
 from gantline.results.hook_load import hook_loads
 from gantline.results.moorings import mooring_state
 from gantline.results.nodes import joined
-from gantline.results.rating import counted_load, rated_groups
+from gantline.results.rating import counted_load, counted_places, overloads, rated_at_places, rated_groups
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.rotation import tilt
@@ -171,10 +171,12 @@ def _overloads(
             if chart.over == "angle":
                 places = found["boom_angle"].values[:, [labels["boom"].index(chart.crane)]]
             else:
-                columns = [labels["boom_hook"].index(hook) for hook in group.hooks]
-                places = found["crane_radius"].values[:, columns]
+                at_boom, reach = labels["boom_hook"], found["crane_radius"].values
+                radii = {hook: reach[:, at_boom.index(hook)] for hook in group.hooks}
+                places = counted_places(rig, chart, radii, loads)
+            rated = rated_at_places(rig, chart, group, places, loads)
             name = group.element if group.element in group.hooks else chart.crane
-            events += [(at, "overload", name) for at in chart.overloads(time, load, places, group.share)]
+            events += [(at, "overload", name) for at in overloads(time, load, rated)]
     return events
 
 

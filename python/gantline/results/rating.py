@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gantline.results.passing import passed
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
@@ -14,12 +15,16 @@ from gantline.results.variable import BoolArray, FloatArray
 
 __all__ = [
     "RatedGroup",
+    "at_one_place",
     "bears",
     "chart_load",
     "chart_places",
     "chart_used",
     "counted_load",
+    "counted_places",
     "group_used",
+    "overloads",
+    "rated_at_places",
     "rated_groups",
     "rated_load",
 ]
@@ -53,16 +58,60 @@ def rated_groups(chart: RatingChart) -> list[RatedGroup]:
     return groups
 
 
+def at_one_place(chart: RatingChart, hooks: Sequence[str]) -> list[tuple[str, ...]]:
+    """Hooks of a crane by where on its boom they hang, as far as its chart tells them apart."""
+    if chart.over == "angle":
+        return [tuple(hooks)]
+    apart = [tuple(one for one in hooks if one in others) for others in chart.apart or (hooks,)]
+    return [one for one in apart if one]
+
+
 def rated_load(recording: Recording, chart: RatingChart, group: RatedGroup) -> FloatArray:
     """What may hang where hooks are, shape (time,) [N]; 0 outside of the chart."""
-    rated: FloatArray = chart.rated_at(chart_places(recording, chart, group.hooks)).min(axis=1)
-    return group.share * rated
+    places = chart_places(recording, chart, group.hooks)
+    return rated_at_places(recording.rig, chart, group, places, _loads(recording, chart))
+
+
+def rated_at_places(
+    rig: Rig,
+    chart: RatingChart,
+    group: RatedGroup,
+    places: FloatArray,
+    loads: Mapping[str, Mapping[str, FloatArray]],
+) -> FloatArray:
+    """The same of places as `chart_places` has them, and of loads as `counted_load` has them.
+
+    Of hooks at several places of a boom each uses up a share of the row where it is: what may hang in all
+    is what hangs over the sum of these shares.
+    """
+    several = at_one_place(chart, group.hooks)
+    least: FloatArray = group.share * chart.rated_at(places).min(axis=1)
+    if len(several) < 2:
+        return least
+    total, used = np.zeros(len(places)), np.zeros(len(places))
+    for hooks in several:
+        own = places[:, [group.hooks.index(hook) for hook in hooks]]
+        rated = group.share * chart.rated_at(own).min(axis=1)
+        load = counted_load(rig, chart, hooks, loads)
+        total += load
+        used += _over(load, rated)
+    return np.where(used > 0, total / np.where(used > 0, used, 1.0), least)
+
+
+def _over(load: FloatArray, rated: FloatArray) -> FloatArray:
+    """A load over what is rated, infinite where that is nothing."""
+    outside = np.where(load > 0, np.inf, 0.0)
+    used: FloatArray = np.where(rated > 0, load / np.where(rated > 0, rated, 1.0), outside)
+    return used
+
+
+def _loads(recording: Recording, chart: RatingChart) -> dict[str, dict[str, FloatArray]]:
+    return {name: {hook: recording.column(name, hook) for hook in chart.hooks} for name in _LOADS}
 
 
 def chart_load(recording: Recording, chart: RatingChart, hooks: Sequence[str]) -> FloatArray:
     """What hangs in hooks of a crane together, as its chart counts it, shape (time,) [N]."""
-    loads = {name: {hook: recording.column(name, hook) for hook in chart.hooks} for name in _LOADS}
-    return counted_load(recording.rig, chart, hooks, loads)
+    return counted_load(recording.rig, chart, hooks, _loads(recording, chart))
 
 
 def counted_load(
@@ -84,8 +133,13 @@ def counted_load(
 
 def bears(recording: Recording, chart: RatingChart, hook: str) -> BoolArray:
     """Where one hook of a crane bears something, as its chart counts it, shape (time,)."""
-    seen = recording.column(_seen(recording.rig, chart), hook)
-    found: BoolArray = _beyond_own(recording.rig, chart, hook, seen) > 0
+    return _bears(recording.rig, chart, hook, _loads(recording, chart))
+
+
+def _bears(
+    rig: Rig, chart: RatingChart, hook: str, loads: Mapping[str, Mapping[str, FloatArray]]
+) -> BoolArray:
+    found: BoolArray = _beyond_own(rig, chart, hook, loads[_seen(rig, chart)][hook]) > 0
     return found
 
 
@@ -112,7 +166,33 @@ def chart_places(recording: Recording, chart: RatingChart, hooks: Sequence[str])
     """Radii or outreaches of hooks [m], or the angle of the boom [rad], shape (time, hooks or 1)."""
     if chart.over == "angle":
         return recording.column("boom_angle", chart.crane)[:, None]
-    return np.stack([recording.column("crane_radius", hook) for hook in hooks], axis=1)
+    radii = {hook: recording.column("crane_radius", hook) for hook in hooks}
+    return counted_places(recording.rig, chart, radii, _loads(recording, chart))
+
+
+def counted_places(
+    rig: Rig,
+    chart: RatingChart,
+    radii: Mapping[str, FloatArray],
+    loads: Mapping[str, Mapping[str, FloatArray]],
+) -> FloatArray:
+    """Radii or outreaches by hook, as a chart counts them, shape (time, hooks) [m].
+
+    An empty hook that hangs elsewhere on the boom than others may be outside of the chart: it counts at the
+    nearest row.
+    """
+    if not chart.apart:
+        return np.stack(list(radii.values()), axis=1)
+    counted = [
+        np.where(_bears(rig, chart, hook, loads), radius, chart.nearest(radius))
+        for hook, radius in radii.items()
+    ]
+    return np.stack(counted, axis=1)
+
+
+def overloads(time: FloatArray, load: FloatArray, rated: FloatArray) -> list[float]:
+    """Moments at which more hangs than may, of times [s], loads and rated loads [N] of shape (time,) [s]."""
+    return passed(time, np.where(load > 0, load - rated, -1.0))
 
 
 def chart_used(recording: Recording, chart: RatingChart) -> FloatArray:
@@ -127,8 +207,4 @@ def chart_used(recording: Recording, chart: RatingChart) -> FloatArray:
 
 def group_used(recording: Recording, chart: RatingChart, group: RatedGroup) -> FloatArray:
     """The same of hooks that a chart rates together, shape (time,) [1]."""
-    load = chart_load(recording, chart, group.hooks)
-    rated = rated_load(recording, chart, group)
-    outside = np.where(load > 0, np.inf, 0.0)
-    used: FloatArray = np.where(rated > 0, load / np.where(rated > 0, rated, 1.0), outside)
-    return used
+    return _over(chart_load(recording, chart, group.hooks), rated_load(recording, chart, group))

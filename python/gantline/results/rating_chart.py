@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gantline.results.passing import passed
 from gantline.results.strength import FromJson
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -32,6 +31,7 @@ class RatingChart(FromJson):
         between: What may hang between two rows: on `lines` between them, or the `lower` of both.
         includes_hook_block: Whether that is the hoist load, else the hook load.
         hooks: The hooks of the crane.
+        apart: The same by the place of the boom at which they hang, where that is not one for all.
         hook_shares: By hook the largest share of the row that it may carry alone [1].
         hooks_share: The same where the lift file says it; it holds of a hook that is alone there, too.
         heel: Largest heel for which the chart holds [rad]; None if not said, as the next three.
@@ -47,6 +47,7 @@ class RatingChart(FromJson):
     between: str = "lines"
     includes_hook_block: bool = False
     hooks: Sequence[str] = ()
+    apart: Sequence[Sequence[str]] = ()
     hook_shares: Mapping[str, float] | None = None
     hooks_share: float | None = None
     heel: float | None = None
@@ -59,6 +60,10 @@ class RatingChart(FromJson):
         rounding = self._rounding
         inside: BoolArray = (place >= self.at[0] - rounding) & (place <= self.at[-1] + rounding)
         return inside
+
+    def nearest(self, place: FloatArray) -> FloatArray:
+        """The nearest place within the rows."""
+        return np.clip(place, self.at[0], self.at[-1])
 
     @property
     def _rounding(self) -> float:
@@ -77,20 +82,6 @@ class RatingChart(FromJson):
             between = np.interp(place, self.at, self.rated)
         rated: FloatArray = np.where(self.holds(place), between, 0.0)
         return rated
-
-    def overloads(
-        self, time: FloatArray, load: FloatArray, places: FloatArray, share: float = 1.0
-    ) -> list[float]:
-        """Moments at which more hangs from hooks of the crane than its chart allows there [s].
-
-        Args:
-            time: Shape (time,) [s].
-            load: What hangs from them, shape (time,) [N].
-            places: Of the hooks, shape (time, hooks) [m], or of the boom, shape (time, 1) [rad].
-            share: What they may carry of a row of the chart [1].
-        """
-        rated = share * self.rated_at(places).min(axis=1)
-        return passed(time, np.where(load > 0, load - rated, -1.0))
 
     def share_of(self, hook: str) -> float:
         """Largest share of a row that a hook may carry alone [1]."""

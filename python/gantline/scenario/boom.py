@@ -111,6 +111,14 @@ class BoomHook(CarriedHook):
     what: ClassVar[str] = "a hook of a boom"
 
     across: Length = Field(0.0, description="Place across the boom head, from the boom's middle to port.")
+    along: Length = Field(
+        0.0,
+        description="Place along the boom, from its head outwards: of a hook on a jib, or, negative, of one "
+        "between heel pins and head.",
+    )
+    above: Length = Field(
+        0.0, description="Place square to the boom, from its middle line upwards; negative below it."
+    )
 
 
 class FloatingCrane(Element):

@@ -37,7 +37,13 @@ def check_booms(findings: Findings) -> None:
         if placed.tackles is not None:
             _check_tackles(findings, placed, placed.tackles)
         for hook, one in placed.hooks.items():
-            check_carried_hook(findings, (*placed.path, "hooks", hook), one, "boom")
+            path = (*placed.path, "hooks", hook)
+            check_carried_hook(findings, path, one, "boom")
+            if not placed.boom.length + one.along > 0.0:
+                length = f"{placed.boom.length:g} m"
+                sentence = f"{one.along:g} m from the head of a boom of {length} is behind its heel pins"
+                right = "outwards from the head is positive, such as '2.5 m'"
+                findings.add((*path, "along"), f"{sentence}; {right}")
 
 
 def check_luffing(findings: Findings) -> None:

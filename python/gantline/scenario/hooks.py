@@ -48,6 +48,7 @@ class Hook:
         paths: where the lift file says `reeving` and `drum`, and under `""` the hook itself.
         place: of a hook at a boom along and across the boom, where its upper sheaves are pinned; of another x
             and y of its bearing point at the start, world axes [m].
+        above: of a hook at a boom how far that pin is above the middle line of the boom, square to it [m].
         height: height of its bearing point at the start [m].
         highest: highest position of the bearing [m]; None if not said.
         hook_block_mass: mass of hook block and falls that are no part of the mechanics [kg].
@@ -58,6 +59,7 @@ class Hook:
     carrier: Carrier | None
     paths: Mapping[str, tuple[PathPart, ...]]
     place: tuple[float, float]
+    above: float
     height: float
     rated_capacity: float | None
     rating_includes_hook_block: bool
@@ -67,6 +69,11 @@ class Hook:
     reeving: Reeving | None
     drum: HoistDrum | None
     hoist: Hoist
+
+    @property
+    def pin(self) -> tuple[float, float, float]:
+        """Where the sheave block of a hook at a boom is pinned, axes of the boom [m]."""
+        return (*self.place, self.above)
 
 
 def trolley_name(crane: str, trolley: str) -> str:
@@ -115,8 +122,9 @@ def _carried(name: str, crane: Goliath | FloatingCrane | Crawler) -> Iterator[tu
         return
     carrier = Carrier(boom_name(name), "boom")
     for hook, at_head in crane.hooks.items():
-        place = crane.boom.length, at_head.across
-        yield at_head, _Place(f"{name}.{hook}", name, carrier, ("cranes", name, "hooks", hook), place)
+        place = crane.boom.length + at_head.along, at_head.across
+        of = "cranes", name, "hooks", hook
+        yield at_head, _Place(f"{name}.{hook}", name, carrier, of, place, at_head.above)
 
 
 def _fixed(name: str, crane: FixedHook) -> Hook:
@@ -127,6 +135,7 @@ def _fixed(name: str, crane: FixedHook) -> Hook:
         carrier=None,
         paths={"": path, "reeving": (*path, "reeving"), "drum": (*path, "drum")},
         place=crane.at[:2],
+        above=0.0,
         height=crane.at[2],
         rated_capacity=crane.rated_capacity,
         rating_includes_hook_block=crane.rating_includes_hook_block,
@@ -146,6 +155,7 @@ class _Place:
     carrier: Carrier
     path: tuple[PathPart, ...]
     place: tuple[float, float]
+    above: float = 0.0
 
 
 def parts_of(given: CarriedHook, kind: HookType | None) -> dict[str, object]:
@@ -168,6 +178,7 @@ def _of_carrier(of: _Place, given: CarriedHook, kind: HookType | None, includes:
         carrier=of.carrier,
         paths=paths,
         place=of.place,
+        above=of.above,
         height=given.height,
         rating_includes_hook_block=includes,
         hook_block_mass=0.0,

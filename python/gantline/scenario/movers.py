@@ -22,21 +22,30 @@ __all__ = ["Head", "Mover", "boom_angles", "boom_angles_at_end", "mover", "mover
 
 @dataclass(frozen=True)
 class Head:
-    """The boom head from which a hook hangs: its drum stands on it, and goes up and down with it.
+    """Where a hook hangs at a boom: its drum stands there, and goes up and down with it.
 
     Attributes:
         boom: name of the boom.
-        length: of the boom [m].
+        along: along the boom from its heel pins [m].
+        above: square to that, upwards [m].
         start: angle of the boom at the start [rad].
     """
 
     boom: str
-    length: float
+    along: float
+    above: float
     start: float
 
     def rise(self, angle: float) -> float:
         """How much higher it is at an angle of the boom [rad] than at the start, on a level base [m]."""
-        return self.length * (math.sin(angle) - math.sin(self.start))
+        return self._height(angle) - self._height(self.start)
+
+    def rate(self, angle: float) -> float:
+        """How fast it rises at an angle of the boom, per turn of that [m/rad]."""
+        return self.along * math.cos(angle) - self.above * math.sin(angle)
+
+    def _height(self, angle: float) -> float:
+        return self.along * math.sin(angle) + self.above * math.cos(angle)
 
 
 @dataclass(frozen=True)
@@ -194,7 +203,10 @@ def _head(scenario: Scenario, hook: Hook) -> Head | None:
     if hook.carrier is None or hook.carrier.kind != "boom":
         return None
     placed = scenario.booms[hook.crane]
-    return None if placed.luffing is None else Head(placed.name, placed.boom.length, placed.boom.angle)
+    if placed.luffing is None:
+        return None
+    along, _, above = hook.pin
+    return Head(placed.name, along, above, placed.boom.angle)
 
 
 def _reel(scenario: Scenario, hook: Hook) -> Reel | None:
