@@ -11,13 +11,21 @@ from hypothesis import strategies as st
 
 from gantline.assembly.balance import Hung, Line, Pose, _energy, balance
 from gantline.assembly.spatial import rotation_matrix, rotation_quaternion, rotation_vector
+from gantline.scenario.gear import RopeMaterial
 
 HUNG = [Hung(3e4, np.array([0.1, 0.05, -0.1]), turns=True), Hung(2e3, np.zeros(3), turns=False)]
 HOOK = (None, np.array([0.0, 0.0, 16.0]))
+
+
+def line(points: tuple[tuple[int | None, np.ndarray], ...], length: float, stiffness: float) -> Line:
+    """A line of EA over length [N/m]."""
+    return Line(points, length, RopeMaterial.model_construct(axial_stiffness=stiffness * length))
+
+
 LINES = [
-    Line((HOOK, (0, np.array([-4.0, 0.0, 0.2]))), 8.0, 1e7),
-    Line((HOOK, (0, np.array([4.0, 0.0, 0.2]))), 8.2, 1e7),
-    Line(((0, np.array([3.0, 0.0, -0.2])), (1, np.zeros(3)), (0, np.array([2.0, 1.0, -0.2]))), 4.0, 1e6),
+    line((HOOK, (0, np.array([-4.0, 0.0, 0.2]))), 8.0, 1e7),
+    line((HOOK, (0, np.array([4.0, 0.0, 0.2]))), 8.2, 1e7),
+    line(((0, np.array([3.0, 0.0, -0.2])), (1, np.zeros(3)), (0, np.array([2.0, 1.0, -0.2]))), 4.0, 1e6),
 ]
 START = Pose(np.array([[0.0, 0.0, 9.0], [2.5, 0.5, 6.0]]), np.array([np.eye(3)] * 2))
 
@@ -68,7 +76,7 @@ def test_slope_and_curvature(step: list[float]) -> None:
 def test_a_body_on_two_lines() -> None:
     """Level under a hook: T cos a = weight / 2, by hand, to the 1e-9 at which the search ends."""
     bar = [Hung(3e4, np.zeros(3), turns=True)]
-    lines = [Line((HOOK, (0, np.array([x, 0.0, 0.2]))), 8.0, 1e7) for x in (-4.0, 4.0)]
+    lines = [line((HOOK, (0, np.array([x, 0.0, 0.2]))), 8.0, 1e7) for x in (-4.0, 4.0)]
     found = balance(
         bar, lines, Pose(np.array([[0.3, 0.2, 8.0]]), rotation_matrix(rotation_vector([0.1, 0.2, 0.0]))[None])
     )
@@ -80,10 +88,12 @@ def test_a_body_on_two_lines() -> None:
 
 
 def test_nothing_holds_it() -> None:
-    line = Line((HOOK, (0, np.array([0.0, 0.0, 0.2]))), 8.0, -1.0)
+    nothing = line((HOOK, (0, np.array([0.0, 0.0, 0.2]))), 8.0, -1.0)
     assert (
         balance(
-            [Hung(3e4, np.zeros(3), turns=True)], [line], Pose(np.array([[0.0, 0.0, 7.0]]), np.eye(3)[None])
+            [Hung(3e4, np.zeros(3), turns=True)],
+            [nothing],
+            Pose(np.array([[0.0, 0.0, 7.0]]), np.eye(3)[None]),
         )
         is None
     )

@@ -408,11 +408,11 @@ impl System {
         })
     }
 
-    /// The tension that the force of a row stands for [N]; those of rows of ropes differ where rope is fed.
+    /// The tension that the force of a row stands for [N]; those of rows of ropes differ where rope is fed or has a curve.
     pub fn rope_tension(&self, row: usize, force: f64, q: &[f64]) -> f64 {
         let index = self.constraint_index(row);
         let AnyConstraint::Rope(rope) = &self.constraints[index] else { return force };
-        force * rope.spans[row - self.rows.first[index]].scale(q)
+        rope.spans[row - self.rows.first[index]].tension(q, force)
     }
 
     /// Constraint that a row belongs to.

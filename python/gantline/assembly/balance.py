@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.assembly.spatial import Array, rotation_matrix, rotation_vector
+from gantline.scenario.gear import RopeMaterial
 
 __all__ = ["Hung", "Line", "Pose", "balance"]
 
@@ -51,7 +52,12 @@ class Line:
 
     points: tuple[tuple[int | None, Array], ...]
     length: float
-    stiffness: float  # EA over length [N/m]
+    kind: RopeMaterial
+
+    def pull(self, stretch: float) -> tuple[float, float, float]:
+        """Tension [N], its slope over the stretch [N/m] and energy [J] at a stretch of 0 or more [m]."""
+        tension, slope, energy = self.kind.pull(stretch / self.length)
+        return tension, slope / self.length, energy * self.length
 
 
 @dataclass(frozen=True)
@@ -114,7 +120,7 @@ def _rounding(lines: Sequence[Line], pose: Pose) -> float:
     """What rounding of places makes of the slope of the energy, more in stiff lines far away [N, N m]."""
     places = [np.array([pose.point(*one) for one in line.points]) for line in lines]
     arms = [float(np.linalg.norm(at)) for line in lines for body, at in line.points if body is not None]
-    pulls = (line.stiffness * float(np.abs(one).max()) for line, one in zip(lines, places, strict=True))
+    pulls = (line.pull(0.0)[1] * float(np.abs(one).max()) for line, one in zip(lines, places, strict=True))
     return float(np.finfo(float).eps) * sum(pulls) * max([1.0, *arms])
 
 
@@ -141,8 +147,8 @@ def _energy(hung: Sequence[Hung], lines: Sequence[Line], pose: Pose) -> tuple[fl
         stretch = float(sizes.sum()) - line.length
         if stretch <= 0:
             continue
-        tension = line.stiffness * stretch
-        energy += 0.5 * tension * stretch
+        tension, stiffness, stored = line.pull(stretch)
+        energy += stored
         longer = np.zeros(len(slope))
         for part, (way, size) in enumerate(zip(ways, sizes, strict=True)):
             along = way / size
@@ -160,7 +166,7 @@ def _energy(hung: Sequence[Hung], lines: Sequence[Line], pose: Pose) -> tuple[fl
                     curve[_own(body), _own(other)] += (
                         sign * other_sign * (moves.T @ turning @ _moves(other_arm))
                     )
-        curve += line.stiffness * np.outer(longer, longer)
+        curve += stiffness * np.outer(longer, longer)
     return energy, slope, curve
 
 

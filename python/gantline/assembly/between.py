@@ -129,8 +129,7 @@ def _lines(
     for sling in (one for one in rigging.slings.values() if one.starts_on):
         points = tuple(point(guide) for guide in sling_route(scenario, rigging, sling, lugs))
         if any(body is not None for body, _ in points):
-            assert sling.rope.stiffness is not None  # has been checked to stretch
-            yield Line(points, sling.length, sling.rope.stiffness / sling.length)
+            yield Line(points, sling.length, sling.rope)
 
 
 def _straight_below(lines: Sequence[Line], turns: Array) -> Pose:

@@ -121,7 +121,7 @@ def _add_tackles(parts: Parts, scenario: Scenario, placed: PlacedBoom, tackles: 
         # Each part gets shorter by what the drive counts.
         route.append(end(placed.base, (x, y, z - tackles.lead_line), (drum, -float(tackles.parts))))
         length = route_length(parts, route)
-        parts.add_rope(name, length, material(kind.stiffness, kind.damping_time), route)
+        parts.add_rope(name, length, material(kind), route)
         lump_rope(parts, name, weight, length, route)
 
 

@@ -155,7 +155,7 @@ def _add_spring(parts: Parts, scenario: Scenario, name: str, line: MooringLine, 
     if length is not None:
         warn_of_hauled(parts, scenario, line_rope(name), length)
     route = [end(line.vessel, line.fairlead, drum), end(line.holder, line.to)]
-    parts.add_rope(line_rope(name), length, material(kind.stiffness, kind.damping_time), route)
+    parts.add_rope(line_rope(name), length, material(kind), route)
 
 
 def _chord(parts: Parts, line: MooringLine) -> float:

@@ -19,10 +19,12 @@ from gantline.assembly.spatial import (
     rotation_matrix,
     unit,
 )
+from gantline.scenario.curve import energy_stiffness
 from gantline.scenario.drum import RopeOnDrum
 from gantline.scenario.errors import Doubt, PathPart
+from gantline.scenario.gear import RopeMaterial
 
-__all__ = ["ORIGIN", "Parts", "drum_layers", "end", "half_turn", "material", "sheave"]
+__all__ = ["ORIGIN", "Parts", "axial_stiffness", "drum_layers", "end", "half_turn", "material", "sheave"]
 
 ORIGIN = (0.0, 0.0, 0.0)
 
@@ -363,11 +365,21 @@ def eye(body: str | None, at: Sequence[float]) -> Json:
     return {"type": "eye", "body": body, "at": list(at)}
 
 
-def material(stiffness: float | None, damping_time: float) -> Json:
-    """Material of a rope by its axial stiffness EA [N]; None says inextensible."""
-    if stiffness is None:
+def material(kind: RopeMaterial) -> Json:
+    """Material of a kind of rope, as the core reads it."""
+    if kind.curve is not None:
+        points = [list(point) for point in kind.curve.points]
+        return {"type": "curved", "points": points, "damping_time": kind.damping_time}
+    if kind.stiffness is None:
         return {"type": "inextensible"}
-    return {"type": "elastic", "axial_stiffness": stiffness, "damping_time": damping_time}
+    return {"type": "elastic", "axial_stiffness": kind.stiffness, "damping_time": kind.damping_time}
+
+
+def axial_stiffness(of: Json) -> float | None:
+    """EA [N] of a material, of a curve that of the same energy up to its last point; None if inextensible."""
+    if of["type"] == "curved":
+        return energy_stiffness(of["points"])
+    return float(of["axial_stiffness"]) if of["type"] == "elastic" else None
 
 
 def _places(pair: Json) -> list[str]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from gantline.assembly.parts import Json, Parts, drum_layers, end, eye, half_turn, material, sheave
 from gantline.assembly.rope_weight import add_free_rope, lump_rope
-from gantline.assembly.route import MOST_STRAIN, route_length, route_lengths, too_far
+from gantline.assembly.route import most_strain, route_length, route_lengths, too_far
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.spatial import IDENTITY, about_axis, unit
 from gantline.scenario import Scenario
@@ -162,12 +162,12 @@ def _add_rope(parts: Parts, scenario: Scenario, name: str, rope: MechanicsRope) 
     # Where the rope touches sheaves with true tangents, and so how long it is, is the core's to say.
     if not any(guide["type"] == "sheave" for guide in route):
         routed = route_length(parts, route)
-        allowed = _ROUNDING if kind.inextensible else MOST_STRAIN
+        allowed = _ROUNDING if kind.inextensible else most_strain(kind)
         if length is not None and not rope.stretched and routed > length * (1 + allowed):
             sentence = f"the rope is {length:g} m, but its route has {routed:.9g} m at the start"
             advice = "make it longer, or write 'length: as_routed'"
             if not kind.inextensible:
-                sentence += f": {too_far(routed, length)}"
+                sentence += f": {too_far(routed, length, most_strain(kind))}"
                 advice += ", or 'stretched: true' for a spring"
             raise scenario.start_error(("mechanics", "ropes", name, "length"), f"{sentence}; {advice}")
         if routed < _ROUNDING:
@@ -180,7 +180,7 @@ def _add_rope(parts: Parts, scenario: Scenario, name: str, rope: MechanicsRope) 
         known = routed if length is None else length
         add_free_rope(parts, scenario, ("mechanics", "ropes", name), name, kind, weight, known, route)
     else:
-        made_of = material(kind.stiffness, kind.damping_time)
+        made_of = material(kind)
         parts.add_rope(name, length, made_of, route, is_stretched=rope.stretched)
 
 

@@ -133,7 +133,7 @@ def add_reeved_hook(parts: Parts, scenario: Scenario, hook: ReevedHook, drive: s
             route.append(guide)
         route[-1] = _on_drum(hook, route[-1], kind.diameter)
         length = route_length(parts, route)
-        parts.add_rope(name, length, material(kind.stiffness, kind.damping_time), route)
+        parts.add_rope(name, length, material(kind), route)
         lump_rope(parts, name, weight, length, route)
 
 

@@ -133,7 +133,7 @@ def add_free_rope(
     Raises:
         ScenarioError: if no place at rest was found for the nodes.
     """
-    made_of = material(kind.stiffness, kind.damping_time)
+    made_of = material(kind)
     if not weight.nodes:
         parts.add_rope(name, length, made_of, ends)
         return

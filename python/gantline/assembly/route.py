@@ -10,8 +10,9 @@ import numpy as np
 
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import Array
+from gantline.scenario.gear import RopeMaterial
 
-__all__ = ["MOST_STRAIN", "route_length", "route_lengths", "taut_length", "too_far"]
+__all__ = ["MOST_STRAIN", "most_strain", "route_length", "route_lengths", "taut_length", "too_far"]
 
 #: Rounds of going back and forth between two sheaves; each leaves of the error a share, radius by distance.
 _ROUNDS = 40
@@ -19,12 +20,17 @@ _ROUNDS = 40
 MOST_STRAIN = 0.02
 
 
-def too_far(distance: float, length: float) -> str:
+def most_strain(kind: RopeMaterial) -> float:
+    """The same of a kind of rope: one with a curve may be stretched to its last point."""
+    return MOST_STRAIN if kind.curve is None else max(MOST_STRAIN, kind.curve.strain[-1])
+
+
+def too_far(distance: float, length: float, most: float = MOST_STRAIN) -> str:
     """That a rope of some length [m] would be stretched too far over a distance [m], in words."""
     strain = distance / length - 1.0
-    digits = max(2, 1 - math.floor(math.log10(max(100.0 * (strain - MOST_STRAIN), 1e-9))))
+    digits = max(2, 1 - math.floor(math.log10(max(100.0 * (strain - most), 1e-9))))
     stretched = f"{100.0 * strain:.{min(digits, 9)}f} %"
-    return f"it would be stretched by {stretched}, and a start allows {100.0 * MOST_STRAIN:g} %"
+    return f"it would be stretched by {stretched}, and a start allows {100.0 * most:g} %"
 
 
 def taut_length(distance: float, tension: float, stiffness: float) -> float:

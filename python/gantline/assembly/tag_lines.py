@@ -51,7 +51,7 @@ def add_tag_lines(parts: Parts, scenario: Scenario, lifted: LiftedLoad) -> None:
             warn_of_hauled(parts, scenario, tag_rope(name), length)
             drum = (tag_tugger(name), 1.0)
         route = [end(scenario.load.name, at), end(line.holder, line.to, drum, laid_under=line.pull)]
-        parts.add_rope(tag_rope(name), length, material(kind.stiffness, kind.damping_time), route)
+        parts.add_rope(tag_rope(name), length, material(kind), route)
 
 
 def _check_pull(scenario: Scenario, name: str, line: TagLine, kind: RopeMaterial) -> None:

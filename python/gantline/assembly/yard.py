@@ -10,7 +10,7 @@ import numpy as np
 from gantline.assembly.parts import ORIGIN, Json, Parts, end, eye, half_turn, material
 from gantline.assembly.reeving import add_reeved_hook, reeved_hooks
 from gantline.assembly.rope_weight import add_free_rope, lump_rope, mass_at_end
-from gantline.assembly.route import MOST_STRAIN, end_to_end, route_length, too_far
+from gantline.assembly.route import end_to_end, most_strain, route_length, too_far
 from gantline.assembly.sheave import add_sheave_flow
 from gantline.assembly.slinging import check_reach, hangs_load, warn_of_off
 from gantline.assembly.spatial import inertia_list, solid_box
@@ -125,7 +125,7 @@ def add_equalizers(parts: Parts, rigging: Rigging, pins: Mapping[str, bool]) -> 
                 mass=sheaves.mass + carried.get(place, 0.0),
             )
         route = _equalizing_route(parts, equalizer)
-        rope = material(equalizer.rope.stiffness, equalizer.rope.damping_time)
+        rope = material(equalizer.rope)
         length = route_length(parts, route)
         parts.add_rope(f"{equalizer.name}.equalizing", length, rope, route)
         lump_rope(parts, f"{equalizer.name}.equalizing", equalizer.weight, length, route)
@@ -316,7 +316,7 @@ def _stretches(scenario: Scenario, sling: SlingRigging) -> bool:
 
 def _may_be_short(scenario: Scenario, sling: SlingRigging) -> float:
     """By how much a sling may be shorter than its way at the start [m]."""
-    return MOST_STRAIN * sling.length if _stretches(scenario, sling) else _TAUT
+    return most_strain(sling.rope) * sling.length if _stretches(scenario, sling) else _TAUT
 
 
 def _outweighed(
@@ -357,7 +357,7 @@ def _too_short(
         apart = f"{_way(scenario.load.name, sling)} it is {_not_shorter(distance, sling.length)} m"
         sentence = f"the sling is {sling.length:g} m, but {apart} at the start"
         stretches = _stretches(scenario, sling)
-        sentence += f": {too_far(distance, sling.length)}; " if stretches else "; "
+        sentence += f": {too_far(distance, sling.length, most_strain(sling.rope))}; " if stretches else "; "
         # No height of the hook helps any sling where it is too far aside for one of them.
         advice = "put crane, boom or load elsewhere" if aside else "lower the hook or make the sling longer"
         if sling.name in aside:
@@ -366,7 +366,7 @@ def _too_short(
         if outweighed := _outweighed(parts, scenario, rigging, sling, distance):
             sentence += f"{outweighed}; "
             advice = "two extension sheaves on one sling have equal masses"
-        if scenario.load_has_settled and distance - sling.length <= MOST_STRAIN * sling.length:
+        if scenario.load_has_settled and distance - sling.length <= most_strain(sling.rope) * sling.length:
             advice += ", or write 'start: as_given' if it shall pull from the start"
         problems.append(scenario.problem(("slings", sling.name), sentence + advice))
     return problems

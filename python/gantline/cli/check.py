@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from gantline.results.recording import Recording
     from gantline.results.rig import Rig
     from gantline.scenario import Scenario
+    from gantline.scenario.gear import RopeMaterial
     from gantline.simulation import Simulation
     from gantline.study.heave_demand import HeaveDemand
 
@@ -102,13 +103,22 @@ def _simulated(simulation: Simulation) -> Recording:
     return recording
 
 
+def _stretch(kind: RopeMaterial) -> str:
+    """How a kind of rope stretches, in words."""
+    from gantline.units import format_by_size
+
+    if kind.stiffness is None:
+        return "inextensible"
+    stiffness = format_by_size(kind.stiffness, "force", 4)
+    return stiffness if kind.curve is None else f"curve, about {stiffness}"
+
+
 def _look_over(simulation: Simulation) -> None:
     """What a lift file describes, all of which has been found right."""
     from gantline.cli.summary import heading, weights
     from gantline.cli.table import show, table
     from gantline.results.rig import Rig
     from gantline.study.heave_demand import doubts_of_demand, heave_demands
-    from gantline.units import format_by_size
 
     rig = Rig.from_json(simulation.assembly.rig)
     document = simulation.assembly.document
@@ -116,7 +126,7 @@ def _look_over(simulation: Simulation) -> None:
         (
             name,
             kind.construction or "-",
-            "inextensible" if kind.stiffness is None else format_by_size(kind.stiffness, "force", 4),
+            _stretch(kind),
             show(kind.mass_per_length, "kg/m", 2),
             show(kind.breaking_force, "kN", 0),
         )

@@ -100,6 +100,8 @@ def _check_tackles(findings: Findings, placed: PlacedBoom, tackles: Tackles) -> 
     elif kind.inextensible:
         sentence = f"rope '{tackles.rope}' is inextensible, and a rope on a drum has to stretch"
         findings.add((*path, "rope"), f"{sentence}; give it an axial stiffness")
+    elif (bent := kind.bent(tackles.rope, "a luffing rope")) is not None:
+        findings.add((*path, "rope"), bent)
     else:
         check_rope_weight(
             lambda key, sentence: findings.add((*path, key), sentence),

@@ -43,6 +43,8 @@ def _check_sheaves(findings: Findings, equalizer: EqualizerRigging) -> None:
     given = (scenario.equalizers or {})[equalizer.name]
     kind = (scenario.equalizer_types or {}).get(given.type or "")
     rope = given.rope or (kind.rope if kind is not None else None)
+    if (bent := equalizer.rope.bent(str(rope), "an equalizing rope")) is not None:
+        findings.add(("equalizers", equalizer.name), bent)
     for key in SHEAVES:
         levels = sheave_levels(scenario, equalizer.name, key)
         part = next(path for path, _ in levels if path[-1] == key)
@@ -87,6 +89,9 @@ def _check_mechanism(
         path = ("slings", sling.name)
         if sling.rope.inextensible:
             sentence = f"is inextensible, and '{equalizer.name}' is approximated: it adjusts stretch"
+            findings.add(path, f"{sentence}; give its rope an axial stiffness")
+        if sling.rope.curve is not None:
+            sentence = f"has a curve, and '{equalizer.name}' is approximated: it adjusts by one stiffness"
             findings.add(path, f"{sentence}; give its rope an axial stiffness")
         if sling.weight.nodes:
             sentence = f"has nodes, and '{equalizer.name}' is approximated: it adjusts whole ropes"

@@ -248,6 +248,11 @@ def _check_drums(findings: Findings, mechanics: Mechanics) -> None:
 def _check_flows(findings: Findings, path: Path, rope: MechanicsRope, drums: Mapping[str, Drum]) -> None:
     """Whether the sheaves and drums of a rope can be simulated with its kind of rope."""
     kind = (findings.scenario.ropes or {})[rope.rope]
+    on_drum = any(isinstance(end, RopeEnd) and end.drum is not None for end in rope.route)
+    if len(rope.route) > 2 or on_drum:
+        bent = kind.bent(rope.rope, "a rope over sheaves" if len(rope.route) > 2 else "a rope on a drum")
+        if bent is not None:
+            findings.add((*path, "rope"), bent)
     for place, guide in enumerate(rope.route):
         at: Path = (*path, "route", place)
 

@@ -30,6 +30,9 @@ def check_reeving(findings: Findings, hook: Hook) -> None:
         sentence = f"rope '{reeving.rope}' is inextensible, and a rope on a drum has to stretch"
         findings.add((*path, "rope"), f"{sentence}; give it an axial stiffness")
         return
+    if (bent := kind.bent(reeving.rope, "a rope on a drum")) is not None:
+        findings.add((*path, "rope"), bent)
+        return
     if reeving.sheave_diameter is None and kind.diameter is None:
         sentence = f"the diameter of rope '{reeving.rope}' is not known, of which this is the ratio"
         findings.add((*path, "sheave_diameter_ratio"), f"{sentence}; give 'sheave_diameter' instead")

@@ -42,3 +42,5 @@ def _check_rope(findings: Findings, path: Path, line: TagLine) -> None:
     elif kind.inextensible:
         sentence = f"rope '{line.rope}' does not stretch, which a tag line has to"
         findings.add((*path, "rope"), f"{sentence}; give it an 'axial_stiffness' or a 'construction'")
+    elif (bent := kind.bent(line.rope, "a tag line")) is not None:
+        findings.add((*path, "rope"), bent)

@@ -142,6 +142,9 @@ def check_sling_over(
         near = "an extension sheave"
     elif {given.from_, *given.to} & set(spreader_lugs(findings.scenario)):
         near = "a spreader"
+    if given.over is not None and rope.curve is not None:
+        sentence = "has a curve, and runs over a sheave"
+        findings.add(path, f"{sentence}; give its rope an axial stiffness")
     if near is not None and rope.inextensible:
         sentence = f"is inextensible, and {near} hangs on it or carries it"
         findings.add(path, f"{sentence}; give its rope an axial stiffness")

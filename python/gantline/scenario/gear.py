@@ -12,6 +12,7 @@ from pydantic.json_schema import JsonSchemaValue
 
 from gantline.rope_data import GRADES, RopeClass, rope_class, rope_classes
 from gantline.scenario.base import Element
+from gantline.scenario.curve import RopeCurve
 from gantline.scenario.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
 from gantline.scenario.quantities import (
     Flag,
@@ -51,7 +52,7 @@ _GRAVITY = 9.81
 #: Modulus of solid steel [Pa], EN 1993-1-1, 3.2.6: no rope is stiffer over its metallic area.
 _STEEL_MODULUS = 210e9
 
-_WAYS = "'axial_stiffness', 'construction' and 'inextensible: true'"
+_WAYS = "'axial_stiffness', 'curve', 'construction' and 'inextensible: true'"
 
 MassOfRope = Annotated[
     float | Literal["none"], WordOr(("none",), Quantity("mass_per_length", "not_negative"))
@@ -93,11 +94,16 @@ def _likely(text: str) -> str:
 
 
 class RopeMaterial(Element):
-    """A kind of rope: by its stiffness, by its construction, or inextensible in so many words."""
+    """A kind of rope: by its stiffness, a curve, its construction, or inextensible in so many words."""
 
     what: ClassVar[str] = "a rope"
 
     axial_stiffness: PositiveForce | None = Field(None, description="Axial stiffness EA of the rope [N].")
+    curve: RopeCurve | None = Field(
+        None,
+        description="Tension over strain, in place of one stiffness: of fibre slings, which get stiffer as "
+        "they are loaded. For slings and ropes that run straight from end to end.",
+    )
     damping_time: Time = Field(0.0, description="Damping time t: T = k (e + t de/dt).")
     construction: Annotated[str, _Construction()] | None = Field(
         None,
@@ -124,6 +130,7 @@ class RopeMaterial(Element):
     def _one_way_to_say_it(self) -> RopeMaterial:
         stiffness = {
             "axial_stiffness": self.axial_stiffness is not None,
+            "curve": self.curve is not None,
             "construction": self.construction is not None,
             "inextensible": self.inextensible,
         }
@@ -183,10 +190,30 @@ class RopeMaterial(Element):
 
     @property
     def stiffness(self) -> float | None:
-        """Axial stiffness EA [N], or None for an inextensible rope."""
+        """Axial stiffness EA [N], of a curve that of the same energy; None for an inextensible rope."""
+        if self.curve is not None:
+            return self.curve.axial_stiffness
         if self.catalogue is not None and self.diameter is not None:
             return self.catalogue.axial_stiffness(self.diameter, self.modulus)
         return self.axial_stiffness
+
+    def bent(self, name: str, what: str) -> str | None:
+        """Why a rope of this kind cannot be `what`, if its stiffness is a curve."""
+        if self.curve is None:
+            return None
+        sentence = f"rope '{name}' has a curve, and {what} needs one stiffness"
+        return f"{sentence}; give it an 'axial_stiffness', such as the slope about its working load"
+
+    def pull(self, strain: float) -> tuple[float, float, float]:
+        """Tension [N], its slope over the strain [N] and energy per length [N], of a rope that stretches.
+
+        Args:
+            strain: Not below 0.
+        """
+        if self.curve is not None:
+            return self.curve.pull(strain)
+        assert self.stiffness is not None  # has been checked to stretch
+        return self.stiffness * strain, self.stiffness, 0.5 * self.stiffness * strain**2
 
     @property
     def mass_per_length(self) -> float:

@@ -315,6 +315,8 @@ def _check_rope(findings: Findings, path: Path, line: MooringLine, kind: RopeMat
     if kind.inextensible:
         sentence = f"rope '{line.rope}' does not stretch, which a mooring line has to"
         findings.add((*path, "rope"), f"{sentence}; give it an 'axial_stiffness' or a 'construction'")
+    if (bent := kind.bent(line.rope, "a mooring line")) is not None:
+        findings.add((*path, "rope"), bent)
     if line.type == "spring":
         return
     if kind.mass_per_length == 0:

@@ -105,5 +105,7 @@ def check_rope_weight(
     if kind.inextensible:
         sentence = f"rope '{rope}' is inextensible, and a rope with nodes has to stretch"
         add("rope_weight", f"{sentence}; give it an axial stiffness, or write 'rope_weight: lumped'")
+    if (bent := kind.bent(rope, "a rope with nodes")) is not None:
+        add("rope_weight", f"{bent}, or write 'rope_weight: lumped'")
     if gravity == 0:
         add("rope_weight", f"without gravity a rope with nodes has no place to hang; {advice}")

@@ -16,6 +16,7 @@ import numpy as np
 from gantline import _core
 from gantline.assembly import Assembly, assemble
 from gantline.assembly.origin import FALLS, refused, with_advice
+from gantline.assembly.parts import axial_stiffness
 from gantline.overrides import is_number
 from gantline.results.derive import recording_of
 from gantline.results.flows import drum_warnings
@@ -499,6 +500,5 @@ class Statics:
         materials = {rope["name"]: rope["material"] for rope in self.assembly.document["ropes"]}
         # All pieces of one with nodes are of one stiffness.
         materials |= {rope.name: materials[f"{rope.name}/0"] for rope in self.rig.ropes if rope.nodes}
-        return {
-            name: float(one["axial_stiffness"]) for name, one in materials.items() if one["type"] == "elastic"
-        }
+        known = {name: axial_stiffness(one) for name, one in materials.items()}
+        return {name: stiffness for name, stiffness in known.items() if stiffness is not None}

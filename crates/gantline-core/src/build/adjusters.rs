@@ -2,6 +2,7 @@
 
 use super::{BuildError, error, positive};
 use crate::constraint::AnyConstraint;
+use crate::constraint::rope::span::Span;
 use crate::spec::{AdjusterSpec, SystemSpec};
 use crate::system::{Adjuster, Rows};
 
@@ -49,9 +50,10 @@ fn build_adjuster(
                 format!("its rope `{wanted}` is inextensible, so that no length goes with its tension");
             return error(name, problem);
         }
-        if rope.spans.iter().any(|span| !span.feeds.is_empty()) {
-            let problem =
-                format!("its rope `{wanted}` is fed by drums or sheaves; its length cannot be adjusted");
+        if rope.spans.iter().any(Span::is_scaled) {
+            let problem = format!(
+                "its rope `{wanted}` is fed by drums or sheaves, or has a curve; its length cannot be adjusted"
+            );
             return error(name, problem);
         }
         Ok(rows.first[index])

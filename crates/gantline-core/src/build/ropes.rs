@@ -1,5 +1,7 @@
 //! Ropes: guides, routes, spans and what feeds them.
 
+use std::sync::Arc;
+
 use glam::{DMat3, DQuat, DVec3};
 
 use super::coils::check_drum;
@@ -7,6 +9,7 @@ use super::rows::{body_index, flow_named};
 use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::constraint::rope::Rope;
 use crate::constraint::rope::span::{Feed, Span};
+use crate::rope::curve::Curve;
 use crate::rope::guide::{Attachment, Guide};
 use crate::rope::material::Material;
 use crate::rope::route::Route;
@@ -155,7 +158,7 @@ fn build_spans(
         let inner: f64 = route.guides[from + 1..index].iter().map(Guide::fixed_arc).sum();
         let outer: f64 = [from, index].map(|guide| route.guides[guide].fixed_arc()).iter().sum();
         let arcs = inner + 0.5 * outer;
-        let mut span = Span { parts: from..index, arcs, length: 0.0, feeds: Vec::new() };
+        let mut span = Span { parts: from..index, arcs, length: 0.0, feeds: Vec::new(), curve: None };
         if let Some(before) = &feeds[from] {
             span.feeds.push(feed(before, before.rates[1])?);
         }
@@ -249,22 +252,41 @@ pub(super) fn build_rope(
         );
     }
     let is_fed = feeds.iter().any(Option::is_some);
-    let material = match given.material {
+    let mut curve = None;
+    let material = match &given.material {
         MaterialSpec::Inextensible {} if is_fed || route.parts.iter().any(|part| !part.is_plain()) => {
             let problem = "an inextensible rope runs over eyes and half turns without losses only; give it an axial stiffness";
             return error(name, problem);
         }
         MaterialSpec::Inextensible {} => Material::INEXTENSIBLE,
         MaterialSpec::Elastic { axial_stiffness, damping_time } => {
-            positive(name, "its axial stiffness", axial_stiffness)?;
-            at_least_zero(name, "its damping time", damping_time)?;
-            Material::elastic(axial_stiffness, damping_time)
+            positive(name, "its axial stiffness", *axial_stiffness)?;
+            at_least_zero(name, "its damping time", *damping_time)?;
+            Material::elastic(*axial_stiffness, *damping_time)
+        }
+        MaterialSpec::Curved { points, damping_time } => {
+            at_least_zero(name, "its damping time", *damping_time)?;
+            if route.guides.len() > 2 || is_fed {
+                return error(
+                    name,
+                    "a rope with a curve runs straight from end to end, without sheave or drum",
+                );
+            }
+            let Some(through) = Curve::through(points) else {
+                return error(
+                    name,
+                    "strains and tensions of its curve rise from nothing, both at every point",
+                );
+            };
+            let material = Material::elastic(through.axial_stiffness, *damping_time);
+            curve = Some(Arc::new(through));
+            material
         }
     };
     let spans = if is_fed {
         build_spans(name, &route, &feeds, length / routed, (tree, start, seats))?
     } else {
-        vec![Span { parts: 0..route.parts.len(), arcs: route.arcs, length, feeds: Vec::new() }]
+        vec![Span { parts: 0..route.parts.len(), arcs: route.arcs, length, feeds: Vec::new(), curve }]
     };
     Ok(Rope::new(name.clone(), route, spans, material, tree))
 }

@@ -143,7 +143,7 @@ impl Columns {
 
 /// Mean tension over the straight parts of a rope [N] under the forces of its rows.
 fn mean_tension(rope: &Rope, force: &[f64], q: &[f64]) -> f64 {
-    rope.mean(|span| rope.spans[span].scale(q) * force[span])
+    rope.mean(|span| rope.spans[span].tension(q, force[span]))
 }
 
 /// Lengthening of all ropes (samples, ropes) [m], zero of those that are not adjusted; empty where none is.
@@ -262,14 +262,19 @@ impl Sampled {
         seats: &[Seat],
         columns: &mut Columns,
     ) -> f64 {
-        columns.rope_tension.push(mean_tension(rope, force, q));
         self.straights.clear();
         let straights = &mut self.straights;
         let length = rope.route.length(&self.kinematics, seats, |_, straight| straights.push(*straight));
+        let tension_of = |span: usize| {
+            // Of a rope with a curve, which has one span, what it pulls with: its damping is in the force only.
+            let scale = rope.spans[span].curve.as_ref().map(|_| rope.spans[span].stretch(q, length).scale);
+            scale.map_or_else(|| rope.spans[span].tension(q, force[span]), |scale| scale * force[span])
+        };
+        columns.rope_tension.push(rope.mean(tension_of));
         for (index, part) in rope.route.parts.iter().enumerate() {
             let straight = self.straights[index];
             let span = rope.span_of[index];
-            let tension = force[span] * rope.spans[span].scale(q);
+            let tension = tension_of(span);
             columns.segment_tension.push(tension);
             columns.segment_length.push(straight.length);
             let [start, end] = straight.couple;

@@ -182,9 +182,9 @@ impl Samples {
         let peaks = self.rope_peak_tension.iter_mut().zip(&mut self.rope_peak_time);
         for ((rope, &first), (known, when)) in system.ropes().zip(&system.rows.first).zip(peaks) {
             for (index, span) in rope.spans.iter().enumerate() {
-                let scale = span.scale(q);
-                if let Some((force, time)) = peak(first + index, *known * (1.0 + ALIKE) / scale) {
-                    (*known, *when) = (force * scale, time);
+                let least = span.force(q, *known * (1.0 + ALIKE));
+                if let Some((force, time)) = peak(first + index, least) {
+                    (*known, *when) = (span.tension(q, force), time);
                 }
             }
         }

@@ -1,6 +1,7 @@
 //! Geometry and material of ropes. Knows no catalogue.
 
 pub mod coil;
+pub mod curve;
 pub mod guide;
 pub mod light;
 pub mod material;

@@ -104,8 +104,8 @@ impl Stiffness {
         for (index, rope) in system.ropes().enumerate() {
             for part in 0..rope.groups() {
                 let span = rope.span_of[part];
-                let tension =
-                    state.tension[system.rows.first[index] + span] * rope.spans[span].scale(&state.q);
+                let force = state.tension[system.rows.first[index] + span];
+                let tension = rope.spans[span].tension(&state.q, force);
                 let range = self.start[group]..self.start[group + 1];
                 let columns = &mut self.columns[range.clone()];
                 if tension == 0.0 {

@@ -37,6 +37,14 @@ pub enum MaterialSpec {
         #[serde(default)]
         damping_time: f64,
     },
+    /// T = G(ε), ε = e/L, and a damper, of a rope that runs straight from end to end.
+    Curved {
+        /// Strain and tension [N], both rising from nothing; straight lines between them.
+        points: Vec<[f64; 2]>,
+        /// Damping time τ [s].
+        #[serde(default)]
+        damping_time: f64,
+    },
     /// No stretch at all; said in so many words.
     Inextensible {},
 }

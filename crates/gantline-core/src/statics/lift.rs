@@ -240,7 +240,10 @@ impl StaticLift {
     /// The derivative over a parameter of what each rope pulls with, mooring lines last [N].
     pub fn tension_change(&self, parameter: Parameter, change: &Sensitivity) -> Vec<f64> {
         let Self { system, state, .. } = self;
-        let ropes = self.statics.rope_changes(system, &change.motion, &change.tension).into_iter();
+        let mut ropes = self.statics.rope_changes(system, &change.motion, &change.tension);
+        if let Some((rope, own)) = self.statics.own_change(system, parameter) {
+            ropes[rope] += own;
+        }
         let kinematics = &placed(system, state).kinematics;
         let moorings = system.moorings().map(|mooring| {
             let carried = match parameter {
@@ -251,7 +254,7 @@ impl StaticLift {
             };
             mooring.tension_rates(&system.tree, kinematics, &change.motion, carried)[0]
         });
-        ropes.chain(moorings).collect()
+        ropes.into_iter().chain(moorings).collect()
     }
 
     /// The lift linearised about the equilibrium that was found last, see [`Statics::linear`]: matrices by name with their

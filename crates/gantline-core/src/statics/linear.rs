@@ -113,7 +113,7 @@ impl Statics {
             (true, false) => 1.0 / self.bearings[row].compliance,
         };
         let kinematics = &self.search.here.frame.kinematics;
-        let (mut unit, still) = (vec![0.0; system.tree.velocities], vec![0.0; system.tree.velocities]);
+        let mut unit = vec![0.0; system.tree.velocities];
         let mut columns = [Vec::new(), Vec::new()];
         for (place, &dof) in free.iter().enumerate() {
             unit[dof] = 1.0;
@@ -121,8 +121,8 @@ impl Statics {
                 gradients.iter().enumerate().map(|(row, gradient)| share(row) * gradient[place]).collect();
             let damped = |(row, change): (usize, &f64)| system.rows.laws[row].damping_time() * change;
             let rate: Vec<f64> = change.iter().enumerate().map(damped).collect();
-            let [mut by_place, mut by_rate] = [(&unit, change), (&still, rate)]
-                .map(|(motion, change)| self.rope_changes(system, motion, &change));
+            let mut by_place = self.rope_changes(system, &unit, &change);
+            let mut by_rate = self.rope_rates(system, &rate);
             for mooring in system.moorings() {
                 let [place, rate] = mooring.tension_rates(&system.tree, kinematics, &unit, DVec3::ZERO);
                 by_place.push(place);

@@ -180,6 +180,25 @@ impl Statics {
         if all > 0.0 { LEAST * largest(&inertia) / all } else { 0.0 }
     }
 
+    /// What a parameter does to the tension of its rope [N] while the force of its row stays: a curve that all of a
+    /// rope's stiffness scales.
+    pub(super) fn own_change(&self, system: &System, parameter: Parameter) -> Option<(usize, f64)> {
+        let Parameter::Stiffness(index) = parameter else { return None };
+        let AnyConstraint::Rope(rope) = &system.constraints[index] else { return None };
+        let curve = rope.spans[0].curve.as_ref()?;
+        let force = self.search.here.tension[system.rows.first[index]];
+        let still = curve.under(force);
+        Some((index, (still.tension - still.growth * force) / curve.axial_stiffness))
+    }
+
+    /// What velocities alone do to the tension of every rope, by changes of the forces of rows [N].
+    pub(super) fn rope_rates(&self, system: &System, change: &[f64]) -> Vec<f64> {
+        let here = &self.search.here;
+        let of_span = |span: &Span, row: usize| span.tension_rate(&here.q, here.tension[row], change[row]);
+        let ropes = system.ropes().zip(&system.rows.first);
+        ropes.map(|(rope, &first)| rope.mean(|span| of_span(&rope.spans[span], first + span))).collect()
+    }
+
     /// What changes of the degrees of freedom and of the forces of rows do to the tension of every rope [N], as it is
     /// recorded: forces of rows are not tensions where rope is fed, and spans of a rope have one each.
     pub(super) fn rope_changes(&self, system: &System, motion: &[f64], change: &[f64]) -> Vec<f64> {
@@ -267,6 +286,18 @@ impl Statics {
                     // e − ε T with e = ℓ − L and ε = L/EA.
                     let (tension, stiffness) =
                         (self.search.here.tension[row], constraint.material.axial_stiffness);
+                    if let (Parameter::Length(_), Some(curve)) = (parameter, &constraint.spans[0].curve) {
+                        // g − ε λ with both L f and ε of the length, and the pull w λ with w = f′.
+                        let still = curve.under(tension);
+                        let long = 1.0 + still.strain;
+                        right[row] = still.scale * long;
+                        let share =
+                            tension * curve.at(still.strain).bend * long / (still.scale * constraint.length);
+                        for (dof, entry) in system.rows.entries(&self.search.here.frame.gradient, row) {
+                            force[dof] += share * entry;
+                        }
+                        return;
+                    }
                     right[row] = match parameter {
                         Parameter::Length(_) => 1.0 + tension / stiffness,
                         _ if constraint.material.is_inextensible() => 0.0,

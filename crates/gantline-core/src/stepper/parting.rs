@@ -74,7 +74,7 @@ fn is_whole(system: &System, state: &State, rope: usize) -> bool {
 fn tension(system: &System, state: &State, rope: usize) -> f64 {
     let spans = system.ropes().nth(rope).into_iter().flat_map(|rope| &rope.spans);
     let forces = spans.zip(&state.tension[system.rows.first[rope]..]);
-    forces.map(|(span, force)| span.scale(&state.q) * force).fold(0.0, f64::max)
+    forces.map(|(span, force)| span.tension(&state.q, *force)).fold(0.0, f64::max)
 }
 
 fn part(system: &System, state: &mut State, frame: &mut Frame, rope: usize) {

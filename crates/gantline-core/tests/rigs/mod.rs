@@ -112,7 +112,8 @@ fn flow(name: &str, inertia: f64, velocity: f64) -> BodySpec {
     }
 }
 
-/// A rig with every joint type in its tree, three ropes (one over a sheave that turns and from a drum), one contact.
+/// A rig with every joint type in its tree, three ropes (one over a sheave that turns and from a drum, one with a curve),
+/// one contact.
 pub fn rig(seeds: &[f64]) -> SystemSpec {
     let mut draw = Draw::new(seeds);
     let mut bodies: Vec<BodySpec> = Vec::new();
@@ -216,12 +217,15 @@ fn rope(draw: &mut Draw, index: usize) -> RopeSpec {
         layers: None,
     });
     route.push(GuideSpec::End { body: body(draw), at: draw.scaled(4.0), drum });
-    rope_of(
-        format!("r{index}"),
-        Some(1.0),
-        MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time: 0.002 },
-        route,
-    )
+    let damping_time = 0.002;
+    let material = if index == 2 {
+        // Many times as long as it is unstretched, as the others: its lines are, too.
+        let points = vec![[2.0, 1e5], [5.0, 5e5], [9.0, 7e5]];
+        MaterialSpec::Curved { points, damping_time }
+    } else {
+        MaterialSpec::Elastic { axial_stiffness: 1e5, damping_time }
+    };
+    rope_of(format!("r{index}"), Some(1.0), material, route)
 }
 
 /// The rig, its state and everything evaluated there.
@@ -301,7 +305,16 @@ pub fn torture(seeds: &[f64]) -> SystemSpec {
             MaterialSpec::Inextensible {}
         } else {
             let axial_stiffness = 10.0_f64.powf(6.5 + 2.0 * draw.number());
-            MaterialSpec::Elastic { axial_stiffness, damping_time: 0.003 * (1.0 + draw.number()) }
+            let damping_time = 0.003 * (1.0 + draw.number());
+            if index < 4 {
+                MaterialSpec::Elastic { axial_stiffness, damping_time }
+            } else {
+                // Soft, stiff, and soft again.
+                let points = [[0.003, 0.3], [0.01, 3.0], [0.02, 4.0]];
+                let points =
+                    points.map(|[strain, share]| [strain, 2.5e-3 * share * axial_stiffness]).to_vec();
+                MaterialSpec::Curved { points, damping_time }
+            }
         };
         let route = ends.map(|(body, at)| GuideSpec::End {
             body: body.map(|body| format!("b{body}")),

@@ -157,7 +157,7 @@ impl Rope {
         for (row, span) in self.spans.iter().enumerate() {
             let Stretch { value: g, scale, supply, .. } = span.stretch(q, value[row]);
             value[row] = g;
-            if !span.feeds.is_empty() {
+            if span.is_scaled() {
                 let lines = &mut lines[span.parts.clone()];
                 for line in &mut *lines {
                     line.direction *= scale;
@@ -203,7 +203,34 @@ impl Rope {
         let straight = self.part(group).locate(kinematics);
         self.transversals(kinematics, &straight, group, columns);
         self.turn(kinematics, (&straight, tension), group, turns);
-        if straight.length > 0.0 { tension / straight.length } else { 0.0 }
+        let factor = if straight.length > 0.0 { tension / straight.length } else { 0.0 };
+        if let Some(curve) = &self.spans[self.span_of[group]].curve {
+            // What a rope that gets stiffer adds along itself, λ f″/L.
+            let bend =
+                curve.at(straight.length / self.length - 1.0).bend * curve.force(tension) / self.length;
+            if bend > 0.0 && factor > 0.0 {
+                let along = straight.direction * (bend / factor).sqrt();
+                let mut columns = columns.iter_mut();
+                self.entries(kinematics, &straight, group, |entry| {
+                    columns.next().into_iter().for_each(|column| *column += along * entry);
+                });
+            }
+        }
+        factor
+    }
+
+    /// How every degree of freedom of a group lengthens its straight part, in their order.
+    fn entries(
+        &self,
+        kinematics: &Kinematics,
+        straight: &Straight,
+        group: usize,
+        mut entry: impl FnMut(f64),
+    ) {
+        let (from, to) = self.ends(self.parts[group]);
+        let [start, end] = straight.couple;
+        pulls(kinematics, from, (straight.from, -straight.pull, start), |_, value| entry(value));
+        pulls(kinematics, to, (straight.to, straight.pull, end), |_, value| entry(value));
     }
 
     /// How every degree of freedom of a group moves the end of the straight part against its start, across it.
@@ -288,7 +315,7 @@ impl Constraint for Rope {
             });
             let stretch = span.stretch(at.q, span.arcs + length);
             value[row] = stretch.value;
-            if !span.feeds.is_empty() {
+            if span.is_scaled() {
                 for entry in &mut gradient[first..first + dofs.len()] {
                     *entry *= stretch.scale;
                 }
@@ -324,6 +351,19 @@ impl Constraint for Rope {
         } else {
             self.curvature_on_sheaves(at, group, (&mut *block, size));
         }
+        if let Some(curve) = &span.curve {
+            let straight = self.part(group).locate(at.kinematics);
+            let bent = curve.at(straight.length / span.length - 1.0);
+            block.iter_mut().for_each(|entry| *entry *= bent.scale);
+            let mut entries = columns.iter_mut();
+            self.entries(at.kinematics, &straight, group, |entry| {
+                entries.next().into_iter().for_each(|column| column.x = entry);
+            });
+            let bend = bent.bend / span.length;
+            for (j, row) in block.chunks_exact_mut(size).enumerate() {
+                row.iter_mut().zip(&*columns).for_each(|(to, other)| *to += bend * columns[j].x * other.x);
+            }
+        }
         if span.feeds.is_empty() {
             return;
         }
@@ -345,9 +385,7 @@ impl Constraint for Rope {
             }
             j += 1;
         };
-        let [start, end] = straight.couple;
-        pulls(at.kinematics, from, (straight.from, -straight.pull, start), |_, entry| across(entry));
-        pulls(at.kinematics, to, (straight.to, straight.pull, end), |_, entry| across(entry));
+        self.entries(at.kinematics, &straight, group, &mut across);
         let strain = value / (scale * unstretched);
         let own = if group == span.parts.start { scale / unstretched * (1.0 + 0.75 * strain) } else { 0.0 };
         for (j, one) in span.feeds.iter().enumerate() {

@@ -9,9 +9,13 @@
 //!
 //! With the constant compliance L₀/EA its energy g² EA/2L₀ is that of the rope, EA (ℓ − L)²/2L, so its forces are those
 //! of the rope, whatever L does: along ℓ the tension T = w λ, λ the force of the row, and along L the tension and the
-//! stretch that goes with the rope, T (1 + ε/2). Without feeds w = 1 and g = ℓ − L.
+//! stretch that goes with the rope, T (1 + ε/2). Without feeds w = 1 and g = ℓ − L, but for a rope with a
+//! [`Curve`], which has its own w.
 
 use std::ops::Range;
+use std::sync::Arc;
+
+use crate::rope::curve::Curve;
 
 /// A degree of freedom that feeds rope into a span.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,6 +52,8 @@ pub struct Span {
     pub length: f64,
     /// What feeds it.
     pub feeds: Vec<Feed>,
+    /// Its tension by its strain, where that is no one line; nothing feeds it then, and it has one straight part.
+    pub curve: Option<Arc<Curve>>,
 }
 
 /// How the row of a span answers.
@@ -74,6 +80,11 @@ impl Span {
     pub fn stretch(&self, q: &[f64], length: f64) -> Stretch {
         if self.feeds.is_empty() {
             let unstretched = self.length;
+            if let Some(curve) = &self.curve {
+                let bent = curve.at(length / unstretched - 1.0);
+                let (value, scale) = (unstretched * bent.value, bent.scale);
+                return Stretch { unstretched, value, scale, supply: -scale };
+            }
             return Stretch { unstretched, value: length - unstretched, scale: 1.0, supply: -1.0 };
         }
         let unstretched = self.unstretched(q);
@@ -83,14 +94,44 @@ impl Span {
         Stretch { unstretched, value: excess * scale, scale, supply }
     }
 
-    /// w at the configuration `q`: tension over the force of the row.
+    /// True where the row's force is not the tension.
+    pub fn is_scaled(&self) -> bool {
+        !self.feeds.is_empty() || self.curve.is_some()
+    }
+
+    /// The tension [N] that a force of the row stands for at the configuration `q`; of a rope with a curve without what
+    /// its damping does to w, which is of second order where the force is largest.
+    pub fn tension(&self, q: &[f64], force: f64) -> f64 {
+        match &self.curve {
+            Some(curve) => curve.under(force).tension,
+            None => self.scale(q) * force,
+        }
+    }
+
+    /// The force of the row that stands for a tension, both [N].
+    pub fn force(&self, q: &[f64], tension: f64) -> f64 {
+        match &self.curve {
+            Some(curve) => curve.force(tension),
+            None => tension / self.scale(q),
+        }
+    }
+
+    /// w at the configuration `q` of a rope without a curve: tension over the force of the row.
     pub fn scale(&self, q: &[f64]) -> f64 {
         if self.feeds.is_empty() { 1.0 } else { (self.length / self.unstretched(q)).sqrt() }
     }
 
     /// What changes of the row's force λ and of L do to the tension w λ: w (dλ − λ dL/2L).
     pub fn tension_change(&self, q: &[f64], force: f64, change: f64, supply: f64) -> f64 {
+        if let Some(curve) = &self.curve {
+            return curve.under(force).growth * change;
+        }
         self.scale(q) * (change - 0.5 * force * supply / self.unstretched(q))
+    }
+
+    /// What a change of the row's force by velocities alone does to the tension: w dλ.
+    pub fn tension_rate(&self, q: &[f64], force: f64, change: f64) -> f64 {
+        self.curve.as_ref().map_or_else(|| self.scale(q), |curve| curve.under(force).scale) * change
     }
 
     /// True where nearly nothing is left of it beside its arcs: 1 % and less.

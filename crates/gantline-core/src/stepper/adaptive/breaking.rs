@@ -18,7 +18,7 @@ impl Adaptive {
             let spans = (system.rows.first[index]..).zip(&rope.spans);
             // One that goes taut does so at the end of the step at the earliest, and breaks after that.
             for (row, span) in spans.filter(|&(row, _)| state.modes[row].carries()) {
-                let Some((low, high)) = self.looks.reaches(row, force / span.scale(&self.next.q)) else {
+                let Some((low, high)) = self.looks.reaches(row, span.force(&self.next.q, force)) else {
                     continue;
                 };
                 let share = self.break_between(system, state, [low, high], (row, span, force));
@@ -69,7 +69,7 @@ impl Adaptive {
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
             self.probe_rows(system, state, middle);
-            let reached = self.probe.trial[row] * span.scale(&self.probe.q) >= force;
+            let reached = span.tension(&self.probe.q, self.probe.trial[row]) >= force;
             if reached { high = middle } else { low = middle }
         }
         high
