@@ -1,6 +1,7 @@
 import sys
 from pathlib import Path
 
+import pytest
 from hypothesis import HealthCheck, settings
 
 # Builders that several test modules share (`import sample_lift`).
@@ -17,3 +18,11 @@ settings.register_profile(
     derandomize=False,
 )
 settings.load_profile("gantline")
+
+
+@pytest.fixture
+def player(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A program in place of the player of reports, whether that is built here or not."""
+    from gantline.viewer.bundle import Bundle
+
+    monkeypatch.setattr("gantline.report.page.bundle", lambda: Bundle("run()", ""))

@@ -51,7 +51,7 @@ from gantline.results.run_warnings import (
 from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
 from gantline.results.unfollowed import unfollowed
-from gantline.results.variable import FloatArray
+from gantline.results.variable import Columns, FloatArray, Names
 from gantline.results.vessels import vessel_warnings, with_righting
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.water import Water
@@ -344,6 +344,26 @@ class Simulation:
     def recording(self) -> Recording:
         """Everything recorded so far."""
         remainder = self._core.energy_remainder()
+        columns, names = clearance_events(self._rig, self._core.columns(), self._core.names())
+        failure = {} if self._failure is None else {"failure": self._failure}
+        return recording_of(
+            columns,
+            names,
+            self._rig_afloat(),
+            title=str(self.assembly.rig.get("title", "")),
+            gantline_version=version(),
+            scenario=self.scenario.text,
+            settings=self._settings_used(),
+            warnings=self._warnings(columns, names, remainder),
+            scene=self.assembly.scene,
+            counters=self._core.counters(),
+            energy_remainder=remainder,
+            status=self.status,
+            **failure,
+        )
+
+    def _warnings(self, columns: Columns, names: Names, remainder: float) -> list[str]:
+        """What is doubtful about the lift as it was given, and as it went so far."""
         # By the name of the file alone: its folder is that of one machine.
         file = Path(self.scenario.source).name
         warnings = [doubt.of(file) for doubt in self.assembly.doubts]
@@ -353,12 +373,10 @@ class Simulation:
             warnings.append(f"the energy balance does not close: {missed}")
         warnings += _long_steps(self.settings["integrator"])
         warnings += _wide_tolerance(self.settings["integrator"], self._rig)
-        names, columns = self._core.names(), self._core.columns()
         warnings += sheave_warnings(self.assembly.rig, columns, names)
         rig = self._rig
         diameters = {rope.name: rope.diameter for rope in rig.ropes}
         warnings += crossed_ropes(self.assembly.document.get("ropes", ()), diameters, columns, names)
-        columns, names = clearance_events(rig, columns, names)
         warnings += contact_warnings(rig, columns, names)
         warnings += missed_peaks(rig, columns, names) + missed_bumps(rig, columns, names)
         warnings += pressed_through(self.assembly.document, rig.fenders, columns, names)
@@ -398,22 +416,7 @@ class Simulation:
             zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
         ):
             warnings.append(f"{met.joint} met its stop at {met.time:.2f} s{met.again}")
-        failure = {} if self._failure is None else {"failure": self._failure}
-        return recording_of(
-            columns,
-            names,
-            self._rig_afloat(),
-            title=str(self.assembly.rig.get("title", "")),
-            gantline_version=version(),
-            scenario=self.scenario.text,
-            settings=self._settings_used(),
-            warnings=warnings,
-            scene=self.assembly.scene,
-            counters=self._core.counters(),
-            energy_remainder=remainder,
-            status=self.status,
-            **failure,
-        )
+        return warnings
 
     def _rig_afloat(self) -> dict[str, Any]:
         """The JSON of the rig, with what rights vessels where the run begins at rest and where it ends.

@@ -27,12 +27,6 @@ def says(*words: object) -> Result:
 
 
 @pytest.fixture
-def player(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A program in place of the player, whether it is built here or not."""
-    monkeypatch.setattr(gantline.report.page, "bundle", lambda: Bundle("run()", ""))
-
-
-@pytest.fixture
 def no_player(monkeypatch: pytest.MonkeyPatch) -> None:
     def missing() -> Bundle:
         raise BundleMissing("the player is not built in this installation")

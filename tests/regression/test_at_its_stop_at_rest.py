@@ -10,7 +10,8 @@ from __future__ import annotations
 import pytest
 
 import gantline
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
+from of_recording import check_of
 
 
 @pytest.mark.parametrize(
@@ -24,7 +25,7 @@ def test_what_is_said_of_a_sheave_past_its_stroke_at_rest(stops: bool, told: str
     """Sheaves of the reference lift go up by 1.2 m (EZ3) at rest, beyond 0.8 m, with a stop or without."""
     changes = {"equalizers.e1.travel.stops": stops, "equalizers.e1.travel.up": "0.8 m"}
     rest = gantline.Statics(gantline.load_scenario("equalizer").changed(changes)).equilibrium()
-    check = next(one for one in check_recording(rest.recording) if one.name == "equalizer_travel_used")
+    check = check_of(rest.recording, "equalizer_travel_used")
     assert check.verdict is Verdict.FAILED
     assert check.value is not None and check.value > 1.0
     assert check.remark.endswith(told)

@@ -16,6 +16,7 @@ from boom_lift import PRESCRIBED, boom_lift
 from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
+from of_recording import check_of
 
 RULES = "rules: {preset: nd_0027_onshore, termination_factor: 1.12}\n"
 EYES = "{type: eye, body: pipe, at: [0 m, 0.5 m, 0.1 m]}, {type: eye, body: pipe, at: [0 m, -0.5 m, 0.1 m]}"
@@ -49,7 +50,7 @@ plan: [{{step: hold, hold: until_end}}]
 
 
 def held(recording: Recording) -> Check:
-    return next(one for one in check_recording(recording) if one.name == "rope_load_of_breaking_force")
+    return check_of(recording, "rope_load_of_breaking_force")
 
 
 def run(text: str) -> Recording:

@@ -13,6 +13,7 @@ import numpy as np
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
+from of_recording import step_end
 
 FILE = Path(__file__).parents[2] / "scenarios" / "crane_barge_in_swell" / "scenario.yaml"
 
@@ -33,5 +34,4 @@ def test_a_trim_that_a_wave_reaches_for_a_moment() -> None:
         level = share * float(trim.max())
         first = float(free.time[int(np.argmax(trim > level))])
         asked = f"hold: until_met, until: {{trim: {{vessel: barge, above: {np.degrees(level)!s} deg}}}}"
-        (end,) = [time for time, kind, name in held(asked).events("step_end") if name == "hold in the swell"]
-        assert first - 0.1 <= end <= first
+        assert first - 0.1 <= step_end(held(asked), "hold in the swell") <= first

@@ -9,10 +9,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.results.crane import Crane, corner_loads
 from gantline.results.recording import Recording
 from gantline.results.variable import Variable
+from of_recording import check_of
 
 #: Weights of girder, legs and bogies, together [N]; distance of the corners of a leg and of the hook [m].
 OWN, BASE, ACROSS = 400e3, 8.0, 6.0
@@ -45,7 +46,7 @@ def checked(hoist_load: float) -> Check:
     of = Recording(
         variables, {**labels, "hook": ["g.H"], "crane_hook": ["g.H"], "joint": ["g.t"]}, {"rig": rig}
     )
-    return next(one for one in check_recording(of) if one.name == "corner_load")
+    return check_of(of, "corner_load")
 
 
 def lightest(hoist_load: float) -> float:

@@ -10,8 +10,8 @@ from __future__ import annotations
 import pytest
 
 import gantline
-from gantline.checks import check_recording
 from gantline.results.recording import Recording
+from of_recording import check_of
 
 LIFT = """
 format: 1
@@ -78,7 +78,7 @@ def run() -> Recording:
 
 def test_the_rule_counts_at_the_largest_radius(run: Recording) -> None:
     """(100 t x 1.05 x 1.1 + 7 t) g over what the chart allows farthest out."""
-    check = next(one for one in check_recording(run) if one.name == "hoist_load_of_rating")
+    check = check_of(run, "hoist_load_of_rating")
     radius = run.column("crane_radius", "c1.H")
     farthest = float(radius.max())
     assert 19.0 < farthest < 20.5

@@ -14,6 +14,7 @@ import pytest
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from lift_text import BASE, spoiled
+from of_recording import step_end
 
 #: Falls of 4 x 18 m and more of 60 kg/m: upper halves of 22 kN.
 _CRANE = """at: [0 m, 0 m, 20 m]
@@ -45,6 +46,6 @@ def test_the_hoist_load_is_that_of_recordings() -> None:
     load = recording.column("hoist_load", "hook")
     assert recording.rig.hooks[0].falls_weight_above > 20e3  # N: otherwise nothing is tested
     for step, wanted in (("up", 400e3), ("down", 200e3)):
-        (ended,) = (time for time, _, name in recording.events("step_end") if name == step)
+        ended = step_end(recording, step)
         # From 0.6 m/min a hoist brakes within 0.01/0.1 = 0.1 s: the condition was met that long before.
         assert np.interp(ended - 0.1, recording.time, load) == pytest.approx(wanted, rel=5e-3)

@@ -16,19 +16,16 @@ import pytest
 
 import gantline
 from four_slings import HANDED_OVER
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Verdict, check_recording
 from gantline.checks.readings import hook_readings
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
+from of_recording import check_of
 from rated_lift import T, recording
 from sample_lift import WEIGHT, ringing_lift, sample_rig
 
 #: Mass of what slings have lumped on a hook [t]; hook block and falls are 9 t.
 OWN, FALLS = 0.3, 9.0
-
-
-def one(of: Recording, name: str) -> Check:
-    return next(check for check in check_recording(of) if check.name == name)
 
 
 def with_slings_on_it(radius: list[float], load: list[float], lead: float = 0.0) -> Recording:
@@ -41,13 +38,13 @@ def with_slings_on_it(radius: list[float], load: list[float], lead: float = 0.0)
 def test_slings_that_hang_in_a_hook_are_no_lift() -> None:
     """100 t at 14 m, of 283 t; then nothing but the slings at 30 m, where the chart has no row."""
     of = with_slings_on_it([14.0, 30.0], [100.0, FALLS + OWN])
-    found = one(of, "hoist_load_of_rating")
+    found = check_of(of, "hoist_load_of_rating")
     assert (found.verdict, found.time) == (Verdict.OK, 0.0)
     assert found.value == pytest.approx(100 / 283)
     (reading,) = hook_readings(of, np.array([False, True]))
     assert (reading.rated, reading.used, reading.is_outside) == (0.0, None, False)
     beyond = with_slings_on_it([14.0, 30.0], [100.0, FALLS + OWN + 0.001])
-    assert one(beyond, "hoist_load_of_rating").verdict is Verdict.FAILED
+    assert check_of(beyond, "hoist_load_of_rating").verdict is Verdict.FAILED
     (reading,) = hook_readings(beyond, np.array([False, True]))
     assert reading.is_outside
 
@@ -67,7 +64,7 @@ def test_the_level_of_a_hook_counts_while_its_slings_are_on() -> None:
     text = HANDED_OVER.replace(end, away + end).replace("duration: 70 s", "duration: 160 s")
     text = text.replace("speed: 1 m/min, by: 0.1 m", "speed: 1 m/min, by: 0.9 m")
     text += "limits: {hook_level_difference: 1.5 m}\n"
-    found = one(gantline.simulate(parse_scenario(text)), "hook_level_difference")
+    found = check_of(gantline.simulate(parse_scenario(text)), "hook_level_difference")
     assert found.verdict is Verdict.OK
     # From when the load comes clear the hook brakes from 1 m/min at 0.05 m/s², before the first 0.2 m; that
     # it is clear is seen one sample of 20 ms later at most.
@@ -80,7 +77,9 @@ def test_the_level_of_a_hook_counts_while_its_slings_are_on() -> None:
 def test_an_equalizer_that_never_hung_still_is_held_against_its_peak(rated: float) -> None:
     rig = sample_rig()
     rig["equalizers"][0]["rated_capacity"] = rated * WEIGHT
-    found = one(ringing_lift(rig=rig, contact=np.full((2001, 4), 1e5)), "equalizer_load_of_rated_capacity")
+    found = check_of(
+        ringing_lift(rig=rig, contact=np.full((2001, 4), 1e5)), "equalizer_load_of_rated_capacity"
+    )
     peak = float(found.formula.removeprefix("peak ").split()[0]) * 1e3
     assert found.value == pytest.approx(peak / (rated * WEIGHT), abs=1e-4)
     assert found.verdict is (Verdict.WARNING if rated > 1.0 else Verdict.FAILED)

@@ -15,6 +15,7 @@ from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
 from hooked_lift import hooked_lift
+from of_recording import check_of
 
 #: Factor of the Queensland code for two cranes, share of each, rated capacity [t].
 KEPT, SHARE, RATED = 1.2, 80.0, 90.0
@@ -54,7 +55,7 @@ def at_rest(more: str, *, slings: dict[str, tuple[str, str, float]] = SLINGS) ->
 
 
 def rated(recording: Recording) -> Check:
-    return next(one for one in check_recording(recording) if one.name == "hoist_load_of_rated_capacity")
+    return check_of(recording, "hoist_load_of_rated_capacity")
 
 
 @pytest.mark.parametrize("more", [ROPE, BAR], ids=["a rope", "a bar"])

@@ -10,11 +10,12 @@ from typing import Any
 
 import pytest
 
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
 from hooked_lift import hooked_lift
+from of_recording import check_of
 from rated_lift import T, recording
 
 LOAD, RATED, KEPT = 160.0, 180.0, 1.2
@@ -37,7 +38,7 @@ def checked(cranes: tuple[str, ...], factors: dict[str, Any]) -> Check:
     ]
     rig = {**of.attributes["rig"], "rating_charts": [], "ratings": ratings}
     again = Recording(of.variables, of.coordinates, {**of.attributes, "rig": rig})
-    return next(one for one in check_recording(again) if one.name == "hoist_load_of_rated_capacity")
+    return check_of(again, "hoist_load_of_rated_capacity")
 
 
 def test_two_cranes_keep_capacity_back() -> None:
@@ -73,7 +74,7 @@ def on_fixed_hooks(more: str) -> Check:
     text = hooked_lift(HOOKS, LUGS, SLINGS, mass=160e3, more=more)
     lift = text.replace("type: fixed_hook", "type: fixed_hook, rated_capacity: 90 t")
     rest = Statics(parse_scenario(lift)).equilibrium()
-    return next(one for one in check_recording(rest.recording) if one.name == "hoist_load_of_rated_capacity")
+    return check_of(rest.recording, "hoist_load_of_rated_capacity")
 
 
 @pytest.mark.parametrize(

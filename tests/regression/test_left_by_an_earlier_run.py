@@ -12,23 +12,17 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-import gantline.report.page
 from fake_core import FakeCore, core
 from gantline.cli.app import app
 from gantline.results import open_recording
-from gantline.viewer.bundle import Bundle
 from sample_lift import sample_recording, sample_rig
 
 __all__ = ["core"]
 
+pytestmark = pytest.mark.usefixtures("player")
+
 #: What others wrote, or other verbs, and what is no file.
 OTHERS = ("cases.json", "equilibrium.nc", "motion_1.nc", "photo.png", "equalizer_of_1998.png", "notes.html")
-
-
-@pytest.fixture(autouse=True)
-def player(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A program in place of the player, whether it is built here or not."""
-    monkeypatch.setattr(gantline.report.page, "bundle", lambda: Bundle("run()", ""))
 
 
 def run(folder: Path, *words: str) -> tuple[int, set[str]]:

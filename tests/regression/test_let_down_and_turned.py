@@ -12,16 +12,13 @@ import math
 import numpy as np
 import pytest
 
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.results import series
 from gantline.results.recording import Recording
+from of_recording import check_of
 from sample_lift import WEIGHT, ringing_lift, sample_rig
 
 TIME = np.linspace(0.0, 40.0, 2001)
-
-
-def check(recording: Recording, name: str) -> Check:
-    return next(one for one in check_recording(recording) if one.name == name)
 
 
 def let_down(share: float) -> Recording:
@@ -35,10 +32,10 @@ def let_down(share: float) -> Recording:
 def test_little_that_is_left_has_no_spread() -> None:
     """(606 − 594)/600 kN, as long as no more than a twentieth is left; with more it counts as it is, 5."""
     recording = let_down(0.04)
-    found = check(recording, "tension_spread_when_clear")
+    found = check_of(recording, "tension_spread_when_clear")
     assert found.value == pytest.approx(0.02) and found.verdict is Verdict.OK
     assert recording.metrics()["peak_tension_spread_when_clear"] == pytest.approx(0.02)
-    found = check(let_down(0.06), "tension_spread_when_clear")
+    found = check_of(let_down(0.06), "tension_spread_when_clear")
     assert found.value == pytest.approx(5.0) and found.verdict is Verdict.FAILED
 
 
@@ -58,10 +55,10 @@ def turned(angle: float) -> Recording:
 
 def test_what_turning_moves_from_hook_to_hook_is_no_dynamics() -> None:
     """Turned by 8° it may be dynamics, 780/600; by 12° nothing tells."""
-    found = check(turned(math.radians(8.0)), "sling_dynamic_factor")
+    found = check_of(turned(math.radians(8.0)), "sling_dynamic_factor")
     assert found.value == pytest.approx(1.3) and found.verdict is Verdict.FAILED
     recording = turned(math.radians(12.0))
-    found = check(recording, "sling_dynamic_factor")
+    found = check_of(recording, "sling_dynamic_factor")
     assert (found.value, found.verdict) == (None, Verdict.WARNING)
     assert "turned by more than 10 deg" in found.remark
     assert not series.has_hung_so(recording, 35.0) and series.has_hung_so(recording, 25.0)

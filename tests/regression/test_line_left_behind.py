@@ -18,6 +18,7 @@ from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from mechanics import G
+from of_recording import step_end
 
 PULL, EA = 1500.0, 150e3
 #: Where the line is made fast, from below the hook, and where the tugger stands [m].
@@ -93,7 +94,7 @@ def test_a_load_whose_line_is_slack_hangs_still() -> None:
     """
     recording = run("0.3 m/min")
     window = recording.time[series.quiet_window(recording)]
-    (end,) = (time for time, _, name in recording.events("step_end") if name == "down")
+    end = step_end(recording, "down")
     # To a sample, of 0.02 s.
     assert window[0] == pytest.approx(end, abs=0.021) and window[-1] == recording.time[-1]
     assert recording.metrics()["static_hook_load"] == pytest.approx(45e3 * G, rel=1e-5)

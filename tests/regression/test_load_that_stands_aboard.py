@@ -14,6 +14,7 @@ from gantline import simulate
 from gantline.scenario import ScenarioError, parse_scenario
 from lift_text import changed
 from mechanics import G
+from of_recording import step_end
 
 LIFT = """\
 format: 1
@@ -49,7 +50,7 @@ def test_plan_waits_for_the_deck_to_be_clear() -> None:
     lift_off = recording.metrics()["lift_off_time"]
     # The deck gives 0.25 mm to each corner; the load lags as it is pulled up.
     assert lift_off == pytest.approx((0.1 + stretch) / 0.05 + start, abs=0.1)
-    (ended,) = [time for time, _, name in recording.events("step_end") if name == "off"]
+    ended = step_end(recording, "off")
     assert lift_off < ended < lift_off + 0.1  # brakes within 0.05 s
 
 

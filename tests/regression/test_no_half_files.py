@@ -26,7 +26,7 @@ VERBS = {
     "export lift.nc new/a.csv": ["a.csv"],
     "export lift.nc new/a.glb": ["a.glb"],
     "export lift.nc new/a.png": ["a.png"],
-    "export lift.nc new/a.gif --speed 40": ["a.gif"],
+    "export lift.nc new/a.gif --speed 400": ["a.gif"],
     "compare lift.nc lift.nc -o new --no-plots": ["comparison.json", "comparison.txt"],
     "schema -o new/lift.schema.json": ["lift.schema.json"],
     "hydro box:100m,30m,8m -o new/hull.svg": ["hull.svg"],
@@ -80,7 +80,7 @@ def test_a_film_that_fails_leaves_the_one_before(folder: Path, monkeypatch: pyte
     film = folder / "new" / "lift.mp4"
     film.write_text("old", encoding="utf-8")
     with pytest.raises(VideoError, match="ffmpeg could not make the film: full"):
-        write_video(ringing_lift(), film, speed=40.0)
+        write_video(ringing_lift(), film, speed=400.0)
     assert film.read_text(encoding="utf-8") == "old"
     assert [one.name for one in (folder / "new").iterdir()] == ["lift.mp4"]
 

@@ -15,43 +15,16 @@ import pytest
 
 from gantline.scenario import parse_scenario
 from gantline.study import CannotBeError, plumb_hooks
-from hooked_lift import hooked_lift
+from hooked_lift import turned_by_two_hooks
 
-#: At the end of the plan their bearings are at 18.5 m and 12 m.
-HOOKS = {"main": (0.0, 2.6, 13.0), "tail": (0.0, -3.2, 11.0)}
-LUGS = {"A": (-2.2, 2.6, 3.0), "B": (2.2, 2.6, 3.0), "C": (-2.2, -3.0, 0.8), "D": (2.2, -3.0, 0.8)}
-SLINGS = {
-    "A": ("main", "A", 10.3),
-    "B": ("main", "B", 10.3),
-    "C": ("tail", "C", 10.5),
-    "D": ("tail", "D", 10.5),
-}
-PLAN = """\
-ground: {friction: 0.5}
-plan:
-  - {step: lift, hoist: [main, tail], speed: 0.1 m/s, by: 4 m}
-  - {step: turn, lower: tail, speed: 0.1 m/s, by: 3 m}
-  - {step: turn on, hoist: main, speed: 0.1 m/s, by: 1.5 m}
-"""
-#: How far below its hook each pair of lugs is where slings hang in a plane along x through the hook [m].
+#: How far below its hook each pair of lugs, 4.4 m apart, is in a plane along x through the hook [m].
 DEPTHS = math.sqrt(10.3**2 - 2.2**2), math.sqrt(10.5**2 - 2.2**2)
 
 
 def test_it_says_that_it_cannot_be() -> None:
+    # Where the plan leaves their bearings: 13 + 4 + 1.5 m and 11 + 4 - 3 m.
     higher = (18.5 - DEPTHS[0]) - (12.0 - DEPTHS[1])
     assert higher > math.hypot(5.6, 2.2)  # 6.7 m > 6.02 m
-    text = hooked_lift(
-        HOOKS,
-        LUGS,
-        SLINGS,
-        mass=20e3,
-        centre=(0.0, 0.0, 1.45),
-        box=(4.8, 6.0, 3.0),
-        axial_stiffness=20e6,
-        more=PLAN,
-    )
-    text = text.replace("  name: load\n", "  name: load\n  stands_on: ground\n")
-    text = text.replace("as_given", "rest").replace("duration: 10 s", "duration: 110 s")
     with pytest.raises(CannotBeError) as found:
-        plumb_hooks(parse_scenario(text))
+        plumb_hooks(parse_scenario(turned_by_two_hooks()))
     assert str(found.value).startswith("slack on the way: C, D; ")

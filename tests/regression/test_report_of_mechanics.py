@@ -10,12 +10,10 @@ import numpy as np
 import pytest
 
 import gantline
-import gantline.report.page
 from four_slings import LIFT
 from gantline.assembly import assemble
 from gantline.report.page import render_report
 from gantline.scenario import parse_scenario
-from gantline.viewer.bundle import Bundle
 
 PENDULUM = """\
 format: 1
@@ -40,10 +38,8 @@ def test_a_body_without_a_shape_is_drawn_as_steel_of_its_mass() -> None:
 
 
 @pytest.mark.parametrize(("text", "is_lift"), [(PENDULUM, False), (LIFT, True)])
-def test_only_a_lift_has_reasons_to_stop_it(
-    text: str, is_lift: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(gantline.report.page, "bundle", lambda: Bundle("1;", ""))
+@pytest.mark.usefixtures("player")
+def test_only_a_lift_has_reasons_to_stop_it(text: str, is_lift: bool) -> None:
     recording = gantline.simulate(parse_scenario(text), duration=0.1)
     html = render_report(recording)
     assert ("<h2>Stop if</h2>" in html) is is_lift

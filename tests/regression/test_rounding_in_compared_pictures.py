@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.text import Text
 
 import gantline
+from drawn import text_of
 from gantline.plot import comparison_figures
 from gantline.results.comparison import Comparison
 from sample_lift import WEIGHT, sample_recording, sample_rig
@@ -39,11 +39,6 @@ def panels(comparison: Comparison, name: str) -> list[Axes]:
     return list(figure.axes)
 
 
-def said(panel: Axes) -> str:
-    texts: list[Text] = panel.findobj(Text)
-    return "\n".join(text.get_text() for text in texts)
-
-
 def drawn(panel: Axes) -> list[np.ndarray]:
     lines = [np.asarray(line.get_ydata(), float) for line in panel.get_lines()]
     return [values for values in lines if len(values) > 2]
@@ -52,14 +47,14 @@ def drawn(panel: Axes) -> list[np.ndarray]:
 @pytest.mark.parametrize("name", ["compare_sling_tension", "compare_hook_load"])
 def test_rounding_is_no_difference(name: str) -> None:
     lower = panels(compared(1e-13), name)[1]
-    assert "no difference but rounding" in said(lower)
+    assert "no difference but rounding" in text_of(lower)
     assert all(not values.any() for values in drawn(lower))
 
 
 def test_more_than_rounding_is_drawn() -> None:
     """1e-6 of WEIGHT/5 = 588.6 kN are 0.589 N."""
     lower = panels(compared(1e-6), "compare_sling_tension")[1]
-    assert "+0.000589 kN" in said(lower)
+    assert "+0.000589 kN" in text_of(lower)
     np.testing.assert_allclose(drawn(lower)[0], 1e-6 * WEIGHT / 5.0 / 1e3, rtol=2e-6)
 
 
@@ -70,7 +65,7 @@ def test_a_constant_difference_is_largest_as_it_begins() -> None:
     assert found is not None
     assert found.time == 0.0
     assert found.largest == pytest.approx(0.1 * WEIGHT / 5.0, rel=1e-9)
-    assert "at 0.00 s" in said(panels(comparison, "compare_sling_tension")[1])
+    assert "at 0.00 s" in text_of(panels(comparison, "compare_sling_tension")[1])
 
 
 def test_a_constant_angle_keeps_clear_of_the_edge() -> None:

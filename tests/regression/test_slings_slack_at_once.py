@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import gantline
 from gantline.scenario import parse_scenario
+from of_recording import step_end
 
 LIFT = """\
 format: 1
@@ -56,6 +57,6 @@ def test_a_step_that_waits_for_both_ends() -> None:
     recording = gantline.simulate(parse_scenario(LIFT))
     assert recording.attributes["status"] == "done"
     slack = [time for time, _, name in recording.events("slack") if name.startswith("sling.short")]
-    (end,) = (time for time, _, name in recording.events("step_end") if name == "set down")
+    end = step_end(recording, "set down")
     assert len(slack) == 2
     assert abs(end - BRAKES - max(slack)) < 1e-6

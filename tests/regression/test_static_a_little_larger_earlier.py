@@ -11,8 +11,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.results import series
+from of_recording import check_of
 from sample_lift import ringing_lift, sample_rig
 
 G, TENSION, DYNAMIC = 9.81, 600e3, 1.1
@@ -34,7 +35,7 @@ def lug(more: float, capacity: float) -> Check:
         energy={"drive_work": work, "gravity": work},
     )
     assert len(series.quiet_windows(recording)) == 2
-    return next(one for one in check_recording(recording) if one.name == "lug_load_of_capacity")
+    return check_of(recording, "lug_load_of_capacity")
 
 
 @pytest.mark.parametrize(("more", "counts"), [(1.009, 1.009), (1.002, 1.002), (1.0005, 1.0), (0.99, 1.0)])

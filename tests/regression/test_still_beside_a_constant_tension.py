@@ -12,8 +12,9 @@ from __future__ import annotations
 import pytest
 
 import gantline
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.results import series
+from of_recording import check_of
 
 LIFT = """\
 format: 1
@@ -85,7 +86,7 @@ def test_static_forces_are_those_of_both_holds(recording: gantline.Recording) ->
 
 def test_a_lug_past_its_capacity_at_a_hold_fails(recording: gantline.Recording) -> None:
     """196.2 kN x 1.1 of contingency x 1.1 of the rule over 23 t x 9.81 are 105 %."""
-    lug = next(one for one in check_recording(recording) if one.name == "lug_load_of_capacity")
+    lug = check_of(recording, "lug_load_of_capacity")
     assert lug.verdict is Verdict.FAILED
     assert lug.value == pytest.approx(WEIGHT / 2 * 1.1 * 1.1 / (23e3 * 9.81), rel=1e-3)
 

@@ -19,6 +19,7 @@ from gantline.results.recording import Recording
 from gantline.results.solids import box_faces
 from gantline.scenario import parse_scenario
 from module_lift import module_lift
+from of_recording import check_of
 
 DECK, UNDERSIDE = 2.0, 12.0
 OVER_THE_DECK = (20.0, UNDERSIDE)
@@ -74,10 +75,7 @@ def test_a_hook_that_is_lowered_into_the_load() -> None:
 def test_a_pair_that_is_watched_is_judged_by_that() -> None:
     recording = lowered(10.5, "watch: [{between: [module, barge]}]\n")
     assert not told(recording)
-    assert (
-        next(one for one in check_recording(recording) if one.name == "clearance_margin").verdict
-        is Verdict.FAILED
-    )
+    assert check_of(recording, "clearance_margin").verdict is Verdict.FAILED
 
 
 def test_a_pair_that_touches_is_held_apart_by_that() -> None:

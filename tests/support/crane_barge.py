@@ -28,6 +28,7 @@ from scipy.optimize import brentq
 from floating import SEA, box_hull, buoyancy
 from lagrange import Batch
 from mechanics import Floats, G, Json, body, document, end, free, point, rope
+from rigid import across
 
 CORNERS = np.array(list(itertools.product((0, 1), repeat=3)))
 SIGNS = (-1.0) ** CORNERS.sum(axis=1)
@@ -94,24 +95,18 @@ TANKS = (
 )
 
 
-def crossing(way: Floats) -> Floats:
-    """The matrix of way × (3, 3)."""
-    x, y, z = way
-    return np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-
-
 def inertia_of_all(centre: Floats) -> Floats:
     """Of barge and water along about the barge's origin (6, 6)."""
-    arm, moved = crossing(centre), np.eye(6)
+    arm, moved = across(centre), np.eye(6)
     own = np.block([[MASS * np.eye(3), -MASS * arm], [MASS * arm, INERTIA - MASS * arm @ arm]])
-    moved[:3, 3:] = -crossing(ADDED_AT)
+    moved[:3, 3:] = -across(ADDED_AT)
     return np.asarray(own + moved.T @ ADDED @ moved)
 
 
 def rotation(q: Floats) -> Floats:
     """Of a quaternion, w first (3, 3)."""
     w, axis = q[0], q[1:]
-    cross = crossing(axis)
+    cross = across(axis)
     return np.asarray(np.eye(3) + 2 * (w * cross + cross @ cross) / (q @ q))
 
 

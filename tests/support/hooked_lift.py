@@ -82,3 +82,31 @@ def two_hooks(centre: Sequence[float] = (0.4, 0.1, 2.0)) -> str:
     """A lift file of a load under two hooks that are not quite over their lugs."""
     at = (0.0, 0.0, 6.5)
     return hooked_lift(TWO_HOOKS, TWO_HOOKS_LUGS, TWO_HOOKS_SLINGS, centre=centre, position=at)
+
+
+def turned_by_two_hooks(more: str = "") -> str:
+    """A lift file of 20 t that two hooks lift off and turn by 54 deg; `more` steps, a line each, indented."""
+    text = hooked_lift(
+        {"main": (0.0, 2.6, 13.0), "tail": (0.0, -3.2, 11.0)},
+        {"A": (-2.2, 2.6, 3.0), "B": (2.2, 2.6, 3.0), "C": (-2.2, -3.0, 0.8), "D": (2.2, -3.0, 0.8)},
+        {
+            "A": ("main", "A", 10.3),
+            "B": ("main", "B", 10.3),
+            "C": ("tail", "C", 10.5),
+            "D": ("tail", "D", 10.5),
+        },
+        mass=20e3,
+        centre=(0.0, 0.0, 1.45),
+        box=(4.8, 6.0, 3.0),
+        axial_stiffness=20e6,
+        more="""\
+ground: {friction: 0.5}
+plan:
+  - {step: lift, hoist: [main, tail], speed: 0.1 m/s, by: 4 m}
+  - {step: turn, lower: tail, speed: 0.1 m/s, by: 3 m}
+  - {step: on, hoist: main, speed: 0.1 m/s, by: 1.5 m}
+"""
+        + more,
+    )
+    text = text.replace("  name: load\n", "  name: load\n  stands_on: ground\n")
+    return text.replace("as_given", "rest").replace("duration: 10 s", "duration: 110 s")

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+import gantline
 from gantline.results.variable import FloatArray
 
 G = 9.81
@@ -62,6 +64,13 @@ def lift(**changes: Any) -> dict[str, Any]:
 def text(given: Mapping[str, Any]) -> str:
     """A lift file; JSON is YAML."""
     return json.dumps(given, indent=1)
+
+
+def simulated(folder: Path, given: Mapping[str, Any], **settings: Any) -> gantline.Recording:
+    """Run a lift, its file in a folder; `settings` as for `gantline.simulate`."""
+    path = folder / "scenario.yaml"
+    path.write_text(text(given))
+    return gantline.simulate(path, **settings)
 
 
 def shares_of_springs(

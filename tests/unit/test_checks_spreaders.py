@@ -6,13 +6,14 @@ import math
 
 import pytest
 
-from gantline.checks import Check, Verdict, check_recording, values_of
+from gantline.checks import Verdict, values_of
 from gantline.results.recording import Recording
 from gantline.results.spreaders import thrust
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from gantline.statics import Statics
 from mechanics import G
+from of_recording import check_of
 from spreader_lifts import BAR, LOAD, one_bar, two_hooks
 
 DESIGN = 1.05
@@ -22,18 +23,14 @@ def at_rest(text: str) -> Recording:
     return Statics(parse_scenario(text)).equilibrium().recording
 
 
-def check(recording: Recording, name: str) -> Check:
-    return next(one for one in check_recording(recording) if one.name == name)
-
-
 def test_rated_capacity_below_a_spreader() -> None:
     """Of the load alone, with contingency."""
-    found = check(at_rest(one_bar()), "spreader_load_of_rated_capacity")
+    found = check_of(at_rest(one_bar()), "spreader_load_of_rated_capacity")
     assert found.value == pytest.approx(DESIGN * LOAD / 80e3, rel=1e-4)
     assert (found.element, found.verdict, found.limit) == ("bar", Verdict.OK, 1.0)
-    found = check(at_rest(one_bar().replace("rated_capacity: 80 t", "rated_capacity: 62 t")), found.name)
+    found = check_of(at_rest(one_bar().replace("rated_capacity: 80 t", "rated_capacity: 62 t")), found.name)
     assert found.verdict is Verdict.FAILED
-    found = check(at_rest(one_bar().replace("    rated_capacity: 80 t\n", "")), found.name)
+    found = check_of(at_rest(one_bar().replace("    rated_capacity: 80 t\n", "")), found.name)
     assert (found.verdict, found.remark) == (Verdict.NOT_CHECKED, "rated capacity not known: bar")
 
 
@@ -46,7 +43,7 @@ def test_thrust_in_a_bar() -> None:
     assert thrust(recording, recording.rig.spreaders[0])[-1] == pytest.approx(by_hand, rel=1e-6)
     limited = one_bar(0.0).replace("limits: {", "rules: {dynamic_amplification_factor: 1.1}\nlimits: {")
     limited = limited.replace("load_tilt", "spreader_thrust: 200 kN, load_tilt")
-    found = check(at_rest(limited), "spreader_thrust")
+    found = check_of(at_rest(limited), "spreader_thrust")
     assert found.value == pytest.approx(1.1 * DESIGN * by_hand, rel=1e-6)
     assert (found.element, found.verdict) == ("bar", Verdict.FAILED)
 
@@ -60,7 +57,7 @@ def test_nothing_pushes_a_bar_between_plumb_slings() -> None:
 def test_a_spreader_has_no_contingency() -> None:
     """The design weight is one of the load: hook load W x 1.05 + B."""
     recording = at_rest(one_bar())
-    assert check(recording, "static_hook_load").value == pytest.approx((DESIGN * LOAD + BAR) * G, rel=1e-6)
+    assert check_of(recording, "static_hook_load").value == pytest.approx((DESIGN * LOAD + BAR) * G, rel=1e-6)
     # Between two hooks each bears its share of the bar.
     shares = values_of(at_rest(two_hooks()), "static_hook_load")
     assert sum(shares.values()) == pytest.approx((DESIGN * LOAD + BAR) * G, rel=1e-6)
@@ -77,7 +74,7 @@ def test_lugs_at_both_ends() -> None:
     weak = one_bar().replace(
         "B2: {at: [4 m, 0 m, -0.2 m], capacity: 60 t}", "B2: {at: [4 m, 0 m, -0.2 m], capacity: 30 t}"
     )
-    found = check(at_rest(weak), "lug_load_of_capacity")
+    found = check_of(at_rest(weak), "lug_load_of_capacity")
     assert (found.verdict, found.element) == (Verdict.FAILED, "bar.B2")
 
 
@@ -114,5 +111,5 @@ def test_a_bar_that_is_lowered_into_the_load() -> None:
         .replace("{step: hoist,", "{step: down,")
     )
     recording = simulate(parse_scenario(text.replace("duration: 60 s", "duration: 140 s")))
-    found = next(one for one in check_recording(recording) if one.name == "no_overlap")
+    found = check_of(recording, "no_overlap")
     assert (found.verdict, found.element) == (Verdict.FAILED, "module to bar")

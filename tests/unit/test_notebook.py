@@ -8,8 +8,6 @@ from pathlib import Path
 import pytest
 
 import gantline
-import gantline.report.page
-from gantline.viewer.bundle import Bundle
 from hostile import EVIL, hostile_recording
 from plumb_lift import plumb_lift
 from sample_lift import ringing_lift
@@ -58,8 +56,8 @@ def test_a_scenario_tells_what_it_describes(tmp_path: Path) -> None:
     assert "4: SA, SB, SC, SD" in page.text and str(file) in page.text
 
 
-def test_a_report_stands_in_a_frame_without_rights(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(gantline.report.page, "bundle", lambda: Bundle("run()", ""))
+@pytest.mark.usefixtures("player")
+def test_a_report_stands_in_a_frame_without_rights() -> None:
     report = gantline.Report(hostile_recording())
     page = Elements(report._repr_html_())
     frames = [attributes for tag, attributes in page.found if tag == "iframe"]

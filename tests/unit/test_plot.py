@@ -15,6 +15,7 @@ from matplotlib.patches import Polygon
 from matplotlib.text import Text
 from PIL import Image
 
+from drawn import text_of
 from gantline.plot import figures, save_pictures
 from gantline.plot.drawing import SIDE, TOP, draw, norm_of
 from gantline.plot.labels import beside
@@ -52,11 +53,6 @@ def plain_system() -> Recording:
         "axes": None,
     }
     return Recording(recording.variables, recording.coordinates, {**recording.attributes, "scene": scene})
-
-
-def text_of(figure: Figure) -> str:
-    texts: list[Text] = figure.findobj(Text)
-    return "\n".join(text.get_text() for text in texts)
 
 
 def test_curves_that_are_one_on_paper_are_dashes_of_all_their_colours() -> None:

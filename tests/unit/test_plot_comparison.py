@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
-from matplotlib.text import Text
 
+from drawn import text_of
 from gantline.plot import comparison_figures, save_comparison_pictures
 from gantline.results.comparison import Comparison, compare
 from gantline.results.recording import Recording
@@ -31,11 +31,6 @@ def pictures(comparison: Comparison) -> dict[str, Figure]:
 @pytest.fixture(scope="module")
 def drawn() -> dict[str, Figure]:
     return pictures(compare(ringing_lift(), larger(), names=("slow", "fast")))
-
-
-def text_of(figure: Figure) -> str:
-    texts: list[Text] = figure.findobj(Text)
-    return "\n".join(text.get_text() for text in texts)
 
 
 def test_pictures_of_two_lifts(drawn: dict[str, Figure]) -> None:

@@ -20,6 +20,7 @@ from gantline.rule_data import several_cranes
 from gantline.scenario import parse_scenario
 from gantline.scenario.rating import Rating
 from gantline.scenario.tree import ListNode, MapNode, TextNode
+from of_recording import check_of
 from rated_lift import RADII, RATED, T, recording
 
 FLOATING_CRANE = Path(__file__).resolve().parents[2] / "scenarios" / "floating_crane" / "scenario.yaml"
@@ -34,7 +35,7 @@ def rating(**given: str | list[str]) -> Rating:
 
 
 def check(of: Recording, key: str = "hoist_load_of_rating") -> Check:
-    return next(one for one in check_recording(of) if one.name == key)
+    return check_of(of, key)
 
 
 def test_the_worst_moment_is_where_load_and_radius_make_it() -> None:

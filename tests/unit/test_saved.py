@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-import gantline.report.page
 from gantline.replacing import replace_text
 from gantline.report import render_report, write_report
 from gantline.report.first_page import FirstPage
@@ -17,9 +16,10 @@ from gantline.report.rest import Cases, Modes, Rest
 from gantline.report.subject import Subject
 from gantline.results import Recording
 from gantline.results.saved import CASES, EQUILIBRIUM, LOST_LOAD, SavedCases, digest_of, read_beside
-from gantline.viewer.bundle import Bundle
 from hostile import EVIL
 from sample_lift import ringing_lift
+
+pytestmark = pytest.mark.usefixtures("player")
 
 SCENARIO = "format: 1\n"
 
@@ -81,11 +81,6 @@ def folder(tmp_path: Path) -> Path:
     replace_text(tmp_path / CASES, json.dumps(cases()))
     equilibrium().save(tmp_path / EQUILIBRIUM)
     return tmp_path
-
-
-@pytest.fixture(autouse=True)
-def player(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(gantline.report.page, "bundle", lambda: Bundle("run()", ""))
 
 
 def test_a_report_shows_what_lies_beside_it(folder: Path) -> None:

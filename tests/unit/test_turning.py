@@ -6,14 +6,12 @@ import numpy as np
 import pytest
 
 import gantline
-import gantline.report.page
 from gantline.report import render_report
 from gantline.report.subject import Subject
 from gantline.report.turning import turnings
 from gantline.results import Recording
 from gantline.results.turning import AtTilt, at_tilts
 from gantline.scenario import parse_scenario
-from gantline.viewer.bundle import Bundle
 from lift_text import changed
 from mechanics import G
 from sample_lift import WEIGHT, ringing_lift
@@ -54,9 +52,8 @@ def test_hooks_share_a_turned_load_by_the_moments_of_its_weight(column: Recordin
     assert [state.sling for state in states] == ["S2", "S2", "S1", "S1"]
 
 
-def test_the_first_page_has_them_in_tonnes_as_all_readings_of_hooks(
-    column: Recording, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.mark.usefixtures("player")
+def test_the_first_page_has_them_in_tonnes_as_all_readings_of_hooks(column: Recording) -> None:
     (table,) = turnings(Subject(column))
     assert (table["load"], table["hooks"], table["is_supported"]) == ("column", ["gol.A", "gol.B"], False)
     level = table["rows"][0]
@@ -64,7 +61,6 @@ def test_the_first_page_has_them_in_tonnes_as_all_readings_of_hooks(
     assert level["hook_loads"] == [f"{100.0 * (1.0 - share):.1f}", f"{100.0 * share:.1f}"]
     used = 100.0 * share * COLUMN / STRENGTH
     assert (level["tilt"], level["sling"], level["used"]) == ("0.0", "S2", f"{used:.0f}")
-    monkeypatch.setattr(gantline.report.page, "bundle", lambda: Bundle("", ""))
     html = render_report(column)
     assert "Turning of column" in html and "gol.B <i>t</i>" in html
 

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import gantline
-from gantline.results.variable import FloatArray
 
 LIFT = Path(__file__).resolve().parents[2] / "scenarios" / "equalizer_yard" / "scenario.yaml"
 G = 9.81
@@ -56,11 +55,6 @@ def events(recording: gantline.Recording, kind: str) -> list[tuple[str, float]]:
         strict=True,
     )
     return [(str(name), float(time)) for name, time, found in rows if found == kind]
-
-
-def tensions(recording: gantline.Recording) -> FloatArray:
-    """Tension of the five slings [N], shape (time, 5)."""
-    return np.stack([recording.column("rope_tension", f"sling.S{k}") for k in range(1, 6)], axis=1)
 
 
 def stiffness() -> float:

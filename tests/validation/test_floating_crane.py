@@ -24,6 +24,7 @@ from gantline.statics import Equilibrium, Statics
 from gantline.statics.inclining import metacentric_heights
 from lift_text import changed, without
 from mechanics import G
+from of_recording import step_end
 
 FILE = Path(__file__).parents[2] / "scenarios" / "floating_crane" / "scenario.yaml"
 HOOKS = ("H1", "H2", "H3", "H4")
@@ -78,8 +79,7 @@ def vessel(recording: Recording, name: str, sample: int = -1) -> float:
 
 def end_of(recording: Recording, step: str) -> int:
     """Last sample of a step."""
-    (end,) = [time for time, _, name in recording.events("step_end") if name == step]
-    return int(np.searchsorted(recording.time, end, side="right")) - 1
+    return int(np.searchsorted(recording.time, step_end(recording, step), side="right")) - 1
 
 
 def slings_of(recording: Recording, hook: str) -> FloatArray:

@@ -24,6 +24,7 @@ from gantline.simulation import Simulation
 from gantline.statics import Statics
 from lift_text import changed
 from mechanics import G
+from of_recording import check_of, step_end
 from several_cranes import (
     DISPLACED,
     END,
@@ -52,13 +53,9 @@ def recording() -> Recording:
 
 def in_hold(recording: Recording, step: str) -> slice:
     """Samples of the last 20 s of a step."""
-    (end,) = [time for time, _, name in recording.events("step_end") if name == step]
+    end = step_end(recording, step)
     first, last = np.searchsorted(recording.time, [end - 20.0, end])
     return slice(int(first), int(last))
-
-
-def check(recording: Recording, name: str) -> Check:
-    return next(one for one in check_recording(recording) if one.name == name)
 
 
 # Balances at rest. 1e-6 is what is asked; searches end where forces balance to 1e-9 of those that meet.
@@ -190,7 +187,7 @@ def test_falls_lead_within_what_the_charts_allow(recording: Recording) -> None:
         assert abs(np.degrees(recording.column("off_lead", hook))).max() < off
         # 2 % of the load across the boom is 1.15 deg out of plumb.
         assert math.tan(math.radians(side.max())) < 0.02
-    attitude = check(recording, "attitude_of_rating")
+    attitude = check_of(recording, "attitude_of_rating")
     assert attitude.verdict is Verdict.OK
 
 
@@ -210,8 +207,8 @@ def test_all_tracks_press_on_the_ground(recording: Recording) -> None:
     # An end of a track has more than the middle: heads of the booms stand aside of the axes by a few
     # centimetres.
     assert pressure[hold].max() == pytest.approx(95e3, rel=0.03)
-    assert check(recording, "ground_pressure_of_allowed").verdict is Verdict.OK
-    assert check(recording, "moment_of_tipping_moment").verdict is Verdict.OK
+    assert check_of(recording, "ground_pressure_of_allowed").verdict is Verdict.OK
+    assert check_of(recording, "moment_of_tipping_moment").verdict is Verdict.OK
 
 
 def test_hooks_go_up_together(recording: Recording) -> None:
@@ -248,7 +245,7 @@ def test_a_third_is_kept_back_by_the_chart() -> None:
         ]
         text = changed(TEXT, *moved).replace("radius: 16 m,", f"radius: {radius} m,")
         found = Statics(parse_scenario(text, str(FILE))).equilibrium(HANGS)
-        return check(found.recording, "hoist_load_of_rating")
+        return check_of(found.recording, "hoist_load_of_rating")
 
     near, far = rating(16), rating(18)
     assert (near.element, far.element) in [

@@ -17,6 +17,7 @@ from gantline.simulation import Simulation
 from gantline.statics import Statics
 from lift_text import changed
 from mechanics import G
+from of_recording import step_end
 from shown import unsaid
 
 FILE = Path(__file__).parents[2] / "scenarios" / "goliath" / "scenario.yaml"
@@ -37,8 +38,7 @@ def recording() -> Recording:
 
 def end_of(recording: Recording, step: str) -> int:
     """Last sample of a step."""
-    (end,) = [time for time, _, name in recording.events("step_end") if name == step]
-    return int(np.searchsorted(recording.time, end, side="right")) - 1
+    return int(np.searchsorted(recording.time, step_end(recording, step), side="right")) - 1
 
 
 def during(recording: Recording, step: str, last: float) -> FloatArray:
@@ -113,8 +113,7 @@ def test_equalizers_share_after_settling_and_while_hoisting(recording: Recording
 
 def bounds(recording: Recording, step: str) -> tuple[float, float]:
     (begin,) = [time for time, _, name in recording.events("step_begin") if name == step]
-    (end,) = [time for time, _, name in recording.events("step_end") if name == step]
-    return begin, end
+    return begin, step_end(recording, step)
 
 
 def test_moving_sheaves_travel_as_geometry_says(recording: Recording) -> None:

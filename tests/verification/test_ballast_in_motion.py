@@ -14,8 +14,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from crane_barge import MASS, TANKS, TIP, Tank, crossing, inertia_of_all, rates, rotation, system
+from crane_barge import MASS, TANKS, TIP, Tank, inertia_of_all, rates, rotation, system
 from mechanics import Floats, adaptive, body
+from rigid import across
 
 #: When pumps begin and stop [s], and how long they take to come to their rates and to stop [s].
 BEGIN, STOP, RAMP = 0.4, 2.6, 0.5
@@ -37,7 +38,7 @@ def frozen(tank: Tank) -> tuple[float, Floats, Floats]:
     mass, depth = tank.density * tank.volume, tank.volume / tank.size[0] / tank.size[1]
     sides = np.array([tank.size[0], tank.size[1], depth])
     centre = tank.lowest + sides / 2
-    arm = crossing(centre)
+    arm = across(centre)
     own = mass / 12 * np.diag((sides**2).sum() - sides**2)
     return mass, centre, np.block([[mass * np.eye(3), -mass * arm], [mass * arm, own - mass * arm @ arm]])
 

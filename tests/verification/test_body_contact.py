@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-import gantline
 from gantline.scenario import ScenarioError
-from hull_lift import HULL, G, lift, text
+from hull_lift import HULL, G, lift, simulated
 from mechanics import Json, Run, adaptive, body, document, free, simulate
 
 STIFFNESS = 1e8
@@ -188,12 +187,6 @@ def test_a_box_hinged_to_the_world_lies_on_a_free_box() -> None:
     assert force(run, "hull.slab")[-1] == pytest.approx(1000 * G + contact, rel=1e-6)
 
 
-def run_lift(folder: Path, given: dict[str, Any], **settings: Any) -> gantline.Recording:
-    path = folder / "scenario.yaml"
-    path.write_text(text(given))
-    return gantline.simulate(path, **settings)
-
-
 DOCK = {"type": "dock", "x": ["10 m", "70 m"], "y": ["-200 m", "200 m"], "floor": "-12 m"}
 
 
@@ -202,8 +195,8 @@ def test_the_ground_around_a_dock_is_the_ground(tmp_path: Path, integrator: str)
     """The load on it rests as on the same ground without a dock: its lower corners, k at each."""
     load = {**HULL["load"], "stands_on": "ground", "position": ["-35 m", "0 m", "0 m"]}
     plain = lift(supports=None, load=load, slings=None, plan=[])
-    one = run_lift(tmp_path, plain, integrator=integrator)
-    other = run_lift(tmp_path, {**plain, "structures": {"dock": DOCK}}, integrator=integrator)
+    one = simulated(tmp_path, plain, integrator=integrator)
+    other = simulated(tmp_path, {**plain, "structures": {"dock": DOCK}}, integrator=integrator)
     expected = sorted(one.variables["contact_force"].values[-1])[-4:]
     found = sorted(other.variables["contact_force"].values[-1])
     assert found[-4:] == pytest.approx(expected, rel=1e-9)
@@ -228,7 +221,7 @@ def test_a_load_is_lowered_to_the_floor_of_a_dock(tmp_path: Path) -> None:
         watch=[{"between": ["hull", "dock.walls"], "smallest": "9 m"}],
     )
     given["cranes"] = {"hook": {**HULL["cranes"]["hook"], "at": ["38 m", "0 m", "28.9 m"]}}
-    recording = run_lift(tmp_path, given, sample_interval=0.1)
+    recording = simulated(tmp_path, given, sample_interval=0.1)
     bottom = recording.variables["body_position"].values[:, -1, 2] - 4.8
     assert bottom[-1] == pytest.approx(-12.0, abs=0.01)
     assert recording.column("load_transferred", "hull")[-1] == pytest.approx(0.0, abs=1e-6)
@@ -251,7 +244,7 @@ def test_a_load_is_set_down_on_another_body(tmp_path: Path) -> None:
     contact = {"between": ["hull", "table"], "stiffness": "200 MN/m", "damping": "2 MN s/m", "friction": 0.3}
     mechanics = {"bodies": {"table": table}, "body_contacts": {"on_table": contact}}
     given = lift(supports=None, load=load, slings=None, plan=[], mechanics=mechanics, duration="20 s")
-    recording = run_lift(tmp_path, given)
+    recording = simulated(tmp_path, given)
     assert recording.column("load_transferred", "hull")[-1] == pytest.approx(0.0, abs=1e-7)
     contacts = [name for name in recording.coordinates["contact"] if name.startswith("on_table/")]
     carried = [float(recording.column("contact_force", name)[-1]) for name in contacts]
@@ -278,5 +271,5 @@ def test_structures_and_watches_that_cannot_be_are_refused(
 ) -> None:
     """Each mistake has its own sentence."""
     with pytest.raises(ScenarioError) as refused:
-        run_lift(tmp_path, lift(**changes))
+        simulated(tmp_path, lift(**changes))
     assert line in str(refused.value)

@@ -74,6 +74,9 @@ def test_righting_arms_of_a_box() -> None:
     wanted = np.sin(angles) * (DRAFT / 2 + bm - kg + bm / 2 * np.tan(angles) ** 2)
     assert found.arm == pytest.approx(wanted, rel=1e-9, abs=1e-11)
     assert np.abs(found.trim).max() < 1e-10
+    # Free surfaces raise G by their correction: GZ is less by that times sin φ.
+    loose = righting_arms(BOX, mass, [MIDDLE, 0, kg], angles, correction=0.4)
+    assert found.arm - loose.arm == pytest.approx(0.4 * np.sin(angles), abs=1e-9)
     # On its side: half of its breadth under water, B 4 m above the keel and G 5 m, both on the vertical's
     # other side.
     upended = righting_arms(BOX, mass, [MIDDLE, 0, kg], [math.pi / 2])

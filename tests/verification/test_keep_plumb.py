@@ -25,6 +25,7 @@ from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from gantline.statics import Statics
 from mechanics import G
+from of_recording import step_end
 from shown import unsaid
 from upending import HOIST, LINE, TOP, TRAVERSE, WAIT, below_a_bar, between_trolleys, by_crawlers, upended
 
@@ -114,7 +115,7 @@ def test_it_stops_with_the_hoist_as_far_as_it_can(end: str) -> None:
     It begins as the hoist does, which the plan knows, or within half a look of a condition that is met.
     """
     recording = run(between_trolleys(upended().replace("by: 17.0 m", end)))
-    (brakes,) = (time - SPEED / HOIST for time, _, name in recording.events("step_end") if name == "upend")
+    brakes = step_end(recording, "upend") - SPEED / HOIST
     cosine, way = turned(recording)
     at = int(np.searchsorted(recording.time, brakes))
     fast = SPEED * np.sqrt(1.0 - cosine[at] ** 2) / cosine[at]

@@ -28,6 +28,7 @@ from scipy.linalg import expm
 
 import gantline
 from gantline.hydro import HydrodynamicDatabase, write_database
+from rigid import across
 
 G, SEA = 9.81, 1025.0
 LENGTH, BREADTH, DEPTH, DRAFT = 80.0, 24.0, 7.0, 3.2
@@ -150,15 +151,9 @@ def lift(height: float) -> dict[str, Any]:
     }
 
 
-def crossing(way: Any) -> Any:
-    """The matrix of way × (3, 3)."""
-    x, y, z = way
-    return np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-
-
 def motion_of(point: Any) -> Any:
     """Shift of a point of the barge by shift and turn of the middle (3, 6)."""
-    return np.hstack([np.eye(3), -crossing(point - MIDDLE)])
+    return np.hstack([np.eye(3), -across(point - MIDDLE)])
 
 
 def linear() -> tuple[Any, Any, Any, Any]:

@@ -11,7 +11,7 @@ import pytest
 import gantline
 from gantline.assembly import assemble
 from gantline.scenario import ScenarioError, load_scenario
-from hull_lift import HULL, G, lift, shares_of_springs, text
+from hull_lift import HULL, G, lift, shares_of_springs, simulated, text
 from mechanics import adaptive
 
 WEIGHT = 350e3 * G
@@ -22,12 +22,6 @@ PLACES = np.array([(x, y) for x in (-18, -6, 6, 18) for y in (-9, -3, 3, 9)], dt
 
 def supports(**changes: Any) -> dict[str, Any]:
     return {"keel_blocks": {**HULL["supports"]["keel_blocks"], **changes}}
-
-
-def run(folder: Path, given: dict[str, Any], **settings: Any) -> gantline.Recording:
-    path = folder / "scenario.yaml"
-    path.write_text(text(given))
-    return gantline.simulate(path, **settings)
 
 
 def forces(recording: gantline.Recording) -> np.ndarray:
@@ -43,7 +37,7 @@ def test_sixteen_supports_share_the_weight_by_their_stiffness(tmp_path: Path, in
     It turns about its centre of gravity as it settles, which so stays where it is over the supports; what is
     left are squares of a tilt of 16 µrad.
     """
-    found = forces(run(tmp_path, lift(), integrator=integrator))
+    found = forces(simulated(tmp_path, lift(), integrator=integrator))
     expected = WEIGHT / 16 * (1 + CENTRE[0] * PLACES[:, 0] / 180)
     assert found[0] == pytest.approx(expected, rel=1e-8)
     assert found[0].sum() == pytest.approx(WEIGHT, rel=1e-9)
@@ -70,7 +64,7 @@ def test_supports_of_different_height_and_stiffness_solve_their_complementarity(
         }
         for place in range(16)
     }
-    found = forces(run(tmp_path, lift(supports=supports(each=each))))
+    found = forces(simulated(tmp_path, lift(supports=supports(each=each))))
     expected = shares_of_springs(PLACES, stiffness, heights.max() - heights, WEIGHT, CENTRE)
     assert 3 <= np.count_nonzero(expected) < 16  # some do not carry, or this shows nothing
     assert found[0].sum() == pytest.approx(WEIGHT, rel=1e-9)
@@ -80,7 +74,7 @@ def test_supports_of_different_height_and_stiffness_solve_their_complementarity(
 
 def test_a_load_on_supports_neither_sinks_nor_drifts_within_an_hour(tmp_path: Path) -> None:
     """It stays where it starts, to 1e-9 m: a rounding of 1e-16 of 35 m a step would come to less."""
-    recording = run(tmp_path, lift(duration="3600 s"), sample_interval=60.0)
+    recording = simulated(tmp_path, lift(duration="3600 s"), sample_interval=60.0)
     place = recording.variables["body_position"].values[:, 1]
     assert recording.coordinates["body"][1] == "hull"
     assert np.abs(place - place[0]).max() < 1e-9
@@ -92,7 +86,7 @@ def test_a_support_that_is_taken_away_leaves_its_force_to_the_others(tmp_path: P
     """Afterwards the other fifteen share by the same law; what happens, and its peaks, are told."""
     each = {"1.1": {"removed_at": "1 s"}}
     given = lift(supports=supports(each=each), duration="20 s")
-    recording = run(tmp_path, given, integrator=integrator)
+    recording = simulated(tmp_path, given, integrator=integrator)
     assert (1.0, "support_removed", "support.keel_blocks.1.1") in recording.events()
     found = forces(recording)
     left = np.ones(16, dtype=bool)
@@ -123,7 +117,7 @@ def test_a_load_that_hangs_lifts_off_and_is_set_down_again(tmp_path: Path) -> No
         {"step": "down", "lower": "hook", "speed": "1 m/min", "by": "1 m"},
         {"step": "stand", "hold": "until_end"},
     ]
-    recording = run(tmp_path, lift(plan=plan, duration="190 s"))
+    recording = simulated(tmp_path, lift(plan=plan, duration="190 s"))
     kinds = [kind for _, kind, name in recording.events() if name == "hull"]
     assert kinds[0] == "lift_off" and kinds[-1] == "set_down"
     transferred = recording.column("load_transferred", "hull")
@@ -192,5 +186,5 @@ def test_supports_that_cannot_be_are_refused(tmp_path: Path, changes: dict[str, 
         for name, group in given["supports"].items()
     }
     with pytest.raises(ScenarioError) as refused:
-        run(tmp_path, given)
+        simulated(tmp_path, given)
     assert line in str(refused.value)

@@ -8,12 +8,13 @@ import pytest
 
 from crawler_lift import own_mass
 from crawler_pair import GEAR, MASSES
-from gantline.checks.check import Check, Verdict
+from gantline.checks.check import Verdict
 from gantline.checks.run import check_recording
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from mechanics import G
+from of_recording import check_of
 
 #: Mass of the load and of a hook block [kg]; height of the hooks at the start and distance between them [m].
 LOAD, HOOK_BLOCK, HOOK, APART = 200e3, 7e3, 18.0, 20.0
@@ -73,10 +74,6 @@ def lifted(tracks: str = "", rules: str = "", duration: float = 160.0) -> Record
     return Simulation(parse_scenario(text)).run()
 
 
-def check(recording: Recording, name: str) -> Check:
-    return next(one for one in check_recording(recording) if one.name == name)
-
-
 def test_shares_by_moments_and_what_is_kept_back() -> None:
     """Centre of gravity 2 m off the middle of 20 m: 80 and 120 t; 20 % over them by the chart at 16 m."""
     recording = lifted(rules="rules: {several_cranes: queensland}\n")
@@ -95,7 +92,7 @@ def test_shares_by_moments_and_what_is_kept_back() -> None:
     )
     # While it still rings; at rest it is exact, see test_crawler.
     assert total == pytest.approx((2 * (own_mass() + HOOK_BLOCK) + LOAD + 2.0) * G, rel=1e-4)
-    found = check(recording, "hoist_load_of_rating")
+    found = check_of(recording, "hoist_load_of_rating")
     assert found.element == "crane c2"
     assert found.value is not None
     peak = recording.column("hoist_load", "c2.H").max()
@@ -103,8 +100,8 @@ def test_shares_by_moments_and_what_is_kept_back() -> None:
     assert found.value > 1.2 * 127 / 231
     assert found.verdict is Verdict.OK
     assert "several_cranes_factor 1.2: Mobile crane code of practice 2006" in found.source
-    assert check(recording, "ground_pressure_of_allowed").verdict is Verdict.OK
-    assert check(recording, "moment_of_tipping_moment").verdict is Verdict.OK
+    assert check_of(recording, "ground_pressure_of_allowed").verdict is Verdict.OK
+    assert check_of(recording, "moment_of_tipping_moment").verdict is Verdict.OK
     # Nearest to the beam, whose side is at 2 m, is the track at 16 m - 8.4 m/2 - 1.5 m/2, at its foot.
     assert recording.column("clearance", "c1 - beam")[0] == pytest.approx(11.05 - 2.0, abs=0.02)
 
@@ -118,7 +115,7 @@ def test_a_hold_point_asks_for_shares_of_what_cranes_may() -> None:
     assert asked["moment_of_tipping_moment"].value == pytest.approx(tipping.max(), rel=1e-12)
     assert asked["ground_pressure_of_allowed"].value == pytest.approx(pressure.max(), rel=1e-12)
     used = asked["hoist_load_of_rating"].value
-    assert used is not None and used <= (check(recording, "hoist_load_of_rating").value or 0.0)
+    assert used is not None and used <= (check_of(recording, "hoist_load_of_rating").value or 0.0)
     assert used >= 1.2 * recording.column("hoist_load", "c2.H")[-1] / (231e3 * G)
     clear = int((recording.column("load_transferred", "beam") == 1.0).argmax())
     risen = recording["hook_height"].values[-1] - recording["hook_height"].values[clear]
@@ -134,7 +131,7 @@ def test_a_hold_point_asks_for_shares_of_what_cranes_may() -> None:
 
 def test_without_a_rule_the_check_says_so() -> None:
     """No rule for several cranes: the load as it is, and a warning."""
-    found = check(lifted(duration=40.0), "hoist_load_of_rating")
+    found = check_of(lifted(duration=40.0), "hoist_load_of_rating")
     assert found.verdict is Verdict.WARNING
     assert "2 cranes lift together, and no rule keeps capacity back" in found.remark
 

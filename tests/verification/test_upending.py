@@ -13,6 +13,7 @@ from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from hooked_lift import hooked_lift
 from mechanics import G
+from of_recording import step_end
 
 #: Two hooks, each plumb over its lug; slings of 10 m that stretch under half a load each.
 APART, LENGTH, MASS, EA = 8.0, 10.0, 200e3, 200e6
@@ -29,11 +30,6 @@ def run(plan: str, more: str = "", duration: float = 100.0) -> Recording:
     return Simulation(parse_scenario(text)).run()
 
 
-def ended(recording: Recording, step: str) -> float:
-    (time,) = (time for time, _, name in recording.events("step_end") if name == step)
-    return time
-
-
 @pytest.mark.parametrize("wanted", [5.0, 20.0])
 def test_a_step_ends_at_a_tilt(wanted: float) -> None:
     """One hook goes up until the load tilts by so much, and the other follows until it is level again."""
@@ -44,10 +40,12 @@ def test_a_step_ends_at_a_tilt(wanted: float) -> None:
         "  - {step: end, hold: until_end}\n"
     )
     tilt = np.degrees(recording.column("load_tilt", "load"))
-    assert np.interp(ended(recording, "turn") - BRAKES, recording.time, tilt) == pytest.approx(
+    assert np.interp(step_end(recording, "turn") - BRAKES, recording.time, tilt) == pytest.approx(
         wanted, abs=0.01
     )
-    assert np.interp(ended(recording, "back") - BRAKES, recording.time, tilt) == pytest.approx(1.0, abs=0.01)
+    assert np.interp(step_end(recording, "back") - BRAKES, recording.time, tilt) == pytest.approx(
+        1.0, abs=0.01
+    )
 
 
 def test_a_slack_sling_is_taken_off_and_the_load_hangs_on_the_other() -> None:
@@ -62,10 +60,10 @@ def test_a_slack_sling_is_taken_off_and_the_load_hangs_on_the_other() -> None:
     )
     tension = recording.column("rope_tension", "sling.S2")
     # The step brakes where the sling first carries nothing, which rings by some kN.
-    assert np.interp(ended(recording, "let go") - BRAKES, recording.time, tension) < 1e-3 * MASS * G
-    assert tension[recording.time < ended(recording, "let go") - BRAKES - 1.0].min() > 0.0
-    assert recording.events("detached") == [(ended(recording, "further"), "detached", "sling.S2")]
-    off = recording.time > ended(recording, "further")
+    assert np.interp(step_end(recording, "let go") - BRAKES, recording.time, tension) < 1e-3 * MASS * G
+    assert tension[recording.time < step_end(recording, "let go") - BRAKES - 1.0].min() > 0.0
+    assert recording.events("detached") == [(step_end(recording, "further"), "detached", "sling.S2")]
+    off = recording.time > step_end(recording, "further")
     assert tension[off].max() == 0.0
     # Swings of a pendulum have the mean m g over whole periods along plumb, and this one swings for 200 s.
     late = recording.time > recording.time[-1] - 150.0

@@ -52,9 +52,9 @@ from gantline.assembly.water import add_water
 from gantline.assembly.waves import add_waves
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Rigging, Scenario, StartError, resolve
-from gantline.scenario.errors import Problem
+from gantline.scenario.errors import Doubt, Problem
 from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
-from gantline.scenario.pins import pins_of
+from gantline.scenario.pins import Pins, pins_of
 
 __all__ = ["Assembly", "assemble", "integrator_settings"]
 
@@ -161,7 +161,21 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     parts.emergency_stop = emergency_stop(scenario)
     add_partings(parts, scenario)
     warn_of_cuts(parts, scenario)
-    doubts = (
+    doubts = _doubts(parts, scenario, rigging, lifted, pins)
+    return Assembly(
+        document=parts.document(scenario.simulation.gravity),
+        settings=_settings(scenario),
+        rig=rig(scenario, rigging, lifted, parts),
+        scene=scene(scenario, rigging, lifted, parts),
+        doubts=tuple(scenario.problem(*doubt) for doubt in doubts),
+    )
+
+
+def _doubts(
+    parts: Parts, scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, pins: Pins
+) -> tuple[Doubt, ...]:
+    """What is doubtful about a lift whose parts are made."""
+    return (
         *(() if lifted is None else lifted.body.doubts),
         *parts.doubts,
         *doubtful_weight(scenario, rigging),
@@ -182,13 +196,6 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         *doubtful_drums(scenario),
         *doubtful_strength(scenario, rigging),
         *doubtful_following(scenario, rigging),
-    )
-    return Assembly(
-        document=parts.document(scenario.simulation.gravity),
-        settings=_settings(scenario),
-        rig=rig(scenario, rigging, lifted, parts),
-        scene=scene(scenario, rigging, lifted, parts),
-        doubts=tuple(scenario.problem(*doubt) for doubt in doubts),
     )
 
 

@@ -8,7 +8,7 @@ from gantline.assembly.parting import pieces_of
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import below_pin, falls_on_upper_sheaves, reeved_hooks, upper_sheaves
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.condition import Condition
+from gantline.scenario.condition import AngleReached, Condition, HoistLoadReached, TiltReached
 from gantline.scenario.hooks import Hook, full_name
 from gantline.scenario.mooring import line_rope
 
@@ -40,51 +40,18 @@ def condition_of(
         on: names of the slings that are on in the step: those count where none are named.
     """
     if condition.hoist_load is not None:
-        reached = condition.hoist_load
-        name = full_name(reached.hook, scenario.hooks) or ""
-        hook = next(one for one in reeved_hooks(scenario) if one.name == name)  # checked with the file
-        segments = [[rope, part] for rope in hook.ropes for part in range(hook.reeving.parts_each)]
-        # Of the hoist load the upper halves of the falls are no tension at the sheaves.
-        above = falls_on_upper_sheaves(parts, scenario, hook) * scenario.simulation.gravity
-        gravity = scenario.simulation.gravity
-        if reached.above is not None:
-            bound = max(reached.above.newtons(gravity) - above, _LEAST)
-            return {"type": "tension_above", "segments": segments, "bound": bound}
-        assert reached.below is not None  # one of both is given
-        bound = max(reached.below.newtons(gravity) - above, 0.0)
-        return {"type": "tension_below", "segments": segments, "bound": bound}
+        return _hoist_load(scenario, parts, condition.hoist_load)
     if condition.slings is not None:
         return _slings(scenario, rigging, parts, condition, on)
     if condition.load_tilt is not None:
         assert scenario.load is not None  # checked when the file was read
-        tilt = condition.load_tilt
-        return {
-            "type": "attitude",
-            "body": scenario.load.name,
-            "angle": "tilt",
-            "above": tilt.above is not None,
-            "bound": tilt.below if tilt.above is None else tilt.above,
-        }
+        return _attitude(scenario.load.name, "tilt", condition.load_tilt)
     if condition.tension_spread is not None:
-        names = condition.of or tuple(rigging.equalizers)
-        hanging = [one for one in rigging.slings.values() if one.name in on]
-        groups = [
-            [_upper(parts, f"sling.{one.name}") for one in hanging if one.equalizer == name] for name in names
-        ]
-        groups = [group for group in groups if group]
-        return {"type": "spread", "groups": groups, "at_most": condition.tension_spread}
+        return _spread(rigging, parts, condition, on)
     for angle in ("heel", "trim"):
         reached = getattr(condition, angle)
         if reached is not None:
-            above = reached.above is not None
-            bound = reached.above if above else reached.below
-            return {
-                "type": "attitude",
-                "body": reached.vessel,
-                "angle": angle,
-                "above": above,
-                "bound": bound,
-            }
+            return _attitude(reached.vessel, angle, reached)
     if condition.falls_out_of_plumb is not None:
         reeved = {name: hook for name, hook in scenario.hooks.items() if hook.reeving is not None}
         hooks = [full_name(text, reeved) or text for text in condition.of] or list(reeved)
@@ -109,6 +76,38 @@ def condition_of(
             return {"type": "load_returned", "group": group, "weight": weight, "at_most": share}
         return {"type": "load_transferred", "group": group, "weight": weight, "at_least": share}
     return {"type": "clear" if condition.supports == "clear" else "touched", "group": group}
+
+
+def _hoist_load(scenario: Scenario, parts: Parts, reached: HoistLoadReached) -> Json:
+    name = full_name(reached.hook, scenario.hooks) or ""
+    hook = next(one for one in reeved_hooks(scenario) if one.name == name)  # checked with the file
+    segments = [[rope, part] for rope in hook.ropes for part in range(hook.reeving.parts_each)]
+    gravity = scenario.simulation.gravity
+    # Of the hoist load the upper halves of the falls are no tension at the sheaves.
+    above = falls_on_upper_sheaves(parts, scenario, hook) * gravity
+    if reached.above is not None:
+        bound = max(reached.above.newtons(gravity) - above, _LEAST)
+        return {"type": "tension_above", "segments": segments, "bound": bound}
+    assert reached.below is not None  # one of both is given
+    bound = max(reached.below.newtons(gravity) - above, 0.0)
+    return {"type": "tension_below", "segments": segments, "bound": bound}
+
+
+def _spread(rigging: Rigging, parts: Parts, condition: Condition, on: Collection[str]) -> Json:
+    names = condition.of or tuple(rigging.equalizers)
+    hanging = [one for one in rigging.slings.values() if one.name in on]
+    groups = [
+        [_upper(parts, f"sling.{one.name}") for one in hanging if one.equalizer == name] for name in names
+    ]
+    groups = [group for group in groups if group]
+    return {"type": "spread", "groups": groups, "at_most": condition.tension_spread}
+
+
+def _attitude(body: str, angle: str, reached: TiltReached | AngleReached) -> Json:
+    """An angle of a body above or below a bound [rad]."""
+    is_above = reached.above is not None
+    bound = reached.above if is_above else reached.below
+    return {"type": "attitude", "body": body, "angle": angle, "above": is_above, "bound": bound}
 
 
 def _upper(parts: Parts, rope: str) -> str:

@@ -19,7 +19,7 @@ from gantline.assembly.spatial import Array
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.base import Element
 from gantline.scenario.errors import Doubt
-from gantline.scenario.hooks import full_name
+from gantline.scenario.hooks import full_names
 from gantline.scenario.kept_plumb import hooks_beside, slings_under
 from gantline.scenario.movers import Mover, mover
 from gantline.scenario.plan import Step
@@ -48,12 +48,14 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
     turned, before = _Turned(), frozenset[str]()
     for stage, on in _stages(scenario):
         hoists = [step for step in stage if isinstance(step, HookStep)]
-        speeds = {name: one.sign * one.speed for one in hoists for name in _named(scenario, one.moved)}
+        speeds = {
+            name: one.sign * one.speed for one in hoists for name in full_names(one.moved, scenario.hooks)
+        }
         for hook in scenario.hooks:
             if before and (before ^ on) & {sling.name for sling in slings_under(rigging, hook)}:
                 heights[hook] = None  # what it holds is elsewhere
         for hoist in hoists:
-            for name in _named(scenario, hoist.moved):
+            for name in full_names(hoist.moved, scenario.hooks):
                 heights[name] = _after(hoist, heights[name])
         lugs = {hook: _lugs(scenario, rigging, [hook], on) for hook in scenario.hooks}
         after = turned.after(hoists, speeds, {hook: at for hook, at in lugs.items() if at is not None})
@@ -62,7 +64,7 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
                 continue
             one = mover(scenario, step.kind, step.moved[0])
             assert one is not None  # checked with the file
-            own = _named(scenario, step.keep_plumb)
+            own = full_names(step.keep_plumb, scenario.hooks)
             others = [hook for hook in hooks_beside(scenario, rigging, one) if lugs[hook] is not None]
             near, far = (_lugs(scenario, rigging, names, on) for names in (own, others))
             if near is None or far is None:
@@ -159,10 +161,6 @@ def _stages(scenario: Scenario) -> list[tuple[list[Step], frozenset[str]]]:
     return stages
 
 
-def _named(scenario: Scenario, texts: Iterable[str]) -> list[str]:
-    return [name for text in texts if (name := full_name(text, scenario.hooks)) is not None]
-
-
 def _after(step: HookStep, before: float | None) -> float | None:
     """Height of a hook after a step [m]; None where that is not known."""
     if step.to is not None:
@@ -174,7 +172,7 @@ def _followers(scenario: Scenario, step: Element) -> set[str]:
     """Cranes whose hooks a step takes along to keep falls plumb."""
     if not isinstance(step, AlongStep) or not step.keep_plumb:
         return set()
-    return {scenario.hooks[name].crane for name in _named(scenario, step.keep_plumb)}
+    return {scenario.hooks[name].crane for name in full_names(step.keep_plumb, scenario.hooks)}
 
 
 def _others_beside(scenario: Scenario, stage: Sequence[Step], step: AlongStep) -> bool:

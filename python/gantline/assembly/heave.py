@@ -8,7 +8,7 @@ from gantline.assembly.parts import Json, Parts
 from gantline.assembly.yard import hoist_drive
 from gantline.scenario import Scenario
 from gantline.scenario.boom import FloatingCrane
-from gantline.scenario.hooks import full_name
+from gantline.scenario.hooks import full_names
 from gantline.scenario.movers import mover
 
 __all__ = ["add_compensation", "compensators"]
@@ -16,7 +16,7 @@ __all__ = ["add_compensation", "compensators"]
 
 def compensators(scenario: Scenario) -> list[Json]:
     """What the hoists of hooks can do that steps of the plan keep still, in the order of the lift file."""
-    used = {name for step in scenario.plan for name in _hooks(scenario, step.compensate_heave)}
+    used = {name for step in scenario.plan for name in full_names(step.compensate_heave, scenario.hooks)}
     found = []
     for name, hook in scenario.hooks.items():
         given = hook.hoist.heave_compensation
@@ -42,7 +42,7 @@ def compensators(scenario: Scenario) -> list[Json]:
 def add_compensation(parts: Parts, scenario: Scenario) -> None:
     """Add to the steps of the document which hooks they keep still."""
     for place, (made, step) in enumerate(zip(parts.plan, scenario.plan, strict=True)):
-        hooks = _hooks(scenario, step.compensate_heave)
+        hooks = full_names(step.compensate_heave, scenario.hooks)
         if hooks and not scenario.waves:
             sentence = f"step '{step.step}' compensates heave, and there are no waves that heave anything"
             parts.doubt(("plan", place, "compensate_heave"), sentence)
@@ -55,8 +55,3 @@ def _vessel(scenario: Scenario, crane: str) -> str:
     given = (scenario.cranes or {})[crane]
     assert isinstance(given, FloatingCrane) and given.vessel is not None
     return given.vessel
-
-
-def _hooks(scenario: Scenario, texts: tuple[str, ...]) -> list[str]:
-    """Full names of hooks."""
-    return [name for text in texts if (name := full_name(text, scenario.hooks)) is not None]

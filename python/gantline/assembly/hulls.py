@@ -18,7 +18,6 @@ from gantline.cad.simplify import contact_hull, light_mesh
 from gantline.hydro.hull import Hull
 from gantline.hydro.mesh_file import HullError, read_hull
 from gantline.scenario import Scenario
-from gantline.scenario.errors import PathPart
 from gantline.scenario.water import Afloat, HullShape
 
 __all__ = ["HullMesh", "afloat_path", "box_mesh", "hull_mesh", "hull_shape"]
@@ -54,7 +53,7 @@ class HullMesh:
         return {"vertices": self.vertices.tolist(), "triangles": self.triangles.tolist()}
 
 
-def afloat_path(scenario: Scenario, name: str) -> tuple[PathPart, ...]:
+def afloat_path(scenario: Scenario, name: str) -> tuple[str, ...]:
     """Path of a vessel or a body of `mechanics` in the lift file."""
     return ("vessels", name) if name in (scenario.vessels or {}) else ("mechanics", "bodies", name)
 

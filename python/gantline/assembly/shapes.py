@@ -50,6 +50,29 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
     load = scenario.load
     if load is not None and lifted is not None:
         parts.add_shape(load.name, load.name, load_parts(lifted))
+    _add_surroundings(parts, scenario)
+    for name, equalizer in rigging.equalizers.items():
+        frame = equalizer.frame
+        size = [frame.length, frame.width, frame.height]
+        centre = [0.0, 0.0, -frame.centre_of_gravity_below_hook]
+        parts.add_shape(name, name, [{"type": "box", "size": size, "centre": centre}])
+    for name in scenario.spreaders or {}:
+        parts.add_shape(name, name, [spreader_shape(scenario, name)])
+    _add_cranes(parts, scenario)
+    for name in scenario.vessels or {}:
+        shape = vessel_shape(scenario, name)
+        if shape["type"] == "mesh":
+            shape = {"type": "convex", "vertices": shape["hull"]}
+        parts.add_shape(name, name, [shape])
+    plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
+    for name, body in plain.items():
+        if body.shape is not None:
+            size, centre = list(body.shape.box), list(body.shape.centre)
+            parts.add_shape(name, name, [{"type": "box", "size": size, "centre": centre}])
+
+
+def _add_surroundings(parts: Parts, scenario: Scenario) -> None:
+    """Ground, structures, supports."""
     dock = dock_of(scenario)
     ground = scenario.ground
     if ground is not None:
@@ -65,13 +88,10 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
     for _, support in every_support(scenario):
         if (pad := pads.get(support_contact(support))) is not None:
             parts.add_shape(support.name, None, [pad_shape(pad, support.height)])
-    for name, equalizer in rigging.equalizers.items():
-        frame = equalizer.frame
-        size = [frame.length, frame.width, frame.height]
-        centre = [0.0, 0.0, -frame.centre_of_gravity_below_hook]
-        parts.add_shape(name, name, [{"type": "box", "size": size, "centre": centre}])
-    for name in scenario.spreaders or {}:
-        parts.add_shape(name, name, [spreader_shape(scenario, name)])
+
+
+def _add_cranes(parts: Parts, scenario: Scenario) -> None:
+    """What of cranes a load may meet: legs, booms, crawlers but their mats."""
     for name in goliaths(scenario):
         for side, leg in enumerate((crane_shape(scenario, name) or {})["boxes"], start=1):
             parts.add_shape(f"{name}.legs.{side}", name, [leg])
@@ -81,16 +101,6 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
         for part in (tracks_body(name), upper_body(name)):
             boxes = crawler_shape(scenario, part, mats=False)  # a load may come over the mats
             parts.add_shape(part, part, (boxes or {})["boxes"])
-    for name in scenario.vessels or {}:
-        shape = vessel_shape(scenario, name)
-        if shape["type"] == "mesh":
-            shape = {"type": "convex", "vertices": shape["hull"]}
-        parts.add_shape(name, name, [shape])
-    plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
-    for name, body in plain.items():
-        if body.shape is not None:
-            size, centre = list(body.shape.box), list(body.shape.centre)
-            parts.add_shape(name, name, [{"type": "box", "size": size, "centre": centre}])
 
 
 def spreader_shape(scenario: Scenario, name: str) -> Json:

@@ -12,7 +12,7 @@ from gantline.assembly.water_matrix import water_matrix
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.tanks import bodies_afloat, pumped_tanks
-from gantline.scenario.water import Afloat, BallastTank, OfWater, Water
+from gantline.scenario.water import AddedMass, Afloat, BallastTank, Water, WaterDamping
 
 __all__ = ["add_water", "frozen", "hull_name", "pump_drive"]
 
@@ -55,7 +55,7 @@ def _around(parts: Parts, scenario: Scenario, name: str, body: Afloat, water: Wa
         parts.forces.append({**named, **hull.document, **surface})
     add_radiation(parts, scenario, name, body)
     for key in ("added_mass", "water_damping"):
-        given: OfWater | None = getattr(body, key)
+        given: AddedMass | WaterDamping | None = getattr(body, key)
         if given is None:
             continue
         path = (*afloat_path(scenario, name), key)

@@ -9,7 +9,7 @@ from gantline.assembly.spatial import Array
 from gantline.hydro.database import HydrodynamicDatabase
 from gantline.scenario import Scenario
 from gantline.scenario.errors import PathPart
-from gantline.scenario.water import AddedMass, OfWater, WaterDamping
+from gantline.scenario.water import AddedMass, WaterDamping
 
 __all__ = ["water_matrix"]
 
@@ -18,7 +18,7 @@ _ROUNDING = 1e-9
 
 
 def water_matrix(
-    scenario: Scenario, path: tuple[PathPart, ...], given: OfWater, density: float
+    scenario: Scenario, path: tuple[PathPart, ...], given: AddedMass | WaterDamping, density: float
 ) -> tuple[list[list[float]], list[str]]:
     """The six rows of an added mass or a damping, SI units, and what is doubtful about them.
 
@@ -31,7 +31,6 @@ def water_matrix(
     Raises:
         ScenarioError: if a database cannot be used, or a matrix gains energy from the water.
     """
-    assert isinstance(given, AddedMass | WaterDamping)
     if given.database is not None:
         return _from_database(scenario, path, given, density)
     if given.matrix is None:

@@ -142,6 +142,11 @@ def has_failed(checks: Sequence[Check]) -> bool:
     return any(check.verdict is Verdict.FAILED for check in checks)
 
 
+def failed_names(checks: Sequence[Check]) -> tuple[str, ...]:
+    """Names of the checks that failed, each once."""
+    return tuple(dict.fromkeys(check.name for check in checks if check.verdict is Verdict.FAILED))
+
+
 def outcome_of(checks: Sequence[Check]) -> Outcome:
     """Go or no-go.
 

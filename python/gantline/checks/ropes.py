@@ -140,7 +140,7 @@ def _bending(recording: Recording, rope: Rope) -> float | str | None:
     bend = next((one for one in recording.rig.bends if one.rope == rope.name), None)
     diameter = bend.diameter if bend is not None else None
     if sling is not None:
-        found = sling_bend(recording, sling)
+        found = sling_bend(sling)
         if isinstance(found, str):
             return found
         diameter = found[0]

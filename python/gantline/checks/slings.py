@@ -172,7 +172,7 @@ def bending_text(diameter: float, rope: float) -> str:
     return f"{format_quantity(diameter, 'mm', 0)} / {format_quantity(rope, 'mm', 0)}, {said}"
 
 
-def sling_bend(recording: Recording, sling: Sling) -> tuple[float, str] | str:
+def sling_bend(sling: Sling) -> tuple[float, str] | str:
     """Smallest diameter about which the eyes of a sling bend [m] and its place; or why it is not known."""
     known = {
         end: shackle.bow_diameter
@@ -193,7 +193,7 @@ def sling_bending_ratio(recording: Recording, during: BoolArray) -> Iterator[Fin
     """Diameter of a shackle's bow over the diameter of the sling that bends about it."""
     for sling in recording.rig.slings:
         rope = recording.rig.rope(sling.rope)
-        bend = sling_bend(recording, sling)
+        bend = sling_bend(sling)
         if isinstance(bend, str):
             yield Missing(sling.name, bend)
         elif rope is None or not rope.diameter:

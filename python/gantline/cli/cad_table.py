@@ -89,16 +89,16 @@ def _whole(model: CadModel) -> list[str]:
     low, high = model.box if len(model.mesh.triangles) else np.full((2, 3), np.nan)
     rows = [
         ("Mass", format_quantity(body.mass, "t", 3), ""),
-        ("Centre of gravity", *_three(body.centre, "m")),
-        ("Box from", *_three(low, "m")),
-        ("Box to", *_three(high, "m")),
-        ("Box size", *_three(high - low, "m")),
-        ("Radii of gyration", *_three(np.sqrt(np.diag(body.inertia) / body.mass), "m")),
+        ("Centre of gravity", *_three(body.centre)),
+        ("Box from", *_three(low)),
+        ("Box to", *_three(high)),
+        ("Box size", *_three(high - low)),
+        ("Radii of gyration", *_three(np.sqrt(np.diag(body.inertia) / body.mass))),
     ]
     declared = _declared_centre(model)
     if declared is not None:
         away = float(np.linalg.norm(declared - body.centre))
-        rows.insert(2, ("  by declared weights", *_three(declared, "m"), f"{1e3 * away:.1f} mm away"))
+        rows.insert(2, ("  by declared weights", *_three(declared), f"{1e3 * away:.1f} mm away"))
     lines = []
     for name, *cells in rows:
         lines.append(f"{name:<22}{'  '.join(f'{cell:>14}' for cell in cells if cell)}")
@@ -111,11 +111,10 @@ def _whole(model: CadModel) -> list[str]:
     return [line.rstrip() for line in lines]
 
 
-def _three(values: Any, unit: str) -> tuple[str, str, str]:
+def _three(values: Any) -> tuple[str, str, str]:
+    """Three lengths [m] as cells."""
     # Adding zero leaves no minus before a zero.
-    x, y, z = (
-        ABSENT if not np.isfinite(value) else f"{round(value, 4) + 0.0:.4f} {unit}" for value in values
-    )
+    x, y, z = (ABSENT if not np.isfinite(value) else f"{round(value, 4) + 0.0:.4f} m" for value in values)
     return x, y, z
 
 

@@ -54,7 +54,7 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
     ]
     parts = [
         [f"{result.title}, at rest"],
-        [*states_table(groups, "Case", width=width), *why],
+        [*_states(groups, width), *why],
         _governing(groups, width),
         *_tensions(result, width),
         _worst(result.worst, width),
@@ -64,14 +64,8 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
     return [line for part in parts if part for line in (*part, "")][:-1]
 
 
-def states_table(groups: Sequence[tuple[str, Sequence[State]]], title: str, *, width: int) -> list[str]:
-    """One line for each group of states, with the worst of each quantity.
-
-    Args:
-        groups: Names and states.
-        title: Title of the names.
-        width: Columns that a line may have.
-    """
+def _states(groups: Sequence[tuple[str, Sequence[State]]], width: int) -> list[str]:
+    """One line for each named group of states, with the worst of each quantity."""
     rows = [
         (
             "",
@@ -88,7 +82,7 @@ def states_table(groups: Sequence[tuple[str, Sequence[State]]], title: str, *, w
     taken = max(len(line) for line in table(head, rows, "lrrrrrl"))
     room = max(_SHORTEST_LABEL, width - taken)
     named = [(_shortened(name, room), *row[1:]) for (name, _), row in zip(groups, rows, strict=True)]
-    return table((title, *head[1:]), named, "lrrrrrl")
+    return table(("Case", *head[1:]), named, "lrrrrrl")
 
 
 def _name(case: str, more: str) -> str:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from typing import Protocol
 
 import numpy as np
 
@@ -23,6 +24,14 @@ _TOLD = 0.25
 
 #: Of a measure that nothing of a lift has.
 _NOTHING = "nothing in this lift has one"
+
+#: Of a measure its variable, unit and digits, and of each thing that has it its name there.
+_Source = tuple[str, str, int, dict[str, str]]
+
+
+class _Named(Protocol):
+    @property
+    def name(self) -> str: ...
 
 
 def hold_points(recording: Recording) -> list[str]:
@@ -77,64 +86,7 @@ def _hold(recording: Recording, step: Step, last: int) -> slice:
 
 def _measure(recording: Recording, measure: str, sample: int, span: slice) -> Iterator[str]:
     """Values of a measure that a step reports, at a sample; of what swings also the most of its hold."""
-    rig = recording.rig
-    hooks = {hook.name: hook.name for hook in rig.carried_hooks}
-    slings = {one.name: one.rope for one in rig.slings if series.is_on(recording, one.rope)[sample]}
-    at_booms = {hook.name: hook.name for boom in rig.booms for hook in boom.hooks}
-    sources: dict[str, tuple[str, str, int, dict[str, str]]] = {
-        "sling_tension": ("rope_tension", "kN", 1, slings),
-        "equalizing_rope_tension": (
-            "rope_tension",
-            "kN",
-            1,
-            {e.name: e.equalizing_rope for e in rig.equalizers},
-        ),
-        "equalizer_travel": (
-            "sheave_travel",
-            "m",
-            3,
-            {s: s for e in rig.equalizers for s in e.moving_sheaves},
-        ),
-        "hook_load": ("hook_load", "kN", 1, {hook.name: hook.name for hook in rig.hooks}),
-        "hoist_load": ("hoist_load", "kN", 1, {hook.name: hook.name for hook in rig.hooks}),
-        "load_tilt": ("load_tilt", "deg", 2, {load.name: load.name for load in rig.loads}),
-        "load_transferred": ("load_transferred", "%", 1, {load.name: load.name for load in rig.loads}),
-        "load_swing": ("load_swing", "m", 3, {load.name: load.name for load in rig.loads if hooks}),
-        "support_force": (
-            "contact_force",
-            "kN",
-            0,
-            {one.name.removeprefix("support."): one.name for one in rig.supports},
-        ),
-        "hook_height": ("hook_height", "m", 3, hooks),
-        "falls_out_of_plumb": ("falls_out_of_plumb", "deg", 3, hooks),
-        "off_lead": ("off_lead", "deg", 3, at_booms),
-        "side_lead": ("side_lead", "deg", 3, at_booms),
-        "crane_radius": ("crane_radius", "m", 2, at_booms),
-        "boom_angle": ("boom_angle", "deg", 2, {boom.name: boom.name for boom in rig.booms}),
-        "luffing_pull": ("luffing_pull", "kN", 0, {boom.name: boom.name for boom in rig.booms if boom.ropes}),
-        "corner_load": (
-            "corner_load",
-            "kN",
-            0,
-            {name: name for crane in rig.cranes for name in crane.corners},
-        ),
-        "ground_pressure": (
-            "ground_pressure",
-            "kPa",
-            1,
-            {name: name for crane in rig.crawlers for name in crane.corners},
-        ),
-        "tipping_utilisation": (
-            "tipping_utilisation",
-            "%",
-            1,
-            {crane.name: crane.name for crane in rig.crawlers},
-        ),
-    }
-    afloat = {vessel.name: vessel.name for vessel in rig.vessels}
-    of_vessels = (("draft", "m", 3), ("heel", "deg", 2), ("trim", "deg", 2), ("freeboard", "m", 2))
-    sources |= {name: (f"vessel_{name}", unit, digits, afloat) for name, unit, digits in of_vessels}
+    sources = _sources(recording, sample)
     if measure not in sources:
         yield "not known here"
         return
@@ -148,6 +100,50 @@ def _measure(recording: Recording, measure: str, sample: int, span: slice) -> It
             yield f"{name} {show(last, unit, digits)}{beside}"
     if measure == "support_force":
         yield from _beside_supports(recording, sample, digits)
+
+
+def _sources(recording: Recording, sample: int) -> dict[str, _Source]:
+    """Of each measure where its values are, at a sample."""
+    rig = recording.rig
+    loads, hooks, carried = _own(rig.loads), _own(rig.hooks), _own(rig.carried_hooks)
+    at_booms = {hook.name: hook.name for boom in rig.booms for hook in boom.hooks}
+    slings = {one.name: one.rope for one in rig.slings if series.is_on(recording, one.rope)[sample]}
+    equalizing = {one.name: one.equalizing_rope for one in rig.equalizers}
+    sheaves = {name: name for one in rig.equalizers for name in one.moving_sheaves}
+    supports = {one.name.removeprefix("support."): one.name for one in rig.supports}
+    corners = {name: name for crane in rig.cranes for name in crane.corners}
+    ends = {name: name for crane in rig.crawlers for name in crane.corners}
+    afloat = _own(rig.vessels)
+    return {
+        "sling_tension": ("rope_tension", "kN", 1, slings),
+        "equalizing_rope_tension": ("rope_tension", "kN", 1, equalizing),
+        "equalizer_travel": ("sheave_travel", "m", 3, sheaves),
+        "hook_load": ("hook_load", "kN", 1, hooks),
+        "hoist_load": ("hoist_load", "kN", 1, hooks),
+        "load_tilt": ("load_tilt", "deg", 2, loads),
+        "load_transferred": ("load_transferred", "%", 1, loads),
+        "load_swing": ("load_swing", "m", 3, loads if carried else {}),
+        "support_force": ("contact_force", "kN", 0, supports),
+        "hook_height": ("hook_height", "m", 3, carried),
+        "falls_out_of_plumb": ("falls_out_of_plumb", "deg", 3, carried),
+        "off_lead": ("off_lead", "deg", 3, at_booms),
+        "side_lead": ("side_lead", "deg", 3, at_booms),
+        "crane_radius": ("crane_radius", "m", 2, at_booms),
+        "boom_angle": ("boom_angle", "deg", 2, _own(rig.booms)),
+        "luffing_pull": ("luffing_pull", "kN", 0, _own(boom for boom in rig.booms if boom.ropes)),
+        "corner_load": ("corner_load", "kN", 0, corners),
+        "ground_pressure": ("ground_pressure", "kPa", 1, ends),
+        "tipping_utilisation": ("tipping_utilisation", "%", 1, _own(rig.crawlers)),
+        "draft": ("vessel_draft", "m", 3, afloat),
+        "heel": ("vessel_heel", "deg", 2, afloat),
+        "trim": ("vessel_trim", "deg", 2, afloat),
+        "freeboard": ("vessel_freeboard", "m", 2, afloat),
+    }
+
+
+def _own(ones: Iterable[_Named]) -> dict[str, str]:
+    """Things that recordings have under the names by which they are shown."""
+    return {one.name: one.name for one in ones}
 
 
 def _beside_supports(recording: Recording, sample: int, digits: int) -> Iterator[str]:

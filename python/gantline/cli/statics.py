@@ -208,7 +208,7 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
         rest_table.bounds_at_rest(rest, answer.bounds, answer.nowhere),
     ]
     if not rest.is_stable:
-        parts += _beyond(question, rest)
+        parts += _beyond(question)
     return "\n".join(line for part in parts if part for line in (*part, ""))
 
 
@@ -270,7 +270,7 @@ def _rest(question: Statics, moment: float | None, state: Path | None, *, held: 
         stop(f"--state: {state}: {problem}; a run of this lift that cannot go on leaves one, 'state.bin'")
 
 
-def _beyond(question: Statics, rest: Equilibrium) -> list[list[str]]:
+def _beyond(question: Statics) -> list[list[str]]:
     """Where the lift goes that is left by itself."""
     from gantline.cli import rest_table
     from gantline.cli.vessels import vessels

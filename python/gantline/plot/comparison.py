@@ -16,6 +16,7 @@ from matplotlib.lines import Line2D
 
 from gantline.plot.style import (
     INK,
+    PALE,
     QUIET,
     RC,
     colour,
@@ -331,5 +332,5 @@ def _difference_panel(
         va="top",
         fontsize=8,
         color=QUIET,
-        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
+        bbox=PALE,
     )

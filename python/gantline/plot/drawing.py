@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import groupby
 
 import numpy as np
@@ -12,6 +11,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize, to_rgb
 
 from gantline.plot.panels import EARTH_EDGE, TENSION
+from gantline.plot.raster import View
 from gantline.plot.scene import Box, RopePath, Sheave, Snapshot
 from gantline.plot.style import INK, QUIET
 from gantline.results.recording import Recording
@@ -38,24 +38,6 @@ _EDGE = {
     "structure": "#A3A3A3",
     "hull": "#6B665A",
 }
-
-
-@dataclass(frozen=True)
-class View:
-    """Directions in the world that are right, up and towards the viewer on paper, unit vectors."""
-
-    right: FloatArray
-    up: FloatArray
-    toward: FloatArray
-
-    def project(self, points: FloatArray) -> FloatArray:
-        """Points on paper [m], shape (..., 2), of points in space, shape (..., 3)."""
-        return np.stack([points @ self.right, points @ self.up], axis=-1)
-
-    @property
-    def axis(self) -> int:
-        """World axis that a side view has to the right: 0 for x, 1 for y."""
-        return int(np.argmax(np.abs(self.right[:2])))
 
 
 SIDE = View(np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0]), np.array([0.0, -1.0, 0.0]))

@@ -9,7 +9,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patheffects import Normal, Stroke
 
-from gantline.plot.drawing import TOP, View
+from gantline.plot.drawing import TOP
+from gantline.plot.raster import View
 from gantline.plot.scene import Snapshot
 from gantline.plot.style import INK, KILO, MOST_NAMED
 from gantline.results.families import shortened_inside

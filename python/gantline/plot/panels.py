@@ -32,14 +32,14 @@ _WATER = "#3C86B0"
 _PLACES = 400  # of the surface of water with waves, from one end to the other
 
 
-def window_of(points: FloatArray, below: float = 0.0, above: float = 0.0) -> FloatArray:
-    """Limits ((left, right), (low, high)) that hold points on paper with a margin."""
+def window_of(points: FloatArray, below: float = 0.0) -> FloatArray:
+    """Limits ((left, right), (low, high)) that hold points on paper with a margin, and `below` [m] more."""
     low, high = points.min(axis=0), points.max(axis=0)
     margin = 0.05 * float(np.max(high - low)) + 1e-3
     span = np.maximum(high - low, 0.2 * float(np.max(high - low)))
     middle = (low + high) / 2.0
     limits = np.stack([middle - span / 2.0 - margin, middle + span / 2.0 + margin], axis=1)
-    limits[1] += (-below, above)
+    limits[1, 0] -= below
     return limits
 
 

@@ -33,7 +33,7 @@ _MARGIN = 0.04
 
 @dataclass(frozen=True)
 class View:
-    """Directions that are right, up and towards the viewer on paper, unit vectors."""
+    """Directions in the world that are right, up and towards the viewer on paper, unit vectors."""
 
     right: FloatArray
     up: FloatArray
@@ -51,6 +51,11 @@ class View:
     def project(self, points: FloatArray) -> FloatArray:
         """Points on paper [m], shape (..., 2), of points in space, shape (..., 3)."""
         return np.stack([points @ self.right, points @ self.up], axis=-1)
+
+    @property
+    def axis(self) -> int:
+        """World axis that a side view has to the right: 0 for x, 1 for y."""
+        return int(np.argmax(np.abs(self.right[:2])))
 
 
 @dataclass(frozen=True, eq=False)

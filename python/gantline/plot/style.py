@@ -29,6 +29,8 @@ QUIET = "#6B6B6B"
 FAINT = "#D9D9D9"
 ALARM = "#B3261E"
 WARN = "#8A5A00"
+#: Behind a text that curves run past.
+PALE: Any = {"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6}
 
 KILO = 1e3
 _LEGEND_WIDTH, _KEY_WIDTH = 6.0, 0.4  # inch
@@ -317,7 +319,7 @@ def mark_peak(panel: Axes, time: float, value: float, text: str) -> None:
         va="bottom",
         fontsize=8,
         color=INK,
-        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
+        bbox=PALE,
         in_layout=False,
     )
 
@@ -375,7 +377,7 @@ def _mark_lift_off(recordings: Mapping[str, Recording], panels: Sequence[Axes]) 
             va="top",
             fontsize=8,
             color=QUIET,
-            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
+            bbox=PALE,
             in_layout=False,
         )
 
@@ -399,7 +401,7 @@ def _mark_ends(recordings: Mapping[str, Recording], panels: Sequence[Axes]) -> N
             va="bottom",
             fontsize=8,
             color=WARN,
-            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6},
+            bbox=PALE,
             in_layout=False,
         )
 

@@ -6,11 +6,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from gantline.plot.drawing import TOP, View, draw, norm_of, side_of
+from gantline.plot.drawing import TOP, draw, norm_of, side_of
 from gantline.plot.labels import label_lugs, label_sheaves
 from gantline.plot.moments import Moment, moments
 from gantline.plot.moments import stages as stages_of
 from gantline.plot.panels import draw_ground, draw_holes, draw_water, scale_bar, strip, tension_bar, window_of
+from gantline.plot.raster import View
 from gantline.plot.scene import Snapshot, snapshot
 from gantline.plot.style import INK, QUIET
 from gantline.results.gear import Equalizer

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from abc import abstractmethod
 from typing import Any
 
@@ -145,7 +146,7 @@ class Attitude(_Plots):
         if not subject.rig.loads or "load_tilt" not in subject.recording:
             return []
         tilt = subject.rig.limits.get("load_tilt")
-        limits = [] if not tilt else [{"value": float(tilt) * 180.0 / 3.141592653589793, "label": "limit"}]
+        limits = [] if not tilt else [{"value": float(tilt) * 180.0 / math.pi, "label": "limit"}]
         drift = "Horizontal drift of the centre of gravity"
         if is_taken_along(subject.rig):
             drift += ", off the way of the plan"

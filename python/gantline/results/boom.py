@@ -11,9 +11,9 @@ from typing import Any, Self
 
 import numpy as np
 
+from gantline.results.bodies import axes_of, places_of
 from gantline.results.crane import CraneHook, bearing_and_falls
 from gantline.results.form import Range, Vector
-from gantline.results.rotation import axes
 from gantline.results.strength import FromJson
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
@@ -147,14 +147,10 @@ def _pull(columns: Columns, names: Names, boom: Boom) -> FloatArray:
     return pull
 
 
-def _turned(columns: Columns, names: Names, body: str) -> FloatArray:
-    return axes(columns["body_orientation"][:, list(names["body"]).index(body)])
-
-
 def _angle(columns: Columns, names: Names, boom: Boom) -> FloatArray:
     """Angle of the boom in the axes of its base, shape (time,) [rad]."""
-    along = _turned(columns, names, boom.boom)[:, :, 0]
-    base = _turned(columns, names, boom.base)
+    along = axes_of(columns, names, boom.boom)[:, :, 0]
+    base = axes_of(columns, names, boom.base)
     ahead, up = (np.einsum("ti,ti->t", along, base[:, :, axis]) for axis in (0, 2))
     angle: FloatArray = np.arctan2(up, ahead)
     return angle
@@ -162,18 +158,17 @@ def _angle(columns: Columns, names: Names, boom: Boom) -> FloatArray:
 
 def _leans(columns: Columns, names: Names, boom: Boom) -> tuple[FloatArray, FloatArray]:
     """Heel and trim of what bears the boom, shapes (time,) [rad]."""
-    base = _turned(columns, names, boom.base)
+    base = axes_of(columns, names, boom.base)
     return np.arcsin(np.clip(base[:, 2, 1], -1, 1)), np.arcsin(np.clip(base[:, 2, 0], -1, 1))
 
 
 def _hooks(columns: Columns, names: Names, boom: Boom) -> Iterator[tuple[FloatArray, FloatArray, FloatArray]]:
     """Of each hook outreach [m], off-lead and side-lead [rad], shapes (time,)."""
-    port = _turned(columns, names, boom.boom)[:, :2, 1]
+    port = axes_of(columns, names, boom.boom)[:, :2, 1]
     port = port / np.linalg.norm(port, axis=1, keepdims=True)
     ahead = np.stack((port[:, 1], -port[:, 0]), axis=1)  # level, in the plane of the boom
-    base = list(names["body"]).index(boom.base)
     offset = np.asarray(boom.reach_from) + np.asarray(boom.base_from)
-    start = columns["body_position"][:, base] + _turned(columns, names, boom.base) @ offset
+    start = places_of(columns, names, boom.base, offset)
     for hook in boom.hooks:
         bearing, falls = bearing_and_falls(columns, names, hook)
         reach = np.einsum("ti,ti->t", bearing[:, :2] - start[:, :2], ahead)

@@ -11,9 +11,9 @@ from typing import Any, Self
 
 import numpy as np
 
+from gantline.results.bodies import places_of
 from gantline.results.form import Vector
 from gantline.results.passing import passed
-from gantline.results.rotation import axes
 from gantline.results.strength import FromJson, Rating
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
@@ -131,16 +131,9 @@ def bearing_and_falls(columns: Columns, names: Names, hook: CraneHook) -> tuple[
     The falls go from the sheaves of the hook block, which stays upright, to the upper ones. At a boom these
     hang in a sheave block that does not turn across it: not at its pin, where a side-lead would seem less.
     """
-    bearing = _place(columns, names, hook.name, hook.bearing)
-    sheaves = _place(columns, names, hook.top, np.asarray(hook.top_from) - (0.0, 0.0, hook.sheaves_below))
+    bearing = places_of(columns, names, hook.name, hook.bearing)
+    sheaves = places_of(columns, names, hook.top, np.asarray(hook.top_from) - (0.0, 0.0, hook.sheaves_below))
     return bearing, sheaves - bearing - (0.0, 0.0, hook.sheaves_above)
-
-
-def _place(columns: Columns, names: Names, body: str, offset: Sequence[float] | FloatArray) -> FloatArray:
-    """Where a point of a body is, shape (time, 3) [m]."""
-    at = list(names["body"]).index(body)
-    found: FloatArray = columns["body_position"][:, at] + axes(columns["body_orientation"][:, at]) @ offset
-    return found
 
 
 def hook_state(columns: Columns, names: Names, hooks: Sequence[CraneHook], loads: Sequence[str]) -> Derived:
@@ -157,7 +150,7 @@ def hook_state(columns: Columns, names: Names, hooks: Sequence[CraneHook], loads
     heights, angles, aside = [], [], []
     for hook in hooks:
         bearing, falls = bearing_and_falls(columns, names, hook)
-        aside.append((bearing - _place(columns, names, hook.top, hook.top_from))[:, :2])
+        aside.append((bearing - places_of(columns, names, hook.top, hook.top_from))[:, :2])
         heights.append(bearing[:, 2])
         angles.append(np.arctan2(np.linalg.norm(falls[:, :2], axis=1), falls[:, 2]))
     swing = np.linalg.norm(np.mean(aside, axis=0), axis=1)
@@ -224,7 +217,7 @@ def _corner_loads(
         put(trolley.weight, along, 0.0)
         for hook in trolley.hooks:
             _, falls = bearing_and_falls(columns, names, hook)
-            top = _place(columns, names, hook.top, hook.top_from)
+            top = places_of(columns, names, hook.top, hook.top_from)
             upright = hoist[hook.name] * falls[:, 2] / np.linalg.norm(falls, axis=1)
             aside = falls[:, :2] / falls[:, 2:] * top[:, 2:]  # on the way down to the rails, at a height of 0
             put(upright, along + hook.along - aside[:, 0], hook.across - aside[:, 1])

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gantline.results.gear import Drum
+from gantline.results.gear import Drum, Sheave
 from gantline.results.rig import Rig
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
@@ -27,64 +27,63 @@ def rope_flows(columns: Columns, names: Names, rig: Rig) -> Derived:
     """
     variables: dict[str, Variable] = {}
     labels: dict[str, Sequence[str]] = {}
-    joints, segments = list(names["joint"]), list(names["segment"])
     if rig.sheaves:
         labels |= {"sheave": [sheave.name for sheave in rig.sheaves], "side": ("before", "after")}
-        at = [joints.index(sheave.name) for sheave in rig.sheaves]
-        sides = np.array([[segments.index(name) for name in sheave.segments] for sheave in rig.sheaves])
-        variables["rope_passed"] = Variable(
-            ("time", "sheave"),
-            columns["joint_position"][:, at],
-            "m",
-            "rope that has passed a sheave, towards the last end of its route",
-        )
-        if any(sheave.groove_friction is not None for sheave in rig.sheaves):
-            passed = columns["joint_position"][:, at]
-            turned = passed.copy()
-            for place, sheave in enumerate(rig.sheaves):
-                if sheave.spins:
-                    turned[:, place] = columns["joint_position"][:, joints.index(f"{sheave.name}/spin")]
-                elif sheave.ratio is None:
-                    turned[:, place] = 0.0
-            variables["groove_slip"] = Variable(
-                ("time", "sheave"),
-                passed - turned,
-                "m",
-                "rope that has slipped in the groove of a sheave, towards the last end of its route",
-            )
-        variables["sheave_tension"] = Variable(
-            ("time", "sheave", "side"),
-            columns["segment_tension"][:, sides],
-            "N",
-            "tension before and after a sheave, along the route of its rope",
-        )
+        variables |= _of_sheaves(columns, names, rig.sheaves)
     if rig.drums:
         labels["drum"] = [drum.name for drum in rig.drums]
-        at = [joints.index(drum.joint) for drum in rig.drums]
+        flow = dict(zip(names["joint"], columns["joint_position"].T, strict=True))
         variables["rope_paid_out"] = Variable(
             ("time", "drum"),
-            np.stack(
-                [
-                    _paid_out(drum, columns["joint_position"][:, place])
-                    for drum, place in zip(rig.drums, at, strict=True)
-                ],
-                axis=1,
-            ),
+            np.stack([_paid_out(drum, flow[drum.joint]) for drum in rig.drums], axis=1),
             "m",
             "rope that a drum has paid out over its rim, negative where it has hauled in",
         )
-        known = [drum for drum in rig.drums if drum.wraps_at_start is not None]
-        if known:
-            labels["counted_drum"] = [drum.name for drum in known]
-            wraps = np.stack([drum_wraps(drum, columns, names) for drum in known], axis=1)
-            full = np.array([drum.wraps_per_layer or np.inf for drum in known])
-            layer = np.maximum(np.ceil(wraps / full), 1.0)
-            dims = ("time", "counted_drum")
-            variables["drum_wraps"] = Variable(dims, wraps, "1", "turns of rope on a drum")
-            variables["drum_layer"] = Variable(
-                dims, layer, "1", "layer in which rope comes on, the first is 1"
-            )
+    known = [drum for drum in rig.drums if drum.wraps_at_start is not None]
+    if known:
+        labels["counted_drum"] = [drum.name for drum in known]
+        wraps = np.stack([drum_wraps(drum, columns, names) for drum in known], axis=1)
+        full = np.array([drum.wraps_per_layer or np.inf for drum in known])
+        layer = np.maximum(np.ceil(wraps / full), 1.0)
+        dims = ("time", "counted_drum")
+        variables["drum_wraps"] = Variable(dims, wraps, "1", "turns of rope on a drum")
+        variables["drum_layer"] = Variable(dims, layer, "1", "layer in which rope comes on, the first is 1")
     return variables, labels
+
+
+def _of_sheaves(columns: Columns, names: Names, sheaves: Sequence[Sheave]) -> dict[str, Variable]:
+    """What passes sheaves, slips in their grooves, and pulls on both sides of them."""
+    joints, segments = list(names["joint"]), list(names["segment"])
+    passed = columns["joint_position"][:, [joints.index(sheave.name) for sheave in sheaves]]
+    sides = np.array([[segments.index(name) for name in sheave.segments] for sheave in sheaves])
+    variables = {
+        "rope_passed": Variable(
+            ("time", "sheave"),
+            passed,
+            "m",
+            "rope that has passed a sheave, towards the last end of its route",
+        )
+    }
+    if any(sheave.groove_friction is not None for sheave in sheaves):
+        turned = passed.copy()
+        for place, sheave in enumerate(sheaves):
+            if sheave.spins:
+                turned[:, place] = columns["joint_position"][:, joints.index(f"{sheave.name}/spin")]
+            elif sheave.ratio is None:
+                turned[:, place] = 0.0
+        variables["groove_slip"] = Variable(
+            ("time", "sheave"),
+            passed - turned,
+            "m",
+            "rope that has slipped in the groove of a sheave, towards the last end of its route",
+        )
+    variables["sheave_tension"] = Variable(
+        ("time", "sheave", "side"),
+        columns["segment_tension"][:, sides],
+        "N",
+        "tension before and after a sheave, along the route of its rope",
+    )
+    return variables
 
 
 def drum_wraps(drum: Drum, columns: Columns, names: Names) -> FloatArray:

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from gantline.results.bodies import axes_of, places_of
 from gantline.results.moorings import Fender
-from gantline.results.rotation import axes
 from gantline.results.variable import Columns, FloatArray, Names
 from gantline.units import format_quantity
 
@@ -37,8 +37,8 @@ def pressed_through(
         wall, normal = np.asarray(contact["plane_point"]), np.asarray(contact["plane_normal"])
         before: FloatArray = np.broadcast_to(normal, place.shape)
         if (body := contact.get("plane_body")) is not None:
-            turned = axes(columns["body_orientation"][:, list(names["body"]).index(body)])
-            wall, before = _places(document, columns, names, body, wall), turned @ normal
+            wall = _places(document, columns, names, body, wall)
+            before = axes_of(columns, names, body) @ normal
         deep = np.einsum("ti,ti->t", wall - place, before)
         worst = int(np.argmax(deep))
         if deep[worst] <= (fender.thickness or DEEP):
@@ -64,8 +64,5 @@ def _places(
         body: Its name.
         at: The point in its axes (3,) [m].
     """
-    number = list(names["body"]).index(body)
     centre = next(one["centre_of_gravity"] for one in document["bodies"] if one["name"] == body)
-    turned = axes(columns["body_orientation"][:, number])
-    places: FloatArray = columns["body_position"][:, number] + turned @ (np.asarray(at) - np.asarray(centre))
-    return places
+    return places_of(columns, names, body, np.asarray(at) - np.asarray(centre))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -16,7 +16,7 @@ from gantline.scenario.hook_parts import CarriedHook, HookType
 from gantline.scenario.reeving import HoistDrum, HookBlock, Reeving
 from gantline.scenario.vessel import Vessel
 
-__all__ = ["PARTS", "Carrier", "Hook", "booms_of", "full_name", "hooks_of", "trolley_name"]
+__all__ = ["PARTS", "Carrier", "Hook", "booms_of", "full_name", "full_names", "hooks_of", "trolley_name"]
 
 #: What a hook of a trolley or boom has from itself or from its type.
 PARTS = ("rated_capacity", "highest", "hook_block", "reeving", "drum", "hoist")
@@ -87,6 +87,11 @@ def full_name(text: str, known: Mapping[str, object]) -> str | None:
         return text
     fitting = [name for name in known if name.endswith(f".{text}")]
     return fitting[0] if len(fitting) == 1 else None
+
+
+def full_names(texts: Iterable[str], known: Mapping[str, object]) -> list[str]:
+    """The names that texts mean; of one that means none, nothing."""
+    return [name for text in texts if (name := full_name(text, known)) is not None]
 
 
 def booms_of(cranes: Mapping[str, AnyCrane], vessels: Mapping[str, Vessel]) -> dict[str, PlacedBoom]:

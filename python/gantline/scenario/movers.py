@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from gantline.scenario.boom import FloatingCrane
+from gantline.scenario.crane_types import AnyCrane
 from gantline.scenario.crawler import Crawler
 from gantline.scenario.goliath import Goliath, Traverse
 from gantline.scenario.hooks import Hook, full_name, trolley_name
@@ -93,27 +95,10 @@ def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
         return _drums(scenario)
     if kind == "line":
         return _winches(scenario)
-    found: dict[str, Mover | None] = {}
     if kind == "boom":
-        for placed in scenario.booms.values():
-            if placed.luffing is not None:
-                along = _along(placed.name, kind, placed.luffing, placed.boom.angle)
-                found[placed.crane] = replace(along, gear=placed.gear)
-        return found
-    for name, crane in (scenario.cranes or {}).items():
-        if isinstance(crane, Crawler) and kind == "crane" and crane.travel is not None:
-            found[name] = _along(name, kind, crane.travel, 0.0)
-        if isinstance(crane, Crawler | FloatingCrane) and kind == "upper" and crane.slewing is not None:
-            found[name] = _along(upper_body(name), kind, crane.slewing, crane.slew)
-        if not isinstance(crane, Goliath):
-            continue
-        if kind == "crane" and crane.travel is not None:
-            found[name] = _along(name, kind, crane.travel, crane.position)
-        if kind == "trolley":
-            for trolley, given in crane.trolleys.items():
-                of = trolley_name(name, trolley)
-                found[of] = _along(of, kind, given.traverse, given.position)
-    return found
+        return dict(_booms(scenario))
+    cranes = (scenario.cranes or {}).items()
+    return {of: one for name, crane in cranes for of, one in _of_crane(name, crane, kind)}
 
 
 def boom_angles(scenario: Scenario) -> list[dict[str, tuple[float, bool]]]:
@@ -197,6 +182,27 @@ def _hooks(scenario: Scenario) -> dict[str, Mover]:
             reel=_reel(scenario, hook),
         )
     return found
+
+
+def _booms(scenario: Scenario) -> Iterator[tuple[str, Mover]]:
+    for placed in scenario.booms.values():
+        if placed.luffing is not None:
+            along = _along(placed.name, "boom", placed.luffing, placed.boom.angle)
+            yield placed.crane, replace(along, gear=placed.gear)
+
+
+def _of_crane(name: str, crane: AnyCrane, kind: Kind) -> Iterator[tuple[str, Mover]]:
+    """What of a crane travels, slews or traverses."""
+    if kind == "crane" and isinstance(crane, Crawler) and crane.travel is not None:
+        yield name, _along(name, kind, crane.travel, 0.0)
+    if kind == "crane" and isinstance(crane, Goliath) and crane.travel is not None:
+        yield name, _along(name, kind, crane.travel, crane.position)
+    if kind == "upper" and isinstance(crane, Crawler | FloatingCrane) and crane.slewing is not None:
+        yield name, _along(upper_body(name), kind, crane.slewing, crane.slew)
+    if kind == "trolley" and isinstance(crane, Goliath):
+        for trolley, given in crane.trolleys.items():
+            of = trolley_name(name, trolley)
+            yield of, _along(of, kind, given.traverse, given.position)
 
 
 def _head(scenario: Scenario, hook: Hook) -> Head | None:

@@ -153,7 +153,7 @@ def _problem(error: ErrorDetails, tree: MapNode) -> Problem:
     if "key" in (error.get("ctx") or {}):
         loc = (*loc, error["ctx"]["key"])
     path, node, parent = _locate(loc, tree)
-    return Problem(line_of(tree, path), join_path(path), _sentence(error, path, node, parent))
+    return Problem(line_of(tree, path), join_path(path), _sentence(error, node, parent))
 
 
 def _locate(loc: Sequence[PathPart], tree: MapNode) -> tuple[tuple[PathPart, ...], Any, Any]:
@@ -170,7 +170,7 @@ def _locate(loc: Sequence[PathPart], tree: MapNode) -> tuple[tuple[PathPart, ...
     return tuple(path), node, parent
 
 
-def _sentence(error: ErrorDetails, path: Sequence[PathPart], node: Any, parent: Any) -> str:
+def _sentence(error: ErrorDetails, node: Any, parent: Any) -> str:
     kind = error["type"]
     context: Mapping[str, Any] = error.get("ctx") or {}
     last = str(error["loc"][-1]) if error["loc"] else ""

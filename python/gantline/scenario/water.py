@@ -36,7 +36,6 @@ __all__ = [
     "BallastTank",
     "Extent",
     "HullShape",
-    "OfWater",
     "Radiation",
     "Water",
     "WaterDamping",
@@ -131,7 +130,7 @@ class HullShape(Element):
             raise refuse("'keel' is for a hull that is a 'box'; a mesh has 'at'", "keel")
 
 
-class OfWater(Element):
+class _OfWater(Element):
     """A matrix over the motions of a body: by axes, whole, or from a hydrodynamic database."""
 
     at: Position = Field(
@@ -152,16 +151,13 @@ class OfWater(Element):
         None, description="Period of the motion at which the database is read, or 'infinite_frequency'."
     )
 
-    #: Keys of the six axes.
-    axes: ClassVar[tuple[str, ...]] = MOTIONS
-
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:
         """It is given in one way."""
         given = [key for key in ("database", "matrix") if key in data]
         if len(given) == 2:
             raise refuse("it is a 'matrix' or comes from a 'database', not both", "matrix")
-        for key in cls.axes if given else ():
+        for key in MOTIONS if given else ():
             if key in data:
                 raise refuse(f"'{key}' is part of the '{given[0]}'; leave one of them out", key)
         if "database" in data:
@@ -173,8 +169,13 @@ class OfWater(Element):
             if key in data and "database" not in data:
                 raise refuse(f"'{key}' is for a 'database'", key)
 
+    @property
+    def diagonal(self) -> list[float]:
+        """What it is given by axes, in the order of `MOTIONS` [SI]."""
+        return [getattr(self, motion) for motion in MOTIONS]
 
-class AddedMass(OfWater):
+
+class AddedMass(_OfWater):
     """Water that moves along with a body, constant, along the body's axes."""
 
     what: ClassVar[str] = "added mass"
@@ -196,13 +197,8 @@ class AddedMass(OfWater):
                 raise refuse("added inertia must be zero or more", key)
         return self
 
-    @property
-    def diagonal(self) -> list[float]:
-        """Surge, sway, heave [kg], roll, pitch, yaw [kg m^2]."""
-        return [getattr(self, motion) for motion in MOTIONS]
 
-
-class WaterDamping(OfWater):
+class WaterDamping(_OfWater):
     """What still water resists a body's motion with, linear, along the body's axes."""
 
     what: ClassVar[str] = "damping by water"
@@ -222,11 +218,6 @@ class WaterDamping(OfWater):
         if self.period == "infinite_frequency":
             raise refuse("at infinite frequency no waves are made and nothing damps; give a period", "period")
         return self
-
-    @property
-    def diagonal(self) -> list[float]:
-        """Surge, sway, heave [N s/m], roll, pitch, yaw [N m s]."""
-        return [getattr(self, motion) for motion in MOTIONS]
 
 
 class Radiation(Element):

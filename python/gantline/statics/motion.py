@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from gantline.assembly.spatial import inertia_matrix
 from gantline.results.alike import ROUNDING, first_peak
+from gantline.results.rotation import axes
 from gantline.statics.answers import Floats
 
 Body = Mapping[str, Any]
@@ -75,27 +77,14 @@ def drums_of(document: Mapping[str, Any]) -> set[str]:
 
 def _energies(body: Body, motion: Floats, quaternion: Floats) -> tuple[float, float]:
     """Kinetic energy of a body's translation and rotation."""
-    xx, yy, zz, xy, xz, yz = np.asarray(body["inertia"], dtype=float)
-    inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    spin = _rotation(quaternion).T @ motion[3:]
+    inertia = inertia_matrix(body["inertia"])
+    spin = axes(quaternion).T @ motion[3:]
     mass = float(np.asarray(body["mass"], dtype=float))
     return 0.5 * mass * float(motion[:3] @ motion[:3]), 0.5 * float(spin @ inertia @ spin)
 
 
-def _rotation(quaternion: Floats) -> Floats:
-    """From the axes of a body into those of the world."""
-    w, x, y, z = quaternion
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-
-
 def _sails(name: str, motion: Floats, energies: Floats, quaternion: Floats) -> str:
-    own = np.reshape(motion, (2, 3)) @ _rotation(quaternion)
+    own = np.reshape(motion, (2, 3)) @ axes(quaternion)
     parts: list[str] = []
     for words, along, energy in zip(_OF_VESSELS, own, energies, strict=True):
         if energy >= _SHOWS * energies.sum():

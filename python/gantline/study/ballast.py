@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from gantline.assembly.hulls import afloat_path
 from gantline.hydro.tank import Tank, free_surface_correction
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.edit import text_with
@@ -111,7 +112,7 @@ class BallastAnswer:
     @property
     def text(self) -> str:
         """The lift file with the contents found; what did not change stays as it was written."""
-        where = _path(self.scenario, self.vessel)
+        where = afloat_path(self.scenario, self.vessel)
         room = _room(self.scenario, self.vessel)
         changed: dict[tuple[PathPart, ...], str] = {
             (*where, "tanks", tank, "content"): _written(content, *room[tank])
@@ -365,7 +366,7 @@ class _Search:
         self._time, self.now, self._contents = floats
 
     def _with(self, contents: Floats) -> Scenario:
-        where = ".".join(_path(self._scenario, self._vessel))
+        where = ".".join(afloat_path(self._scenario, self._vessel))
         texts = {
             f"{where}.tanks.{tank}.content": si_text(float(content), "mass")
             for tank, content in zip(self._tanks, contents, strict=True)
@@ -433,11 +434,6 @@ def _shown(key: str, value: float) -> str:
 
 def _tonnes(mass: float) -> str:
     return format_quantity(abs(mass), "t", 1)
-
-
-def _path(scenario: Scenario, vessel: str) -> tuple[str, ...]:
-    """Where a vessel stands in the lift file."""
-    return ("vessels", vessel) if vessel in (scenario.vessels or {}) else ("mechanics", "bodies", vessel)
 
 
 def _room(scenario: Scenario, vessel: str) -> dict[str, tuple[float, float]]:

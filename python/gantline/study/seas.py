@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from gantline.assembly.steepness import highest_sea
-from gantline.checks import Check, Outcome, Verdict, check_recording, governing, outcome_of, verdict_of
+from gantline.checks import Check, Outcome, check_recording, failed_names, governing, outcome_of, verdict_of
 from gantline.results.alike import first_largest
 from gantline.results.saved import digest_of
 from gantline.results.sea_grid import SeaGrid
@@ -81,7 +81,7 @@ class SeaRecord:
     @property
     def failed(self) -> tuple[str, ...]:
         """Names of the checks that failed."""
-        return tuple(dict.fromkeys(one.name for one in self.checks if one.verdict is Verdict.FAILED))
+        return failed_names(self.checks)
 
     def to_json(self) -> dict[str, Any]:
         """All of it as a JSON object, SI units."""

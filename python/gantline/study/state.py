@@ -9,8 +9,8 @@ from typing import Any
 from gantline.checks import (
     LOAD_LIFTED,
     Check,
-    Verdict,
     check_recording,
+    failed_names,
     governing,
     has_failed,
     past_limits,
@@ -81,7 +81,7 @@ class State:
     @property
     def failed(self) -> tuple[str, ...]:
         """Names of the checks that failed."""
-        return tuple(dict.fromkeys(one.name for one in self.checks if one.verdict is Verdict.FAILED))
+        return failed_names(self.checks)
 
     @property
     def past(self) -> tuple[str, ...]:

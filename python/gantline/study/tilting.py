@@ -10,6 +10,7 @@ from functools import partial
 import numpy as np
 import numpy.typing as npt
 
+from gantline.assembly.spatial import inertia_matrix
 from gantline.results import series
 from gantline.results.alike import first_peak
 from gantline.results.rig import Load
@@ -270,8 +271,7 @@ def _depth(rest: Equilibrium, load: Load) -> float:
 def _inertia(question: Statics, load: Load) -> Floats:
     """About the centre of gravity, axes of the load [kg m²]."""
     bodies = question.assembly.document["bodies"]
-    xx, yy, zz, xy, xz, yz = next(body["inertia"] for body in bodies if body["name"] == load.body)
-    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    return inertia_matrix(next(body["inertia"] for body in bodies if body["name"] == load.body))
 
 
 def _period(

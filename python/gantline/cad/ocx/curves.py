@@ -330,10 +330,6 @@ def polyline(curves: Sequence[Curve], tolerance: float) -> Array:
     return np.asarray(points[np.concatenate([[True], apart])])
 
 
-def _away(one: Array, other: Array) -> float:
-    return float(np.linalg.norm(one - other))
-
-
 def _across(normal: Array) -> Array:
     """A unit vector square to another."""
     axis = np.zeros(3)
