@@ -360,7 +360,7 @@ impl Constraint for Rope {
                 entries.next().into_iter().for_each(|column| column.x = entry);
             });
             let bend = bent.bend / span.length;
-            for (j, row) in block.chunks_exact_mut(size).enumerate() {
+            for (j, row) in block.chunks_exact_mut(size.max(1)).enumerate() {
                 row.iter_mut().zip(&*columns).for_each(|(to, other)| *to += bend * columns[j].x * other.x);
             }
         }
