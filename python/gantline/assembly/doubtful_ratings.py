@@ -122,6 +122,8 @@ def _shackles(scenario: Scenario) -> Iterator[Doubt]:
 
 def _lugs(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
     """Lugs rated for far more than the shackles pinned to them, which do not go round such plates."""
+    if scenario.mechanics is not None and scenario.mechanics.ropes:
+        return  # of these nothing says which lug holds them
     limits = _shackled(rigging)
     types, said = scenario.lug_types or {}, set[Path]()
     lugs: list[tuple[Path, str, str, Lug]] = []
