@@ -88,6 +88,16 @@ def test_a_top_far_away() -> None:
     ]
 
 
+@pytest.mark.parametrize(("share", "is_told"), [("4.5 %", True), ("30 %", False), ("45 %", False)])
+def test_a_boom_that_weighs_at_its_foot(share: str, is_told: bool) -> None:
+    """Its moment is a tenth of what it is, and the crane tips later."""
+    said = (
+        "cranes.main.boom.centre_of_gravity: the centre of gravity of main.boom is at 4.5 % of its length; "
+        "35 % to 55 % is usual, and a digit has slipped"
+    )
+    assert told("upending", cranes__main__boom__centre_of_gravity=share) == ([said] if is_told else [])
+
+
 def test_a_range_past_plumb() -> None:
     with pytest.raises(ScenarioError, match=r"luffing\.range: 820 deg is past plumb.*90 deg at the most"):
         load_scenario("upending").changed({"cranes.main.luffing.range": ["30 deg", "820 deg"]})

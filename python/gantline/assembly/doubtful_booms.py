@@ -28,6 +28,8 @@ _FARTHEST_TOP = 2.0
 #: Far out charts are for 75 % of what tips the crane (ASME B30.5, 5-1.1.1), close in for what its boom bears;
 #: in the farthest row less than a third of that means that the crane is far too heavy for its chart [1].
 _LEAST_OF_TIPPING = 0.25
+#: Booms have their centre of gravity at 35 % to 55 % of their length, heavy at foot or head [1].
+_CENTRE = (0.2, 0.8)
 
 
 def doubtful_booms(scenario: Scenario) -> Iterator[Doubt]:
@@ -39,6 +41,11 @@ def doubtful_booms(scenario: Scenario) -> Iterator[Doubt]:
             yield from _chart(boom, chart, (*boom.path, "rating"))
         if isinstance(crane, Crawler) and chart is not None and chart.over != "outreach":
             yield from _heavy(boom.crane, crane, chart)
+        share = boom.boom.centre_of_gravity
+        if not _CENTRE[0] <= share <= _CENTRE[1]:
+            lies = f"the centre of gravity of {boom.name} is at {100.0 * share:.3g} % of its length"
+            usual = "35 % to 55 % is usual, and a digit has slipped"
+            yield Doubt((*boom.path, "boom", "centre_of_gravity"), f"{lies}; {usual}")
         if (gear := boom.gear) is not None and gear.reach > _FARTHEST_TOP * boom.boom.length:
             away = f"is {format_quantity(gear.reach, 'm', 1)} from its heel pins"
             long = f"its boom is {format_quantity(boom.boom.length, 'm', 1)} long"
