@@ -30,6 +30,7 @@ from gantline.results.immersion import (
     immersion_warnings,
     loads_in_bed,
     misplaced_areas,
+    never_wet,
 )
 from gantline.results.layout import DIMS
 from gantline.results.longer_falls import longer_falls
@@ -394,6 +395,8 @@ class Simulation:
         warnings += immersion_warnings(columns, names, self.assembly.scene, dry, water.density, rig.sea)
         warnings += loads_in_bed(columns, names, self.assembly.scene, loads, water.depth)
         warnings += askew_in_water(self.assembly.document, columns, names)
+        if self.ended:
+            warnings += never_wet(self.assembly.document, columns, names, self.assembly.scene, loads)
         has_water = self.assembly.scene.get("water") is not None
         warnings += misplaced_areas(self.assembly.document, columns, names, water.level, has_water=has_water)
         warnings += dry_hulls(self.assembly.document, columns, names)

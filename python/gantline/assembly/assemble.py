@@ -12,6 +12,7 @@ from gantline.assembly.boom import add_booms, hang_in_tackles
 from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
+from gantline.assembly.doubtful_booms import doubtful_booms
 from gantline.assembly.doubtful_drums import doubtful_drums
 from gantline.assembly.doubtful_empty import doubtful_empty, doubtful_pins
 from gantline.assembly.doubtful_fenders import doubtful_fenders
@@ -21,6 +22,7 @@ from gantline.assembly.doubtful_ground import doubtful_ground
 from gantline.assembly.doubtful_heights import doubtful_heights
 from gantline.assembly.doubtful_lee import doubtful_lee
 from gantline.assembly.doubtful_rails import doubtful_rails
+from gantline.assembly.doubtful_ratings import doubtful_ratings
 from gantline.assembly.doubtful_sheaves import doubtful_sheaves
 from gantline.assembly.doubtful_stops import doubtful_stops
 from gantline.assembly.doubtful_strength import doubtful_strength
@@ -190,11 +192,13 @@ def _doubts(
         *doubtful_stops(scenario),
         *doubtful_rails(scenario),
         *doubtful_cranes(scenario),
+        *doubtful_booms(scenario),
         *doubtful_ground(scenario),
         *doubtful_gear(scenario, rigging),
         *doubtful_sheaves(scenario, rigging),
         *doubtful_drums(scenario),
         *doubtful_strength(scenario, rigging),
+        *doubtful_ratings(scenario, rigging),
         *doubtful_following(scenario, rigging),
     )
 

@@ -14,7 +14,7 @@ from gantline.scenario.goliath import Goliath
 from gantline.scenario.rating import Rating
 from gantline.units import format_by_size, format_quantity
 
-__all__ = ["doubtful_cranes"]
+__all__ = ["doubtful_cranes", "rows_by_radius", "tipping_mass"]
 
 #: Hook blocks weigh some hundredths of what they may carry; less than this share is a slip [1].
 _LIGHTEST = 0.002
@@ -89,8 +89,8 @@ def _charts_past_tipping(scenario: Scenario) -> Iterator[Doubt]:
         if not isinstance(crane, Crawler) or crane.rating is None or crane.rating.over == "outreach":
             continue
         used, radius, rated = max(
-            (rated / max(_tipping_mass(crane, radius), 1.0), radius, rated)
-            for radius, rated in _by_radius(crane, crane.rating)
+            (rated / max(tipping_mass(crane, radius), 1.0), radius, rated)
+            for radius, rated in rows_by_radius(crane, crane.rating)
         )
         if used > _MOST_OF_TIPPING:
             row = f"{format_quantity(rated, 't', 1)} at {format_quantity(radius, 'm', 1)}"
@@ -100,7 +100,7 @@ def _charts_past_tipping(scenario: Scenario) -> Iterator[Doubt]:
             yield Doubt(("cranes", name, "rating"), sentence)
 
 
-def _by_radius(crane: Crawler, chart: Rating) -> list[tuple[float, float]]:
+def rows_by_radius(crane: Crawler, chart: Rating) -> list[tuple[float, float]]:
     """Rows of a chart as radius [m] and rated load [kg]."""
     if chart.over == "radius":
         return chart.rows
@@ -108,7 +108,7 @@ def _by_radius(crane: Crawler, chart: Rating) -> list[tuple[float, float]]:
     return [(ahead + length * math.cos(angle), rated) for angle, rated in chart.rows]
 
 
-def _tipping_mass(crane: Crawler, radius: float) -> float:
+def tipping_mass(crane: Crawler, radius: float) -> float:
     """What tips a crane that stands alone at a radius, equation (CR4) [kg]; infinite where nothing can."""
     half = min(crane.tracks.gauge, crane.tracks.length) / 2
     if not half < radius <= crane.boom.heel_pins.ahead + crane.boom.length:

@@ -1,4 +1,4 @@
-"""Losses of sheaves that an equalizer without sheaves cannot have."""
+"""Sheaves of equalizers that cannot well be meant: losses where there are none, and no room for a groove."""
 
 from __future__ import annotations
 
@@ -7,14 +7,19 @@ from collections.abc import Iterator
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Path
-from gantline.scenario.rigging import SHEAVES, sheave_levels
+from gantline.scenario.rigging import SHEAVES, EqualizerRigging, sheave_levels
 
 __all__ = ["doubtful_sheaves"]
 
+#: What a rope bends about is its pitch diameter less its own: below twice the rope's that is thinner than it,
+#: and rules ask for 11 times and more (ISO 4308-1) [1].
+_TIGHTEST = 2.0
+
 
 def doubtful_sheaves(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
-    """Each place that gives losses to sheaves of an equalizer whose lengths are adjusted instead."""
+    """Each place that gives losses to sheaves that are none, and each sheave thinner than its rope."""
     for name, equalizer in rigging.equalizers.items():
+        yield from _thin(scenario, name, equalizer)
         if equalizer.has_sheaves:
             continue
         lost: dict[Path, dict[str, float]] = {}
@@ -37,3 +42,19 @@ def _place(scenario: Scenario, name: str, key: str) -> Path:
         for path, words in sheave_levels(scenario, name, key)
         if words.bearing_efficiency < 1.0 or words.groove_friction is not None
     )
+
+
+def _thin(scenario: Scenario, name: str, equalizer: EqualizerRigging) -> Iterator[Doubt]:
+    thick = equalizer.rope.diameter
+    if thick is None:
+        return
+    for key in SHEAVES:
+        diameter = getattr(equalizer, key).pitch_diameter
+        if diameter < _TIGHTEST * thick:
+            given = (scenario.equalizers or {})[name]
+            own = getattr(given, key) is not None
+            path = ("equalizers", name) if own else ("equalizer_types", str(given.type))
+            wide = f"have a pitch diameter of {1e3 * diameter:g} mm"
+            sentence = f"the {key.replace('_', ' ')} of {name} {wide}, their rope is {1e3 * thick:g} mm thick"
+            usual = "11 to 25 times that is usual, and a unit has slipped"
+            yield Doubt((*path, key, "pitch_diameter"), f"{sentence}; {usual}")

@@ -15,12 +15,12 @@ from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Path
 from gantline.units import format_by_size, format_quantity
 
-__all__ = ["doubtful_strength"]
+__all__ = ["FARTHEST", "STRONGEST", "doubtful_strength"]
 
 #: The largest cranes afloat and gantries lift 20 000 t; nothing that is hung in a crane bears more [kg].
-_STRONGEST = 25e6
+STRONGEST = 25e6
 #: The farthest that a crane reaches is some 200 m [m].
-_FARTHEST = 500.0
+FARTHEST = 500.0
 #: The largest shackles have limits of 3000 t; those of steel bear a thousand to three thousand times their
 #: own mass, small ones of fibre fifty thousand times: 1.7 t by a loop of 6 mm HMPE, which weighs 30 g.
 _STRONGEST_SHACKLE, _OF_OWN_MASS = 5e6, 100e3
@@ -40,23 +40,23 @@ _FASTEST: dict[tuple[str, str], tuple[float, str, str]] = {
 }
 #: All there is is 100 %, and rules for proof loads allow half as much more; a limit beyond this is none [1].
 _MOST_SHARE = 2.0
-#: Nothing is turned by more [rad].
-_HALF_TURN = math.pi
-#: Limits that are angles.
-_ANGLES = (
-    "heel",
-    "trim",
-    "load_tilt",
-    "load_yaw",
-    "spreader_tilt",
-    "equalizer_tilt",
-    "falls_out_of_plumb",
-    "off_lead",
-    "side_lead",
-    "sling_angle_from_vertical",
-    "lug_out_of_plane_angle",
-    "fleet_angle",
-)
+#: Limits that are angles, and what nothing comes to that has not failed long before [deg]: loads are upended
+#: and turned, but vessels lean, falls lead and ropes come onto their drum by a few degrees; level slings bear
+#: nothing, and from plates there are no more than 90 deg.
+_ANGLES = {
+    "heel": 30.0,
+    "trim": 30.0,
+    "load_tilt": 180.0,
+    "load_yaw": 180.0,
+    "spreader_tilt": 90.0,
+    "equalizer_tilt": 90.0,
+    "falls_out_of_plumb": 30.0,
+    "off_lead": 30.0,
+    "side_lead": 30.0,
+    "sling_angle_from_vertical": 89.0,
+    "lug_out_of_plane_angle": 90.0,
+    "fleet_angle": 30.0,
+}
 #: A distance that is kept and is less is no distance [m]; of models, less than this share of the load's
 #: longest side [1].
 _LEAST_KEPT, _LEAST_OF_LOAD = 5e-3, 1e-3
@@ -117,9 +117,9 @@ def _of_value(path: Path, element: Element, key: str, value: object) -> Iterator
         return
     is_of_chart = element.what == "a rating chart"
     if key == "rated_capacity" or (is_of_chart and key == "rated"):
-        if most > _STRONGEST:
+        if most > STRONGEST:
             yield Doubt(path, f"{_mass(most)}: no crane, hook or frame bears more than 20000 t; {_SLIPPED}")
-    elif is_of_chart and key in ("radius", "outreach") and most > _FARTHEST:
+    elif is_of_chart and key in ("radius", "outreach") and most > FARTHEST:
         yield Doubt(path, f"{most:g} m: no crane reaches farther than 200 m; {_SLIPPED}")
     elif is_of_chart and key in ("heel", "trim", "off_lead", "side_lead") and most > _MOST_LEAN:
         leans = format_quantity(most, "deg", 0)
@@ -171,7 +171,7 @@ def _limits(scenario: Scenario) -> Iterator[Doubt]:
         if is_share and value > _MOST_SHARE:
             sentence = f"a limit of {format_quantity(value, '%', 0)} lets everything pass"
             yield Doubt(("limits", key), f"{sentence}; 100 % is all there is, and {_SLIPPED}")
-        elif key in _ANGLES and value > _HALF_TURN:
+        elif key in _ANGLES and value > math.radians(_ANGLES[key]) * (1 + 1e-9):
             sentence = f"a limit of {format_quantity(value, 'deg', 0)} lets everything pass"
             yield Doubt(("limits", key), f"{sentence}; {_SLIPPED}")
 

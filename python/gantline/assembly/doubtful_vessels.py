@@ -43,6 +43,8 @@ _BESIDE_WAVES = {"heave": 0.1, "pitch": 0.1, "roll": 0.2}
 _PERIODS = (3.0, 600.0)
 #: Lines are shorter than this times the distance of their ends, and this much more [1, m].
 _SLACK = (2.0, 20.0)
+#: Fairleads and turrets lie so far below a keel at the most [m].
+_UNDER_KEEL = 2.0
 #: The largest ballast systems of crane vessels pump a third of this [kg/s].
 _PUMPED = 6e4 * 1e3 / 3600.0
 
@@ -61,6 +63,7 @@ def doubtful_vessels(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
             *_added(scenario, name, vessel, float(length), float(breadth)),
             *_twice(vessel),
             *_periods(vessel),
+            *_high_sides(vessel, float(breadth)),
         ):
             yield Doubt((*path, *key), f"{name} {sentence}")
         for (one, first), (other, second) in itertools.combinations((vessel.tanks or {}).items(), 2):
@@ -69,6 +72,7 @@ def doubtful_vessels(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
                 size = format_quantity(shared, "m^3", 0)
                 sentence = f"tanks {one} and {other} of {name} are in one place, {size} of them"
                 yield Doubt((*path, "tanks", other), f"{sentence}: 'bottom' is the middle of a tank's bottom")
+        yield from _under_keel(scenario, name, vessel)
     yield from _long_lines(parts, scenario)
     yield from _fast_pumps(scenario)
 
@@ -139,6 +143,34 @@ def _periods(vessel: Vessel) -> Iterator[tuple[tuple[str, ...], str]]:
             right = "the last table of 'gantline statics' has the periods on its lines"
             place = ("water_damping", "critical", "periods", key)
             yield place, f"{sentence}, as no moorings make it: {right}"
+
+
+def _high_sides(vessel: Vessel, breadth: float) -> Iterator[tuple[tuple[str, ...], str]]:
+    """A box higher out of the water than it is wide, as none floats."""
+    box, (_, _, bottom) = vessel.hull.box, vessel.hull.bottom
+    if box is None:
+        return
+    freeboard = bottom + box[2] - vessel.draft
+    if freeboard > breadth:
+        high = f"has a hull that stands {format_quantity(freeboard, 'm', 1)} out of the water"
+        sentence = f"{high}, and is {breadth:.4g} m wide: a digit of its depth or draft has slipped"
+        yield ("hull", "box"), sentence
+
+
+def _under_keel(scenario: Scenario, name: str, vessel: Vessel) -> Iterator[Doubt]:
+    """Lines that leave a vessel far below its keel: the sign of a height, which counts from the keel."""
+    extent = vessel.hull.extent
+    if extent is None:
+        return
+    keel = extent[0][2]
+    for line, one in (scenario.mooring_lines or {}).items():
+        for key, body, end in (("fairlead", one.vessel, one.fairlead), ("to", one.holder, one.to)):
+            if body == name and end[2] < keel - _UNDER_KEEL:
+                deep = format_quantity(keel - end[2], "m", 1)
+                sentence = (
+                    f"mooring line {line} ends {deep} below the keel of {name}; heights count up from it"
+                )
+                yield Doubt(("mooring_lines", line, key), sentence)
 
 
 def _shared(one: BallastTank, other: BallastTank) -> float:

@@ -1,4 +1,4 @@
-"""Steps of the plan that wait for what cannot come: a hoist load beyond all weight, or less than the hook."""
+"""Steps that wait for what cannot come, a hoist load beyond all weight, or for next to no time."""
 
 from __future__ import annotations
 
@@ -10,21 +10,28 @@ from gantline.scenario import Scenario
 from gantline.scenario.condition import Weighing
 from gantline.scenario.errors import Doubt
 from gantline.scenario.hooks import full_name
-from gantline.scenario.steps import MovingStep
+from gantline.scenario.steps import HoldStep, MovingStep
 from gantline.units import format_quantity
 
 __all__ = ["doubtful_waits"]
 
+#: Nobody holds a lift for less to look at it [s]; loads swing and rope stretches for seconds.
+_SHORTEST = 0.1
+
 
 def doubtful_waits(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
-    """Each step whose hoist load cannot be reached by weight alone.
+    """Each step whose hoist load cannot be reached by weight alone, and each hold of no length.
 
-    Nothing is said where something else may pull: bodies and ropes of `mechanics`, waves.
+    Nothing is said of hoist loads where something else may pull: bodies and ropes of `mechanics`, waves.
 
     Args:
         parts: The system with all its bodies and ropes.
         scenario: The lift.
     """
+    for place, step in enumerate(scenario.plan):
+        if isinstance(step, HoldStep) and isinstance(step.hold, float) and step.hold < _SHORTEST:
+            sentence = f"step '{step.step}' holds for {1e3 * step.hold:g} ms: nobody sees anything in that"
+            yield Doubt(("plan", place, "hold"), f"{sentence}; a unit has slipped, ms for s")
     if scenario.mechanics is not None or scenario.waves:
         return
     gravity = scenario.simulation.gravity

@@ -18,12 +18,16 @@ from gantline.scenario import Scenario
 from gantline.scenario.check_vessels import check_inside
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Findings
+from gantline.scenario.hooks import full_name
+from gantline.scenario.movers import movers
+from gantline.scenario.steps import LineStep
 from gantline.scenario.vessel import CAPSIZED_BEYOND, DECK_EDGE, Vessel
 from gantline.scenario.water import Water
 
 __all__ = [
     "add_vessels",
     "adrift",
+    "drifted",
     "misplaced",
     "slid",
     "upright_hydrostatics",
@@ -229,6 +233,32 @@ def adrift(
             sentences.append(
                 f"{body['name']} starts {math.degrees(leans):.1f} deg from heel and trim of the lift file, "
                 "and booms and hooks with it: there it rests; see heel, trim, its masses and tanks"
+            )
+    return sentences
+
+
+def drifted(scenario: Scenario, document: Json, places: Mapping[str, Sequence[float]]) -> list[str]:
+    """A sentence for each vessel that its mooring lines hold elsewhere at rest than the lift file has it.
+
+    None where steps of the plan haul or veer mooring lines: they take vessels along.
+
+    Args:
+        scenario: The lift.
+        document: What has been assembled of it.
+        places: Centres of gravity of bodies at rest by their names, world axes [m].
+    """
+    lines, winches = scenario.mooring_lines or {}, movers(scenario, "line")
+    hauled = (one for step in scenario.plan if isinstance(step, LineStep) for one in step.moved)
+    if any(full_name(one, winches) in lines for one in hauled):
+        return []
+    moored = {line.vessel for line in lines.values()}
+    sentences = []
+    for body in (one for one in document["bodies"] if one["name"] in moored & set(scenario.vessels or {})):
+        way = float(np.hypot(*way_of(body, places)[:2]))
+        if way > _ADRIFT:
+            sentences.append(
+                f"{body['name']} rests {way:.1f} m from where the lift file has it: "
+                "see its mooring lines, their ends and pretensions, and what pulls or pushes it"
             )
     return sentences
 

@@ -21,6 +21,7 @@ __all__ = [
     "immersion_warnings",
     "loads_in_bed",
     "misplaced_areas",
+    "never_wet",
 ]
 
 #: How deep a load may dip, and an area come out, without a word [m]: contact and slings give that much.
@@ -117,6 +118,41 @@ def loads_in_bed(
 def feels_water(document: Mapping[str, Any], body: str) -> bool:
     """Whether water acts on a body by how far it is wet."""
     return any(one["type"] == "submerged" and one["body"] == body for one in document.get("forces", ()))
+
+
+def never_wet(
+    document: Mapping[str, Any],
+    columns: Columns,
+    names: Names,
+    scene: Mapping[str, Any],
+    loads: Mapping[str, str],
+) -> list[str]:
+    """A sentence for each load with `in_water` that no water came to in a run that is over.
+
+    What the lift file says of it in water then did nothing, and the lift is none through the splash zone.
+
+    Args:
+        document: What has been assembled of the lift.
+        columns: Columns of the core by name.
+        names: Names along their dimensions.
+        scene: What is drawn, with the level of the water where there is some.
+        loads: Their bodies by name.
+    """
+    water = scene.get("water")
+    if not water or not len(columns["time"]):
+        return []
+    wet = {
+        force["body"]: columns["displaced_volume"][:, list(names["hull"]).index(force["name"])].max()
+        for force in document.get("forces", ())
+        if force["type"] == "submerged"
+    }
+    sentences = []
+    for load, box in _boxes(columns, names, scene, loads):
+        if wet.get(loads[load], 1.0) > 0.0:
+            continue
+        above = f"its lowest point stays {box.lowest.min() - float(water['level']):.2f} m above still water"
+        sentences.append(f"{load} has 'in_water' and never gets wet: {above}; see how far the plan lowers it")
+    return sentences
 
 
 def askew_in_water(document: Mapping[str, Any], columns: Columns, names: Names) -> list[str]:

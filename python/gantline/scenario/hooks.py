@@ -22,6 +22,8 @@ __all__ = ["PARTS", "Carrier", "Hook", "booms_of", "full_name", "full_names", "h
 PARTS = ("rated_capacity", "highest", "hook_block", "reeving", "drum", "hoist")
 #: Of these, what it cannot do without.
 NEEDED = ("hook_block", "reeving", "drum", "hoist")
+#: Of these, what others say something about at its own place in the lift file.
+_SAID = ("reeving", "drum", "rated_capacity")
 
 
 @dataclass(frozen=True)
@@ -45,7 +47,7 @@ class Hook:
         name: full name: of its crane, or `<crane>.<hook>`.
         crane: name of its crane.
         carrier: what takes it along; None of a hook that no crane stands behind.
-        paths: where the lift file says `reeving` and `drum`, and under `""` the hook itself.
+        paths: where the lift file says `reeving`, `drum` and `rated_capacity`; the hook itself is `""`.
         place: of a hook at a boom along and across the boom, where its upper sheaves are pinned; of another x
             and y of its bearing point at the start, world axes [m].
         above: of a hook at a boom how far that pin is above the middle line of the boom, square to it [m].
@@ -138,7 +140,7 @@ def _fixed(name: str, crane: FixedHook) -> Hook:
         name=name,
         crane=name,
         carrier=None,
-        paths={"": path, "reeving": (*path, "reeving"), "drum": (*path, "drum")},
+        paths={"": path} | {key: (*path, key) for key in _SAID},
         place=crane.at[:2],
         above=0.0,
         height=crane.at[2],
@@ -174,7 +176,7 @@ def _of_carrier(of: _Place, given: CarriedHook, kind: HookType | None, includes:
     if any(parts[key] is None for key in NEEDED):
         return None
     paths = {"": of.path}
-    for key in ("reeving", "drum"):
+    for key in _SAID:
         own = getattr(given, key) is not None
         paths[key] = (*of.path, key) if own else ("hook_types", str(given.type), key)
     return Hook(

@@ -106,6 +106,9 @@ class Luffing(TurningDrive):
             sentence = "a range goes from the least to the largest angle, from 0 deg on"
             least, most = (f"{math.degrees(one):g} deg" for one in (low, high))
             raise refuse(f"{sentence}; found {least} to {most}", "range")
+        if high > math.pi / 2:
+            sentence = f"{math.degrees(high):g} deg is past plumb, where a boom falls back onto its crane"
+            raise refuse(f"{sentence}; a range ends at 90 deg at the most", "range")
         return self
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 from typing import Annotated, ClassVar, Literal
 
@@ -91,6 +92,9 @@ class Rating(Element):
         ways = {after > before for before, after in pairwise(places)}
         if len(ways) > 1 or any(after == before for before, after in pairwise(places)):
             raise refuse(f"'{given[0]}' is not in order; its places only rise, or only fall", given[0])
+        if self.angle is not None and max(self.angle) > math.pi / 2:
+            sentence = f"{math.degrees(max(self.angle)):g} deg is past plumb, where no boom stands"
+            raise refuse(f"{sentence}; angles count from level, and 90 deg is the most", "angle")
         if not max(self.rated) > 0:
             raise refuse("nothing may hang anywhere by this chart; a load above 0 is right", "rated")
         if self.hooks_share is not None and self.hooks_share > 1:

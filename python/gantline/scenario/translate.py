@@ -152,25 +152,26 @@ def _problem(error: ErrorDetails, tree: MapNode) -> Problem:
     loc = error["loc"]
     if "key" in (error.get("ctx") or {}):
         loc = (*loc, error["ctx"]["key"])
-    path, node, parent = _locate(loc, tree)
-    return Problem(line_of(tree, path), join_path(path), _sentence(error, node, parent))
+    path, node, around = _locate(loc, tree)
+    return Problem(line_of(tree, path), join_path(path), _sentence(error, node, around))
 
 
-def _locate(loc: Sequence[PathPart], tree: MapNode) -> tuple[tuple[PathPart, ...], Any, Any]:
-    """Path in the file of a place in the models (tags of unions left out), its node, the node around it."""
+def _locate(loc: Sequence[PathPart], tree: MapNode) -> tuple[tuple[PathPart, ...], Any, list[Any]]:
+    """Path in the file of a place in the models (tags of unions left out), its node, the nodes around it."""
     path: list[PathPart] = []
     node: Any = tree
-    parent: Any = tree
+    around: list[Any] = []
     for part in loc:
         inside = isinstance(node, MapNode) and part in node
         inside = inside or (isinstance(node, ListNode) and isinstance(part, int) and part < len(node))
         if inside:
             path.append(part)
-            parent, node = node, node[part]
-    return tuple(path), node, parent
+            around.append(node)
+            node = node[part]
+    return tuple(path), node, around
 
 
-def _sentence(error: ErrorDetails, node: Any, parent: Any) -> str:
+def _sentence(error: ErrorDetails, node: Any, around: Sequence[Any]) -> str:
     kind = error["type"]
     context: Mapping[str, Any] = error.get("ctx") or {}
     last = str(error["loc"][-1]) if error["loc"] else ""
@@ -181,7 +182,7 @@ def _sentence(error: ErrorDetails, node: Any, parent: Any) -> str:
     if kind == "missing":
         return _missing(last, node)
     if kind == "extra_forbidden":
-        return _unknown_key(last, parent)
+        return _unknown_key(last, around)
     if kind == "literal_error":
         return f"found {found(node)}; right is {context.get('expected', 'another word')}"
     if kind in ("union_tag_invalid", "union_tag_not_found"):
@@ -221,8 +222,24 @@ def _missing(key: str, node: Any) -> str:
     return f"'{key}' is missing; {what} {need} it{hint}"
 
 
-def _unknown_key(key: str, parent: Any) -> str:
-    shown = shorten(key)
+def _at_other_level(key: str, around: Sequence[Any]) -> str | None:
+    """What to say of a key that is right farther out, or one mapping farther in; None of another.
+
+    Indented wrongly a key stands in another mapping.
+    """
+    parent = around[-1]
+    wrong = f"'{shorten(key)}' is not a key of {parent.what}"
+    for outer in reversed(around[:-1]):
+        if isinstance(outer, MapNode) and key in outer.allowed and key not in outer:
+            return f"{wrong}, but of {outer.what}: it stands too far in"
+    for name, inner in parent.items():
+        if isinstance(inner, MapNode) and key in inner.allowed and key not in inner:
+            return f"{wrong}, but of '{shorten(str(name))}' in it: it stands too far out"
+    return None
+
+
+def _unknown_key(key: str, around: Sequence[Any]) -> str:
+    shown, parent = shorten(key), around[-1] if around else None
     if key in _ELSEWHERE:
         return f"'{shown}' has another place: {_ELSEWHERE[key]}"
     if not isinstance(parent, MapNode) or not parent.allowed:
@@ -230,6 +247,9 @@ def _unknown_key(key: str, parent: Any) -> str:
     instead = _INSTEAD.get(parent.what or "", {}).get(key.lower())
     if instead is not None:
         return f"'{shown}' is not a key of {parent.what}: {instead}"
+    elsewhere = _at_other_level(key, around)
+    if elsewhere is not None:
+        return elsewhere
     unused = [name for name in parent.allowed if name not in parent] or list(parent.allowed)
     other_words = [name for name in _MEANT.get(key.lower(), ()) if name in parent.allowed]
     meant = next((name for name in other_words if name in unused), None)

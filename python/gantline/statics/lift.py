@@ -17,6 +17,7 @@ from gantline import _core
 from gantline.assembly import Assembly, assemble
 from gantline.assembly.origin import FALLS, refused, with_advice
 from gantline.assembly.parts import axial_stiffness
+from gantline.assembly.vessels import drifted
 from gantline.overrides import is_number
 from gantline.results.derive import recording_of
 from gantline.results.flows import drum_warnings
@@ -479,6 +480,8 @@ class Statics:
         warnings = [*self.assembly.warnings, *dry_hulls(self.assembly.document, columns, names)]
         warnings += loads_in_bed(columns, names, self.assembly.scene, loads, depth)
         warnings += drum_warnings(self.rig, columns, names)
+        places = dict(zip(names["body"], columns["body_position"][-1], strict=True))
+        warnings += drifted(self.scenario, self.assembly.document, places)
         warnings += pressed_through(self.assembly.document, self.rig.fenders, columns, names)
         return recording_of(
             columns,
