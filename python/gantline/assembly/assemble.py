@@ -12,6 +12,7 @@ from gantline.assembly.boom import add_booms, hang_in_tackles
 from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
+from gantline.assembly.doubtful_baskets import doubtful_baskets
 from gantline.assembly.doubtful_drums import doubtful_drums
 from gantline.assembly.doubtful_empty import doubtful_empty, doubtful_pins
 from gantline.assembly.doubtful_fenders import doubtful_fenders
@@ -178,6 +179,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         *doubtful_cranes(scenario),
         *doubtful_ground(scenario),
         *doubtful_gear(scenario, rigging),
+        *doubtful_baskets(parts, scenario, lifted),
         *doubtful_sheaves(scenario, rigging),
         *doubtful_drums(scenario),
         *doubtful_strength(scenario, rigging),
