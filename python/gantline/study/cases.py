@@ -99,7 +99,8 @@ class CasesResult:
     def is_sound(self) -> bool:
         """Whether every state can start, is stable at rest, what should hang does and no check failed.
 
-        Where Ctrl-C kept some from being found it is False. Of a time at which nothing hangs as given, that says little: `State.not_lifted` tells of it.
+        Where Ctrl-C kept some from being found it is False. Of a time at which nothing hangs as given, that
+        says little: `State.not_lifted` tells of it.
         """
         return not self.not_done and all(state.is_sound for state in self.states)
 
