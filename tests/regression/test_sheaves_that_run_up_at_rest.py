@@ -1,4 +1,4 @@
-"""Free sheaves without stops whose slings weigh differently got "no step brings its forces closer to balance".
+"""Free sheaves without stops under unlike slings got "no step brings its forces closer to balance".
 
 With the load on the ground and slings slack only they weigh on the equalizing rope. A sheave that less hangs
 on than on its neighbours runs up; where that was in the middle, between two that are heavier, the search for

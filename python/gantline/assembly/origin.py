@@ -75,7 +75,7 @@ def with_advice(scenario: Scenario, element: str, cause: str) -> str:
 
 
 def _runs_up(scenario: Scenario, element: str) -> str:
-    """What lets a sheave of an equalizer, or its rope, come to rest nowhere, after a colon; nothing of others."""
+    """Why a sheave of an equalizer, or its rope, comes to rest nowhere, after a colon; nothing of others."""
     equalizers = resolve(scenario).equalizers
     own = next((one for name, one in equalizers.items() if element.startswith(f"{name}.")), None)
     if own is None or own.travel.stops:
