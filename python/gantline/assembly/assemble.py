@@ -21,6 +21,7 @@ from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_ground import doubtful_ground
 from gantline.assembly.doubtful_heights import doubtful_heights
 from gantline.assembly.doubtful_lee import doubtful_lee
+from gantline.assembly.doubtful_masses import doubtful_masses
 from gantline.assembly.doubtful_rails import doubtful_rails
 from gantline.assembly.doubtful_sheaves import doubtful_sheaves
 from gantline.assembly.doubtful_stops import doubtful_stops
@@ -166,6 +167,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         *(() if lifted is None else lifted.body.doubts),
         *parts.doubts,
         *doubtful_weight(scenario, rigging),
+        *doubtful_masses(scenario),
         *doubtful_empty(scenario, rigging),
         *doubtful_pins(scenario, rigging, pins),
         *doubtful_turns(scenario),

@@ -61,6 +61,7 @@ def doubtful_vessels(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
             *_added(scenario, name, vessel, float(length), float(breadth)),
             *_twice(vessel),
             *_periods(vessel),
+            *_without_added_mass(scenario, vessel),
         ):
             yield Doubt((*path, *key), f"{name} {sentence}")
         for (one, first), (other, second) in itertools.combinations((vessel.tanks or {}).items(), 2):
@@ -139,6 +140,16 @@ def _periods(vessel: Vessel) -> Iterator[tuple[tuple[str, ...], str]]:
             right = "the last table of 'gantline statics' has the periods on its lines"
             place = ("water_damping", "critical", "periods", key)
             yield place, f"{sentence}, as no moorings make it: {right}"
+
+
+def _without_added_mass(scenario: Scenario, vessel: Vessel) -> Iterator[tuple[tuple[str, ...], str]]:
+    """A vessel that waves push and that takes no water along."""
+    if scenario.waves and vessel.wave_forces is not None and not (vessel.radiation or vessel.added_mass):
+        sentence = "moves in waves without the water that goes along with it: its periods are too short"
+        yield (
+            ("wave_forces",),
+            f"{sentence}, where barges heave with 1 to 7 times their mass; see 'added_mass'",
+        )
 
 
 def _shared(one: BallastTank, other: BallastTank) -> float:
