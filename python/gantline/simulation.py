@@ -38,7 +38,7 @@ from gantline.results.metrics import energy_bound
 from gantline.results.parting import stops_met
 from gantline.results.pressed import pressed_through
 from gantline.results.recording import Recording
-from gantline.results.rig import Rig
+from gantline.results.rig import Resting, Rig, with_resting
 from gantline.results.run_warnings import (
     command_warnings,
     compensation_warnings,
@@ -57,6 +57,7 @@ from gantline.results.vessels import vessel_warnings, with_righting
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.scenario.water import Water
 from gantline.statics import Statics
+from gantline.statics.hung import resting_loads
 from gantline.statics.righted import righting_at_end, righting_at_start
 from gantline.units import format_quantity
 from gantline.version import version
@@ -153,6 +154,7 @@ class Simulation:
         self._failure: dict[str, Any] | None = None
         self._present: tuple[float, dict[str, FloatArray]] | None = None
         self._righting_at_end: dict[str, tuple[float, float]] | None = None
+        self._resting: dict[str, list[Resting]] | None = None
         try:
             self._core = _core.Simulation(
                 self.assembly.document_text(), json.dumps(self.settings, allow_nan=False)
@@ -347,7 +349,7 @@ class Simulation:
         remainder = self._core.energy_remainder()
         columns, names = clearance_events(self._rig, self._core.columns(), self._core.names())
         failure = {} if self._failure is None else {"failure": self._failure}
-        return recording_of(
+        found = recording_of(
             columns,
             names,
             self._rig_afloat(),
@@ -362,6 +364,7 @@ class Simulation:
             status=self.status,
             **failure,
         )
+        return self._with_resting(found)
 
     def _warnings(self, columns: Columns, names: Names, remainder: float) -> list[str]:
         """What is doubtful about the lift as it was given, and as it went so far."""
@@ -420,6 +423,19 @@ class Simulation:
         ):
             warnings.append(f"{met.joint} met its stop at {met.time:.2f} s{met.again}")
         return warnings
+
+    def _with_resting(self, found: Recording) -> Recording:
+        """The recording of a run that has ended, with how loads rest that hang in ropes of `mechanics`."""
+        if not (self.ended and self.status == "done") or not any(
+            load.other_ropes for load in self._rig.loads
+        ):
+            return found
+        if self._question is None:
+            return found
+        if self._resting is None:
+            self._resting = resting_loads(self._question, found, self.save())
+        rig = with_resting(found.attributes["rig"], self._resting)
+        return Recording(found.variables, found.coordinates, {**found.attributes, "rig": rig})
 
     def _rig_afloat(self) -> dict[str, Any]:
         """The JSON of the rig, with what rights vessels where the run begins at rest and where it ends.
@@ -484,7 +500,7 @@ class Simulation:
         """
         self._core.restore(state)
         self._present = None
-        self._righting_at_end = None
+        self._righting_at_end = self._resting = None
         self.status = "done" if self.ended else "paused" if self.time > 0.0 else "ready"
         self._failure = None
 

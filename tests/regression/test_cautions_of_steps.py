@@ -13,7 +13,10 @@ from gantline.scenario import load_scenario, parse_scenario
 from gantline.study import run_cases
 from rated_lift import recording
 
-CAUTION = "2 cranes lift together, and no rule keeps capacity back"
+CAUTION = (
+    "2 cranes lift together, and no rule keeps capacity back; 'several_cranes' or 'several_cranes_factor' of "
+    "'rules' does"
+)
 STEPS = [
     {"step": name, "kind": "hold", "require": {"hoist_load_of_rating": {"below": 0.9}}}
     for name in ("first", "second")

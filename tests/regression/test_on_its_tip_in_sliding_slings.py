@@ -8,8 +8,8 @@ far the sheave is above them, a sling that slides lets the load seem to hang fro
 
 over its centre of gravity, which is h below the lugs: -0.8 m here. A run of 22 s tilted by 0.08 deg and was a
 GO without a warning, since nothing was said of loads on extension sheaves; `gantline statics` called the
-same lift unstable. Of a load in a basket of `mechanics` a run said nothing either, GO too: it says now that
-this has not been checked.
+same lift unstable. Of a load in a basket of `mechanics` a run said nothing either, GO too; how it rests a run
+now asks of statics, see `test_baskets_roll_in_a_run.py`.
 """
 
 from __future__ import annotations
@@ -94,21 +94,6 @@ def on_three_sheaves(depth: float) -> str:
     )
 
 
-def in_a_basket(depth: float) -> str:
-    """The girder in one rope of `mechanics` over an eye at the hook."""
-    high = 1.0 + 1.5 + depth + over_the_lugs()
-    ends = [f"{{type: end, body: girder, at: [{x} m, 0 m, {depth} m]}}" for x in (-HALF, HALF)]
-    eye = "{type: eye, body: hook}"
-    return (
-        HEAD
-        + "cranes:\n"
-        + HOOK.replace("X m", "0 m").replace("HIGH", repr(high))
-        + "mechanics:\n  ropes:\n    basket:\n      rope: sling\n"
-        + f"      length: {SLING} m\n      route: [{ends[0]}, {eye}, {ends[1]}]\n"
-        + TAIL
-    )
-
-
 def run(text: str) -> Recording:
     return gantline.simulate(parse_scenario(text))
 
@@ -141,13 +126,3 @@ def test_agrees_with_statics(lift, depth: float) -> None:  # type: ignore[no-unt
     text = lift(depth)
     rest = gantline.Statics(parse_scenario(text)).equilibrium()
     assert rest.is_stable is not bool(top_heavy(run(text)))
-
-
-def test_a_basket_of_mechanics_is_not_checked() -> None:
-    """It rolls over like the one above; what holds it is not in a recording, and the check says so."""
-    [check] = checked(run(in_a_basket(0.4)))
-    assert (check.element, check.verdict) == ("girder", Verdict.NOT_CHECKED)
-    assert check.remark == "borne by ropes of 'mechanics', basket: 'gantline statics' tells it: girder"
-    rest = gantline.Statics(parse_scenario(in_a_basket(0.4))).equilibrium()
-    assert not rest.is_stable
-    assert not checked(rest.recording)

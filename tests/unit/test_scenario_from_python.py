@@ -53,7 +53,7 @@ def test_a_mapping_is_a_lift() -> None:
     scenario = gantline.parse_scenario(weights(3))
     equilibrium = gantline.Statics(scenario).equilibrium()
     assert [equilibrium.tension(f"r{k}") for k in range(3)] == pytest.approx([98.1] * 3, rel=1e-9)
-    again = gantline.parse_scenario(scenario.text)
+    again = gantline.parse_scenario(scenario.text, scenario.source)
     assert again.text == scenario.text
     assert again == scenario
     assert again.lift.title == 'Weights: "ten" # of them, é'

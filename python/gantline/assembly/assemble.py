@@ -13,6 +13,7 @@ from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
 from gantline.assembly.doubtful_booms import doubtful_booms
+from gantline.assembly.doubtful_baskets import doubtful_baskets
 from gantline.assembly.doubtful_drums import doubtful_drums
 from gantline.assembly.doubtful_empty import doubtful_empty, doubtful_pins
 from gantline.assembly.doubtful_fenders import doubtful_fenders
@@ -21,6 +22,7 @@ from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_ground import doubtful_ground
 from gantline.assembly.doubtful_heights import doubtful_heights
 from gantline.assembly.doubtful_lee import doubtful_lee
+from gantline.assembly.doubtful_masses import doubtful_masses
 from gantline.assembly.doubtful_rails import doubtful_rails
 from gantline.assembly.doubtful_ratings import doubtful_ratings
 from gantline.assembly.doubtful_sheaves import doubtful_sheaves
@@ -181,6 +183,7 @@ def _doubts(
         *(() if lifted is None else lifted.body.doubts),
         *parts.doubts,
         *doubtful_weight(scenario, rigging),
+        *doubtful_masses(scenario),
         *doubtful_empty(scenario, rigging),
         *doubtful_pins(scenario, rigging, pins),
         *doubtful_turns(scenario),
@@ -195,6 +198,7 @@ def _doubts(
         *doubtful_booms(scenario),
         *doubtful_ground(scenario),
         *doubtful_gear(scenario, rigging),
+        *doubtful_baskets(parts, scenario, lifted),
         *doubtful_sheaves(scenario, rigging),
         *doubtful_drums(scenario),
         *doubtful_strength(scenario, rigging),

@@ -11,6 +11,7 @@ from gantline.scenario.crawler import Crawler
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Path
 from gantline.scenario.goliath import Goliath
+from gantline.scenario.heave import FILTER
 from gantline.scenario.rating import Rating
 from gantline.units import format_by_size, format_quantity
 
@@ -30,6 +31,11 @@ _RADII = (0.03, 1.0)
 #: Charts of crawler cranes are for 75 % of what tips them (ASME B30.5, 5-1.1.1), of which lift files may
 #: have rough masses; more than this share is neither [1].
 _MOST_OF_TIPPING = 0.9
+#: Legs stand on their rails by a third to an eighth of the span; less than a twentieth, and more than twice
+#: the span, is a slip [1].
+_BASES = (0.05, 2.0)
+#: Period of a swell [s], and the share of its heave that a filter may leave before it is none [1].
+_SWELL, _LEFT = 10.0, 0.25
 
 
 def doubtful_cranes(scenario: Scenario) -> list[Doubt]:
@@ -42,6 +48,8 @@ def doubtful_cranes(scenario: Scenario) -> list[Doubt]:
         *_strong_hoists(scenario),
         *_light_parts(scenario),
         *_soft_girders(scenario),
+        *_bases(scenario),
+        *_short_filters(scenario),
         *_thin_booms(scenario),
     ]
 
@@ -193,6 +201,43 @@ def _soft_girders(scenario: Scenario) -> Iterator[Doubt]:
                 slipped = "a unit of its stiffness has slipped, kN/m for MN/m"
                 path = ("cranes", name, "girder", "vertical_stiffness")
                 yield Doubt(path, f"the girder of {name} {bends}; {slipped}")
+
+
+def _bases(scenario: Scenario) -> Iterator[Doubt]:
+    """Each Goliath crane whose legs stand as no crane of its span does: corner loads go with that."""
+    for name, crane in (scenario.cranes or {}).items():
+        if not isinstance(crane, Goliath) or crane.legs.base is None:
+            continue
+        least, most = (share * crane.span for share in _BASES)
+        if not least <= crane.legs.base <= most:
+            stands = (
+                f"the legs of {name} stand on a base of {crane.legs.base:g} m at a span of {crane.span:g} m"
+            )
+            usual = f"{format_quantity(crane.span / 8, 'm', 0)} to {format_quantity(crane.span / 3, 'm', 0)}"
+            sentence = f"{stands}, where {usual} is usual; a digit has slipped"
+            yield Doubt(("cranes", name, "legs", "base"), sentence)
+
+
+def _short_filters(scenario: Scenario) -> Iterator[Doubt]:
+    """Each heave compensation whose filter takes waves for what is slow.
+
+    Of heave at the frequency w a filter of the time tau leaves 1/sqrt(1 + (w tau)^2), (HC1) of
+    docs/concepts/heave_compensation.md.
+    """
+    for name, hook in scenario.hooks.items():
+        compensation = hook.hoist.heave_compensation
+        if compensation is None:
+            continue
+        left, usual = (
+            1.0 / math.hypot(1.0, 2.0 * math.pi / _SWELL * time) for time in (compensation.filter, FILTER)
+        )
+        if left > _LEFT:
+            leaves = f"{format_quantity(left, '%', 0)} of the heave of waves of {_SWELL:g} s"
+            sentence = (
+                f"the filter of {compensation.filter:g} s of {name} leaves {leaves}: it takes waves for what "
+                f"is slow; {FILTER:g} s leave {format_quantity(usual, '%', 0)}"
+            )
+            yield Doubt((*hook.paths[""], "hoist", "heave_compensation", "filter"), sentence)
 
 
 def _thin_booms(scenario: Scenario) -> Iterator[Doubt]:

@@ -6,8 +6,10 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from gantline.assembly.hulls import afloat_path
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Parts
+from gantline.assembly.vessels import vessel_hull
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.load import Load
@@ -25,6 +27,9 @@ _ALONG = 0.02
 #: An area may be so far off the box of its load [m], and all along an axis so many times the box's side [1].
 _OFF, _LARGEST = 1.0, 2.0
 _AXES = ("x", "y", "z")
+#: Most of wind areas of a vessel over what its whole hull shows that way [1], A-frames, booms and cargo on
+#: deck included, and the least of what its hull shows above the water.
+_OF_HULL, _OF_DRY_HULL = {"x": 10.0, "y": 5.0}, 0.3
 
 
 def doubtful_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> list[Doubt]:
@@ -40,6 +45,7 @@ def doubtful_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None
     for kind, stream in streams.items():
         if isinstance(stream, Stream) and stream.speed > 0.0:
             doubts += [*_fast(kind, stream), *_passing(parts, scenario, kind, stream)]
+    doubts += _off_the_hull(scenario)
     if scenario.load is not None and lifted is not None:
         doubts += _off_the_load(scenario.load, lifted)
     return doubts
@@ -70,6 +76,21 @@ def _passing(parts: Parts, scenario: Scenario, kind: str, stream: Stream) -> Ite
             what = f"the {kind} towards {direction} pushes {name} nowhere at the start"
             sentence = f"{what}: all of its '{kind}_areas' lie along it; see 'direction' and 'along'"
             yield Doubt((kind,), sentence)
+
+
+def _off_the_hull(scenario: Scenario) -> Iterator[Doubt]:
+    """Of wind areas of vessels that no vessel with its hull has."""
+    for name, vessel in (scenario.vessels or {}).items():
+        length, breadth, depth = np.ptp(vessel_hull(scenario, name, vessel).box, axis=0)
+        for along, across in (("x", float(breadth)), ("y", float(length))):
+            whole = sum(one.area for one in (vessel.wind_areas or {}).values() if one.along == along)
+            most = _OF_HULL[along] * across * depth
+            least = _OF_DRY_HULL * across * max(depth - vessel.draft, 0.0)
+            if whole > most or 0.0 < whole < least:
+                dry = f"{across * (depth - vessel.draft):.4g} m^2 above water"
+                hull = f"its hull {across * depth:.4g} m^2, {dry}"
+                sentence = f"{name} has {whole:.4g} m^2 of wind areas along {along}, and {hull}"
+                yield Doubt((*afloat_path(scenario, name), "wind_areas"), f"{sentence}; a number has slipped")
 
 
 def _off_the_load(load: Load, lifted: LiftedLoad) -> Iterator[Doubt]:

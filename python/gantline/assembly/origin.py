@@ -69,16 +69,19 @@ def with_advice(scenario: Scenario, element: str, cause: str) -> str:
         cause: Why the lift comes to rest nowhere, as the core says it.
     """
     if cause.endswith((_NO_STEP, _DRIVEN)):
-        return cause + _adrift(scenario, element) + _blown(scenario)
+        return cause + _runs_up(scenario, element) + _adrift(scenario, element) + _blown(scenario)
     cause += foundered(scenario, element, cause)
-    if not cause.endswith(_USED_UP):
-        return cause
+    return cause + _runs_up(scenario, element) if cause.endswith(_USED_UP) else cause
+
+
+def _runs_up(scenario: Scenario, element: str) -> str:
+    """Why a sheave of an equalizer, or its rope, comes to rest nowhere, after a colon; nothing of others."""
     equalizers = resolve(scenario).equalizers
-    own = next((one for name, one in equalizers.items() if element == f"{name}.equalizing"), None)
+    own = next((one for name, one in equalizers.items() if element.startswith(f"{name}.")), None)
     if own is None or own.travel.stops:
-        return cause
+        return ""
     runs_up = "a moving sheave that less hangs on than on the others runs up to the fixed ones"
-    return f"{cause}: {runs_up}; 'stops: true' under 'travel' ends its way, 'locked: true' holds it"
+    return f": {runs_up}; 'stops: true' under 'travel' ends its way, 'locked: true' holds it"
 
 
 def _adrift(scenario: Scenario, element: str) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+import numpy as np
+
 from gantline.checks.forces import design_ratio, raised_of_capacity
 from gantline.checks.measure import Finding, Missing, extreme
 from gantline.results.clearances import watched_during
@@ -35,6 +37,9 @@ def clearance_margin(recording: Recording, during: BoolArray) -> Iterator[Findin
         if during.any() and not inside.any():
             yield Missing(watch.name, "none of its steps is looked at")
         distance = recording.column("clearance", watch.name)
-        for found in extreme(recording, distance - watch.smallest, inside, watch.name, smallest=True):
+        there = inside & ~np.isposinf(distance)
+        if inside.any() and not there.any():
+            yield Missing(watch.name, "its ropes are off or have parted")
+        for found in extreme(recording, distance - watch.smallest, there, watch.name, smallest=True):
             apart = found.value + watch.smallest
             yield replace(found, formula=f"{apart:.3f} m - {watch.smallest:g} m")

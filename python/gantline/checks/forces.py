@@ -20,6 +20,7 @@ from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
 from gantline.results.alike import earliest_peak
 from gantline.results.gear import Sling
+from gantline.results.pinned import pinned_as_at
 from gantline.results.recording import Recording
 from gantline.results.skew import skew_loads
 from gantline.results.upper_end import own_weight, peak_at_upper_end
@@ -35,6 +36,10 @@ HUNG_OTHERWISE = (
     "more than 10 deg from there, so that nothing tells what of it is static; a hold there does"
 )
 UNRAISED = "peak of the simulated weight alone: the load never hung still"
+UNRAISED_UNDER_PINS = (
+    "peak of the simulated weight alone: the load never hung still with sheaves pinned as they were then, so "
+    "that nothing tells what of it is static; a hold there does"
+)
 NO_DYNAMIC = f"an equilibrium has no peak, and the rules no {DYNAMIC}"
 
 
@@ -54,6 +59,8 @@ class Force:
         counts_static: Whether the quiet window, from which `static` is, lies within the samples that count.
         window: The quiet window from which `static` is, shape (time,); None if there is none.
         lacks_static: Whether contingency or a factor of the rule had to be left out, for want of `static`.
+        is_under_other_pins: Whether `static` is of other sheaves pinned than the peak, which governs, and
+            nothing is of those, so that contingency and factors are left out of it.
     """
 
     static: float | None
@@ -67,6 +74,14 @@ class Force:
     counts_static: bool = True
     window: BoolArray | None = field(default=None, compare=False, repr=False)
     lacks_static: bool = False
+    is_under_other_pins: bool = False
+
+    @property
+    def caution(self) -> str:
+        """What is left out of the force, in a sentence; empty where nothing is."""
+        if self.lacks_static:
+            return UNRAISED
+        return UNRAISED_UNDER_PINS if self.is_under_other_pins else ""
 
     @property
     def dynamic(self) -> float | None:
@@ -183,7 +198,7 @@ def force_together(recording: Recording, slings: Sequence[Sling], during: BoolAr
     force = _with_peak_of(recording, force, total, during)
     # Peaks of each alone are the same whatever the window.
     highest = max([force, *alone], key=lambda one: one.peak or 0.0)
-    return replace(force, peak=highest.peak, time=highest.time)
+    return _under_pins(recording, replace(force, peak=highest.peak, time=highest.time))
 
 
 def _sum(forces: Sequence[Force]) -> Force:
@@ -371,10 +386,25 @@ def _with_skew(recording: Recording, force: Force, perfect: float, ratio: float,
 def _with_peak(recording: Recording, force: Force, rope: str, during: BoolArray) -> Force:
     """With the peak of a rope: over all steps if all samples count, else over these."""
     force = _with_peak_of(recording, force, series.tightest_tension(recording, rope), during)
-    if force.peak is None or not during.all():
+    if force.peak is not None and during.all():
+        highest = earliest_peak(series.rope_peak(recording, rope), (force.peak, force.time or 0.0))
+        force = replace(force, peak=highest[0], time=highest[1])
+    return _under_pins(recording, force)
+
+
+def _under_pins(recording: Recording, force: Force) -> Force:
+    """With that its peak governs, at a time of pins under which the loads never hung still.
+
+    A sling that is slack under pins, and takes its share once they are pulled, has no static force then: a
+    factor of the rule on that is one on nothing.
+    """
+    if force.peak is None or force.static is None or force.peak != force.dynamic:
         return force
-    highest = earliest_peak(series.rope_peak(recording, rope), (force.peak, force.time or 0.0))
-    return replace(force, peak=highest[0], time=highest[1])
+    if design_ratio(recording) <= 1.0 and not any(factor(recording, one) for one in (DYNAMIC, SKEW)):
+        return force
+    still = np.any(series.quiet_windows(recording), axis=0)
+    alike = still & pinned_as_at(recording, force.time or 0.0)
+    return force if alike.any() else replace(force, is_under_other_pins=True)
 
 
 def _with_peak_of(recording: Recording, force: Force, values: FloatArray, during: BoolArray) -> Force:
@@ -391,8 +421,8 @@ def as_it_is(force: Force, element: str) -> Iterator[Finding]:
         yield Missing(element, NO_DYNAMIC)
         return
     yield Found(force.dynamic, element, force.moment, force.text, force.factors)
-    if force.lacks_static:
-        yield Caution(UNRAISED)
+    if force.caution:
+        yield Caution(force.caution)
 
 
 @dataclass(frozen=True)
@@ -425,8 +455,8 @@ def over(force: Force, strength: float, element: str, raised: Raised | None = No
         return
     if force.lacks_dynamics:
         yield Caution(f"static only: {NO_DYNAMIC}")
-    if force.lacks_static:
-        yield Caution(UNRAISED)
+    if force.caution:
+        yield Caution(force.caution)
     formula = f"{force.text}{raised.text} / {kilonewton(strength)}"
     value = raised.factor * force.governing / strength
     yield Found(value, element, force.moment, formula, (*force.factors, *raised.names))

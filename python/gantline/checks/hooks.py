@@ -12,7 +12,8 @@ from gantline.checks.forces import HUNG_OTHERWISE, NO_STATIC, Raised, as_it_is, 
 from gantline.checks.measure import Finding, Found, Missing, extreme
 from gantline.checks.ratings import SEVERAL, crane_of, kept_back
 from gantline.results import series
-from gantline.results.parting import while_there
+from gantline.results.gear import Hook
+from gantline.results.parting import DETACHED, while_there
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -21,9 +22,23 @@ _LEVELS = ("crane", "trolley", "hook")
 
 
 def hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Hook load as simulated."""
-    for hook in recording.rig.hooks:
-        yield from extreme(recording, recording.column("hook_load", hook.name), during, hook.name)
+    """Hook load as simulated, of hooks in which something hangs; of all where nothing hangs in any."""
+    hooks = recording.rig.hooks
+    counts = {hook.name: during & _is_in_use(recording, hook) for hook in hooks}
+    if not any(of.any() for of in counts.values()):
+        counts = dict.fromkeys(counts, during)
+    for hook in hooks:
+        column = recording.column("hook_load", hook.name)
+        yield from extreme(recording, column, counts[hook.name], hook.name)
+
+
+def _is_in_use(recording: Recording, hook: Hook) -> BoolArray:
+    """Samples at which a sling of a hook is on, or something of `mechanics` hangs in it, shape (time,)."""
+    if hook.bears_mechanics:
+        return series.everywhere(recording)
+    slings = [one for one in recording.rig.slings if recording.rig.hook_of(one) == hook.name]
+    on = while_there(recording, [one.rope for one in slings], [DETACHED])
+    return np.asarray(on.any(axis=0), dtype=np.bool_)
 
 
 def static_hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -12,6 +13,7 @@ from gantline.checks.lugs import BEARS
 from gantline.checks.measure import Caution, Finding, Missing, extreme, named
 from gantline.results import series
 from gantline.results.recording import Recording
+from gantline.results.rig import Load
 from gantline.results.through import Through, slings_through_loads
 from gantline.results.tilting import loose_tilt
 from gantline.results.upending import is_turned
@@ -24,6 +26,8 @@ _SAY_SO = (
     "a step with 'until: {load_tilt: {above: 89 deg}}', or 'require: {load_tilt: above 85 deg}', "
     "says that the load is turned on purpose"
 )
+#: Angle between a load in a run and at rest from which on it hangs elsewhere in the run [rad].
+_ASIDE = math.radians(2.0)
 
 
 def tilt(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -65,23 +69,40 @@ def transferred(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 def on_their_tip(recording: Recording) -> list[Check]:
     """A failure for each load or spreader that hung still unstably: nothing in a run need push it.
 
-    Of a load that ropes of `mechanics` bear a run does not know; an equilibrium does, and tells by itself.
+    Of a load that ropes of `mechanics` bear an equilibrium tells, where the run has found one.
     """
     meaning = "what hangs comes back where something pushes it"
     checks = []
-    for one in top_heavy(recording):
-        high = f"what weighs on it is {one.too_high:.2f} m too high to hang stably"
+    for heavy in top_heavy(recording):
+        high = f"what weighs on it is {heavy.too_high:.2f} m too high to hang stably"
         remark = f"{high}: any push turns it over, even where the run has none"
         checks.append(
-            Check("hangs_stably", Verdict.FAILED, meaning, element=one.name, time=one.time, remark=remark)
+            Check("hangs_stably", Verdict.FAILED, meaning, element=heavy.name, time=heavy.time, remark=remark)
         )
+    for one in recording.rig.loads:
+        checks += _resting(one, meaning)
     unknown = {} if recording.is_equilibrium else unknown_whether_upright(recording)
     for load, ropes in unknown.items():
-        borne = f"borne by ropes of 'mechanics', {named(ropes)}: 'gantline statics' tells it"
+        borne = f"borne by ropes of 'mechanics', {named(ropes)}: no equilibrium tells it"
         checks.append(
-            Check("hangs_stably", Verdict.NOT_CHECKED, meaning, element=load, remark=f"{borne}: {load}")
+            Check("hangs_stably", Verdict.WARNING, meaning, element=load, remark=f"{borne}: {load}")
         )
     return checks
+
+
+def _resting(load: Load, meaning: str) -> Iterator[Check]:
+    """A failure of the first time that a load hung still unstably in ropes of `mechanics`, else a warning."""
+    check = Check("hangs_stably", Verdict.FAILED, meaning, element=load.name)
+    for one in [one for one in load.resting if one.leads_away][:1]:
+        remark = (
+            f"at rest it is unstable: {one.leads_away}; any push sets that going, even where the run has none"
+        )
+        yield replace(check, time=one.time, remark=remark)
+        return
+    for one in [one for one in load.resting if one.aside > _ASIDE][:1]:
+        angle = format_quantity(one.aside, "deg", 1)
+        remark = f"by statics it comes to rest {angle} from where the run has it: 'gantline statics' shows it"
+        yield replace(check, verdict=Verdict.WARNING, time=one.time, remark=remark)
 
 
 def held_by_tag_lines(recording: Recording) -> list[Check]:

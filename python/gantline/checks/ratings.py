@@ -49,7 +49,9 @@ def kept_back(recording: Recording, crane: str) -> tuple[float, list[Caution]]:
         return 1.0, []
     kept = factor(recording, SEVERAL)
     if kept is None:
-        return 1.0, [Caution(f"{len(lifting)} cranes lift together, and no rule keeps capacity back")]
+        keys = "'several_cranes' or 'several_cranes_factor' of 'rules' does"
+        said = f"{len(lifting)} cranes lift together, and no rule keeps capacity back; {keys}"
+        return 1.0, [Caution(said)]
     return kept, []
 
 

@@ -17,7 +17,6 @@ from gantline.checks.forces import (
     NO_DYNAMIC,
     NO_STATIC,
     OWN_WEIGHT,
-    UNRAISED,
     Force,
     at_upper_end,
     factor,
@@ -81,8 +80,8 @@ def dynamic_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         else:
             moments = _moments(recording, during, sling, end, force)
             yield from _dynamic(recording, element, shackle, force, moments)
-            if force.lacks_static:
-                yield Caution(UNRAISED)
+            if force.caution:
+                yield Caution(force.caution)
 
 
 def _at_end(recording: Recording, sling: Sling, end: str, force: Force, during: BoolArray) -> Force:

@@ -25,6 +25,7 @@ from gantline.cli.run import run
 from gantline.cli.schema import schema
 from gantline.cli.seas import seas
 from gantline.cli.statics import statics
+from gantline.cli.verb import Verb
 from gantline.cli.view import view
 
 
@@ -76,7 +77,7 @@ _VERBS = (
     (doctor, "Say what is installed."),
 )
 for verb, line in _VERBS:
-    kind = NamesLifts if verb is new else None
+    kind = NamesLifts if verb is new else Verb
     app.command(cls=kind, short_help=line, epilog=examples_of(verb.__name__))(verb)
 app.add_typer(cad_app, name="cad", short_help="Weigh and draw CAD files.")
 

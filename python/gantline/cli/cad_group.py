@@ -10,6 +10,7 @@ from typer.core import TyperGroup
 from gantline.cli.cad import cad
 from gantline.cli.cad_block import make_ship_block
 from gantline.cli.examples import examples_of
+from gantline.cli.verb import Verb
 
 __all__ = ["cad_app"]
 
@@ -28,10 +29,12 @@ class _FileOrVerb(TyperGroup):
 
 cad_app = typer.Typer(cls=_FileOrVerb, no_args_is_help=True, rich_markup_mode=None)
 # Each with a line that is not cut short in the help of the group.
-cad_app.command(_FILE, short_help="Weigh and draw a CAD file.", epilog=examples_of("cad file"))(cad)
-cad_app.command("block", short_help="Make a ship block of a given mass.", epilog=examples_of("cad block"))(
-    make_ship_block
+_VERBS = (
+    (_FILE, cad, "Weigh and draw a CAD file."),
+    ("block", make_ship_block, "Make a ship block of a given mass."),
 )
+for name, verb, line in _VERBS:
+    cad_app.command(name, cls=Verb, short_help=line, epilog=examples_of(f"cad {name}"))(verb)
 
 
 @cad_app.callback(epilog="`gantline cad FILE` is short for `gantline cad file FILE`.")

@@ -13,9 +13,11 @@ from gantline.cli.messages import (
     CHECK_FAILED,
     COULD_NOT_GO_ON,
     DONE,
+    INTERRUPTED,
     NO_VERDICT,
     scenario_errors,
     stop,
+    warn,
     writing,
 )
 from gantline.cli.progress import telling
@@ -40,7 +42,8 @@ def cases(
     """Find how a lift hangs in each of its cases, and the worst case of each element; nothing is simulated.
 
     Ends with code 1 where a check fails, an equilibrium is unstable or a case cannot start, with 3 where
-    there is no equilibrium, and with 4 where nothing hangs at that time.
+    there is no equilibrium, and with 4 where nothing hangs at that time. Ctrl-C ends it with what has been
+    found by then, and with 130.
     """
     from gantline.replacing import replace_text
     from gantline.results.saved import CASES
@@ -71,6 +74,9 @@ def cases(
         with writing(folder):
             replace_text(folder / CASES, text + "\n")
         typer.echo(f"Cases       {folder / CASES}", err=as_json)
+    if result.not_done:
+        warn(f"interrupted; not all variants of these were worked out: {', '.join(result.not_done)}")
+        raise typer.Exit(INTERRUPTED)
     if not result.has_equilibria:
         raise typer.Exit(COULD_NOT_GO_ON)
     if not result.is_sound:

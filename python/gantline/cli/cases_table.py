@@ -41,8 +41,10 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
         groups = [(_name(state.case, _label(state, bounded)), [state]) for state in result.states]
     else:
         by_case = {name: result.of(name) for name in result.names}
-        groups = [(_name(name, str(len(states)) if len(states) > 1 else ""), states)
-                  for name, states in by_case.items()]  # fmt: skip
+        groups = [
+            (_name(name, _count(states, is_whole=name not in result.not_done)), states)
+            for name, states in by_case.items()
+        ]
 
     def in_cases(places: Sequence[int]) -> str:
         return _in_cases(result.states, places)
@@ -83,6 +85,13 @@ def _states(groups: Sequence[tuple[str, Sequence[State]]], width: int) -> list[s
     room = max(_SHORTEST_LABEL, width - taken)
     named = [(_shortened(name, room), *row[1:]) for (name, _), row in zip(groups, rows, strict=True)]
     return table(("Case", *head[1:]), named, "lrrrrrl")
+
+
+def _count(states: Sequence[State], *, is_whole: bool) -> str:
+    """How many states a case has, where it has not one, and that Ctrl-C kept others from being found."""
+    if not is_whole:
+        return f"{len(states)} of more"
+    return str(len(states)) if len(states) > 1 else ""
 
 
 def _name(case: str, more: str) -> str:
@@ -297,6 +306,9 @@ def _verdict(result: CasesResult) -> str:
     bad = ", ".join(f"{count} {what}" for what, count in counts.items() if count)
     cases = len(result.names) - 1
     head = f"{cases} case{'' if cases == 1 else 's'}, {len(result.states)} equilibria asked for"
+    if result.not_done:
+        head = f"interrupted, not all was asked of {', '.join(result.not_done)}; {head}"
+        bad = bad or "those sound"
     return f"{head}: {bad or nothing_hangs(result.states) or 'all sound'}{without}"
 
 

@@ -144,7 +144,7 @@ def _look_over(simulation: Simulation) -> None:
     for found in doubts_of_demand(demands):
         warn(simulation.scenario.problem(*found).of(simulation.scenario.source))
     _warn_of_time(simulation)
-    _warn_of_brakes(simulation.scenario)
+    _warn_of_winches(simulation.scenario)
     nodes = sum(rope.nodes for rope in rig.ropes)
     drums = sum(not drum.flow for drum in rig.drums)
     numbers = {
@@ -172,11 +172,12 @@ def _warn_of_time(simulation: Simulation) -> None:
         warn(scenario.problem(("duration",), sentence).of(scenario.source))
 
 
-def _warn_of_brakes(scenario: Scenario) -> None:
-    """Tell of brakes that hold less than what hangs at rest where a step of the plan ends."""
+def _warn_of_winches(scenario: Scenario) -> None:
+    """Tell of motors and brakes that hold less than what hangs at rest where a step of the plan ends."""
     from gantline.study.weak_brakes import weak_brakes
+    from gantline.study.weak_motors import weak_motors
 
-    for doubt in weak_brakes(scenario):
+    for doubt in (*weak_motors(scenario), *weak_brakes(scenario)):
         warn(scenario.problem(*doubt).of(scenario.source))
 
 

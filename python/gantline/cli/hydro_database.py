@@ -59,7 +59,7 @@ def show_database(
         typer.echo(json.dumps(numbers, indent=2, allow_nan=False))
     else:
         typer.echo("\n".join([*_report(found), *(line for one in waves for line in one.table(found))]))
-    for doubt in found.doubts:
+    for doubt in (*found.doubts, *found.outlying(None)):
         warn(doubt)
     raise typer.Exit(DONE)
 

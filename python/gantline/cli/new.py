@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from typer.core import TyperCommand
 
 from gantline.cli.messages import stop, writing
+from gantline.cli.verb import Verb
 from gantline.replacing import replace_bytes
 
 
-class NamesLifts(TyperCommand):
+class NamesLifts(Verb):
     """A verb whose help names the lifts that come with gantline, which are looked up when it is asked for."""
 
     # typer has a copy of click inside, so context and formatter have no public names.

@@ -171,6 +171,7 @@ def fit_memory(database: HydrodynamicDatabase, density: float) -> Memory:
             doubts.append(f"{database.source} does not say for which water; that of the lift is taken")
     if database.density is not None:
         scale = density / database.density
+    doubts += database.outlying(None)
     asymmetry = max(map(_asymmetry, (database.added_mass, database.damping)))
     if asymmetry > _UNSYMMETRIC:
         share = f"differ by up to {100 * asymmetry:.2g} % of the largest of the diagonal"

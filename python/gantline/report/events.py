@@ -14,6 +14,8 @@ _MOST_EVENTS = 400
 _SOON = 10.0
 #: As many of them as each have a line of their own.
 _FEW = 4
+#: An edge that bounces comes off and down again within this, and is one contact to read [s].
+_BOUNCES = 1.0
 _BACK = {
     "taut": "slack",
     "stick": "slip",
@@ -45,6 +47,11 @@ class _Row:
         time, kind, name = self.events[0]
         if len(self.events) == 1:
             return f"{time:.3f}", _words(kind), name
+        last_time, last, _ = self.events[-1]
+        if len(self.events) <= _FEW and last == kind:  # of a contact alone
+            count = (len(self.events) - 1) // 2
+            bounces = f"{_words(kind)}, with {count} bounce{'' if count == 1 else 's'}"
+            return f"{time:.3f} – {last_time:.3f}", bounces, name
         there_and_back = "/".join(_words(one) for one in _PAIR[kind])
         return f"{time:.3f} – {self.events[-1][0]:.3f}", f"{there_and_back}, {len(self.events)} changes", name
 
@@ -83,12 +90,20 @@ def _rows(events: Sequence[Event]) -> list[_Row]:
         rows.append(_Row([event]))
         if pair:
             open_rows[name, pair] = rows[-1]
-    single = [
-        one
-        for row in rows
-        for one in ([row] if len(row.events) > _FEW else [_Row([event]) for event in row.events])
-    ]
+    single = [one for row in rows for one in ([row] if len(row.events) > _FEW else _few(row))]
     return sorted(single, key=lambda row: row.events[0][0])
+
+
+def _few(row: _Row) -> list[_Row]:
+    """A line for each of a few events; of a contact one for all that an edge does as it bounces."""
+    lines: list[_Row] = []
+    for event in row.events:
+        is_contact = event[1] in ("lift_off", "set_down")
+        if is_contact and lines and event[0] - lines[-1].events[-1][0] <= _BOUNCES:
+            lines[-1].events.append(event)
+        else:
+            lines.append(_Row([event]))
+    return lines
 
 
 def _kept(rows: list[_Row]) -> list[_Row]:

@@ -37,7 +37,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   hang clear from the start, and of a lift at rest
 - `peak_support_force.<support>` [N]: largest force of that support at any sample
 - `peak_support_force` [N]: the largest of them
-- `smallest_clearance.<pair>` [m]: smallest distance of that watched pair at any sample of its steps
+- `smallest_clearance.<pair>` [m]: smallest distance of that watched pair at any sample of its steps; absent
+  where its ropes are off, or have parted, at all of them
 - `static_hook_load`, `peak_hook_load` [N]: hook load, the largest over the hooks
 - `static_hoist_load`, `peak_hoist_load` [N]: hook load with hook block and hanging falls, the largest over
   the hooks
@@ -199,7 +200,8 @@ def _supports(recording: Recording) -> Iterator[_Metric]:
     yield "peak_support_force", _largest(peaks)
     for watch in rig.watches:
         distance = recording.column("clearance", watch.name)[watched_during(recording, watch)]
-        yield f"smallest_clearance.{watch.name}", float(distance.min()) if distance.size else None
+        least = float(distance.min(initial=np.inf))
+        yield f"smallest_clearance.{watch.name}", None if least == np.inf else least
 
 
 def _vessels(recording: Recording) -> Iterator[_Metric]:

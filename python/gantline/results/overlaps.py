@@ -31,6 +31,8 @@ _EXACT_LOOKS = 60
 _TOUCH = 0.01
 #: A support that carries nothing may be as deep in a load, which tilts over its top [m].
 _TILTS = 0.1
+#: Half of what a hook takes up where nothing draws it [m]: it reaches that far below its bearing.
+_HOOK = 0.1
 #: Directions shorter than this are those of parallel edges [1].
 _PARALLEL = 1e-6
 
@@ -169,6 +171,12 @@ def _bodies(recording: Recording, looks: Indices) -> Iterator[_Body]:
         kind = ("tracks" if name in tracks else "crane") if kind == "body" else kind
         if name in names and any(kind in pair for pair in _LOOKED_AT):
             yield from _drawn(recording, looks, body, (of, kind))
+    drawn = {str(body["name"]) for body in scene.get("bodies") or () if body["shape"] is not None}
+    # By an equalizer a frame hangs there, which is drawn; what `mechanics` has in a hook may be at its place.
+    slung = {sling.from_body for sling in rig.slings}
+    for hook in rig.hooks:
+        if hook.name in slung & names - drawn and not hook.bears_mechanics:
+            yield _hook(recording, looks, hook.name)
     for structure in structures_of(recording):
         if structure.kind == "support":
             yield _support(recording, looks, structure)
@@ -184,6 +192,15 @@ def _bodies(recording: Recording, looks: Indices) -> Iterator[_Body]:
                 vertices[box_faces(len(structure.boxes))],
                 False,
             )
+
+
+def _hook(recording: Recording, looks: Indices, name: str) -> _Body:
+    """A hook without a hook block, in which slings hang: no larger than a hand's breadth or two."""
+    half = np.full(3, _HOOK)
+    place = recording.column("body_position", name)[looks]
+    turn = np.broadcast_to(np.eye(3), (len(looks), 3, 3))
+    skin = (SIGNS * half)[box_faces(1)]
+    return _Body(name, name, "hook", half[None], np.zeros((1, 3)), place, turn, skin, False)
 
 
 def _support(recording: Recording, looks: Indices, support: Structure) -> _Body:

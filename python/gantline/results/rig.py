@@ -7,7 +7,7 @@ All numbers are SI.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from functools import cache
 from typing import Any, Self, get_args, get_origin, get_type_hints
 
@@ -31,6 +31,21 @@ EQUALISED_BELOW = 0.05
 
 
 @dataclass(frozen=True)
+class Resting(FromJson):
+    """How an equilibrium has a load where a run hangs it still.
+
+    Attributes:
+        time: That moment [s].
+        leads_away: What moves on from there by itself, in words; empty where it is stable.
+        aside: Angle between its own z axis in the run and in the equilibrium [rad].
+    """
+
+    time: float
+    leads_away: str = ""
+    aside: float = 0.0
+
+
+@dataclass(frozen=True)
 class Load(HasLugs):
     """What is lifted.
 
@@ -49,6 +64,8 @@ class Load(HasLugs):
         other_ropes: Ropes that are no slings and end at it or run over it.
         centre_envelope: How far its centre of gravity may be elsewhere, plus and minus along its axes [m].
         in_water: Name of what it displaces among the hulls; None where no water acts on it.
+        resting: How equilibria have it where it hung still in ropes that are no slings, as far as there are
+            any.
     """
 
     name: str
@@ -65,6 +82,25 @@ class Load(HasLugs):
     other_ropes: Sequence[str] = ()
     centre_envelope: Vector = (0.0, 0.0, 0.0)
     in_water: str | None = None
+    resting: Sequence[Resting] = ()
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        resting = tuple(Resting.from_json(one) for one in document.get("resting", ()))
+        return super().from_json({**document, "resting": resting})
+
+
+def with_resting(rig: Mapping[str, Any], resting: Mapping[str, Sequence[Resting]]) -> dict[str, Any]:
+    """The JSON of a rig whose loads tell how equilibria have them.
+
+    Args:
+        rig: Its JSON.
+        resting: What is known of loads by their names.
+    """
+    told = {name: [asdict(one) for one in found] for name, found in resting.items()}
+    loads = [{**one, "resting": told[one["name"]]} if one["name"] in told else one for one in rig["loads"]]
+    return {**rig, "loads": loads}
 
 
 @dataclass(frozen=True)

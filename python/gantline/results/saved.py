@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -66,6 +66,7 @@ WORST_OF_LOSSES = (
 )
 
 _OF_ANOTHER = "is of another lift file than the recording, or of that file before or after it was edited"
+_INTERRUPTED = "interrupted, not all of it was worked out"
 _LARGEST = 50_000_000  # bytes of a file that is read
 
 
@@ -81,8 +82,8 @@ class SavedCase:
     Attributes:
         name: Its name; empty for the lift as it is given.
         states: How many equilibria were asked for.
-        troubles: What is wrong in them, each once: no start or no equilibrium and why, instability, loads
-            that stand and should hang, failed checks.
+        troubles: What is wrong in them, each once: that Ctrl-C kept some from being asked for, no start or no
+            equilibrium and why, instability, loads that stand and should hang, failed checks.
         remarks: What it asks for in vain, and that it changes nothing.
         has_losses: Whether some of these equilibria are bounds of what losses of sheaves do.
     """
@@ -140,10 +141,15 @@ class SavedCases:
             ValueError: If it is something else.
         """
         whole = object_of(document)
+        cases = {one.name: one for one in (_case(object_of(one)) for one in list_in(whole, "cases"))}
+        # Files from before there was the word say nothing of it.
+        for name in list_in(whole, "not_done") if "not_done" in whole else []:
+            case = cases.get(str(name), SavedCase(str(name), 0, ()))
+            cases[case.name] = replace(case, troubles=(_INTERRUPTED, *case.troubles))
         return cls(
             text_in(whole, "scenario_sha256"),
             whole.get("sound") is True,
-            [_case(object_of(one)) for one in list_in(whole, "cases")],
+            list(cases.values()),
             [_worst(object_of(one)) for one in list_in(whole, "worst")],
         )
 

@@ -30,7 +30,7 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["TopHeavy", "top_heavy", "unknown_whether_upright"]
+__all__ = ["TopHeavy", "borne_by_others", "top_heavy", "unknown_whether_upright"]
 
 #: Of slings of which it is not known: stiffer than steel of these lengths [N/m].
 _STIFF = 1e9
@@ -72,20 +72,36 @@ def top_heavy(recording: Recording) -> list[TopHeavy]:
     return list(found.values())
 
 
-def unknown_whether_upright(recording: Recording) -> dict[str, list[str]]:
-    """Ropes that are no slings and bear a load that hangs still, of each: nothing is known of its stiffness.
+def borne_by_others(recording: Recording) -> dict[str, list[int]]:
+    """Last samples of the times at which each load hung still in ropes that are no slings.
 
     Args:
         recording: Of a run, or of an equilibrium.
     """
     clear = series.is_clear(recording)
-    found: dict[str, list[str]] = {}
+    found: dict[str, list[int]] = {}
     for window in series.quiet_windows(recording):
         last = int(np.flatnonzero(window)[-1])
         for load in recording.rig.loads if clear[last] else ():
             if _is_borne_by_others(recording, load, last):
-                found.setdefault(load.name, list(load.other_ropes))
+                found.setdefault(load.name, []).append(last)
     return found
+
+
+def unknown_whether_upright(recording: Recording) -> dict[str, list[str]]:
+    """Ropes that are no slings and bear a load that hangs still, of each: nothing is known of its stiffness.
+
+    Where an equilibrium has told how it rests there, that is known.
+
+    Args:
+        recording: Of a run, or of an equilibrium.
+    """
+    loads = {load.name: load for load in recording.rig.loads}
+    return {
+        name: list(loads[name].other_ropes)
+        for name, samples in borne_by_others(recording).items()
+        if {float(recording.time[sample]) for sample in samples} - {one.time for one in loads[name].resting}
+    }
 
 
 def _is_borne_by_others(recording: Recording, load: Load, sample: int) -> bool:

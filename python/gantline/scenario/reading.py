@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,8 @@ __all__ = ["FILE_NAME", "load_scenario", "parse_scenario"]
 
 #: Name of the lift file in a folder that stands for a lift.
 FILE_NAME = "scenario.yaml"
+#: What messages call a lift that Python has built.
+_MAPPING = "mapping"
 
 
 def load_scenario(path: str | Path) -> Scenario:
@@ -58,22 +61,35 @@ def load_scenario(path: str | Path) -> Scenario:
     return parse_scenario(read_text(file, source), source)
 
 
-def parse_scenario(text: str | Mapping[str, Any], source: str = "scenario.yaml") -> Scenario:
+def parse_scenario(text: str | Mapping[str, Any], source: str | None = None) -> Scenario:
     """Scenario of a lift file's text, or of the same as dictionaries and lists, as Python builds it.
 
     Args:
         text: the text; or a mapping whose values are written as in a lift file: `{"mass": "300 t"}`. A number
             stands where a lift file has one without a unit.
-        source: the file that messages name. Paths of files in the lift begin in its folder.
+        source: the file that messages name, `scenario.yaml` of a text and `mapping` of a mapping if not
+            given. Paths of files in the lift begin in its folder.
 
     Raises:
-        ScenarioError: as `load_scenario`; lines are those of the text, which `Scenario.text` has.
+        ScenarioError: as `load_scenario`; lines are those of the text, which `Scenario.text` has; of a
+            mapping without a `source` there are none.
         TypeError: if it is neither.
     """
-    if isinstance(text, Mapping):
+    if isinstance(text, Mapping) and source is None:
+        try:
+            return _parsed(_written(text, _MAPPING), _MAPPING)
+        except ScenarioError as error:
+            # There is no file whose lines these would be.
+            unplaced = [replace(problem, line=None) for problem in error.problems]
+            raise type(error)(error.source, unplaced) from None
+    if isinstance(text, Mapping) and source is not None:
         text = _written(text, source)
-    elif not isinstance(text, str):
+    if not isinstance(text, str):
         raise TypeError(f"a lift file's text or a mapping is needed, not {type(text).__name__}")
+    return _parsed(text, FILE_NAME if source is None else source)
+
+
+def _parsed(text: str, source: str) -> Scenario:
     scenario = from_tree(parse_text(text, source), source, text)
     check_cases(scenario)
     return scenario

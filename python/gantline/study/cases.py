@@ -51,6 +51,7 @@ class CasesResult:
         states: That, then every variant of every case, in the order of the file; of lifts with losses of
             sheaves each with its two bounds.
         left_out: Sentences on what equilibria leave out of it.
+        not_done: Names of cases of which Ctrl-C kept variants from being worked out; `states` has the others.
     """
 
     title: str
@@ -58,6 +59,7 @@ class CasesResult:
     given: State
     states: Sequence[State]
     left_out: Sequence[str] = ()
+    not_done: Sequence[str] = ()
 
     def __repr__(self) -> str:
         cases = len(self.names) - 1
@@ -97,9 +99,10 @@ class CasesResult:
     def is_sound(self) -> bool:
         """Whether every state can start, is stable at rest, what should hang does and no check failed.
 
-        Of a time at which nothing hangs as given, that says little: `State.not_lifted` tells of it.
+        Where Ctrl-C kept some from being found it is False. Of a time at which nothing hangs as given, that
+        says little: `State.not_lifted` tells of it.
         """
-        return all(state.is_sound for state in self.states)
+        return not self.not_done and all(state.is_sound for state in self.states)
 
     def to_json(self) -> dict[str, Any]:
         """All of it as a JSON object, SI units; the lift as it is given is the case with the name ''."""
@@ -108,6 +111,7 @@ class CasesResult:
             "scenario_sha256": digest_of(self.scenario),
             "sound": self.is_sound,
             "left_out": list(self.left_out),
+            "not_done": list(self.not_done),
             "cases": [
                 {"case": name, "states": [state.to_json() for state in self.of(name)]} for name in self.names
             ],
@@ -137,7 +141,8 @@ def run_cases(
 
     No equilibrium is a result, and so is a case whose start cannot be put together. Where sheaves have losses
     each variant has two states more, with all of them slipping along the rope and against it. Variants are
-    worked on side by side; what is found does not depend on how many at a time.
+    worked on side by side; what is found does not depend on how many at a time. Ctrl-C gives up what is not
+    found by then, unless that is the lift as it is given; `CasesResult.not_done` says of which cases.
 
     Args:
         lift: A lift file, its folder, or a loaded scenario.
@@ -151,16 +156,26 @@ def run_cases(
     tell = on_progress or (lambda _: None)
     scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
     base = without_cases(scenario)
+    pending: list[tuple[str, _Pending]] = []
+    whole: list[str] = []
     with SideBySide(workers) as pool:
-        whole = _with_bounds(pool, base, time, State("", "", "none", 0.0))
-        pending = [whole]
-        for name in scenario.cases or {}:
-            tell(f"variants of '{name}'")
-            pending += _states(pool, scenario, base, name, time)
-        states = []
-        for done, each in enumerate(pending):
-            tell(f"{done} of {len(pending)} variants")
-            states += each.result()
+        try:
+            pending.append(("", _with_bounds(pool, base, time, State("", "", "none", 0.0))))
+            for name in scenario.cases or {}:
+                tell(f"variants of '{name}'")
+                pending += ((name, one) for one in _states(pool, scenario, base, name, time))
+                whole.append(name)
+            for done, (_, one) in enumerate(pending):
+                tell(f"{done} of {len(pending)} variants")
+                one.result()
+        except KeyboardInterrupt:
+            # What is still worked on is given up now, and finds no equilibrium because of that alone.
+            lacking = {name for name, one in pending if not one.done()}
+            pending = [(name, one) for name, one in pending if one.done()]
+            if "" in lacking or not pending:
+                raise
+            whole = [name for name in whole if name not in lacking]
+    states = [state for _, one in pending for state in one.result()]
     given = states[0]
     as_given = {state.losses: state for state in states if not state.case}
     earlier = as_given_at(base)
@@ -168,7 +183,9 @@ def run_cases(
         with_effect(replace(state, stands=stands(state, given)), as_given.get(state.losses, given), earlier)
         for state in states
     ]
-    return CasesResult(scenario.lift.title, scenario.text, given, states, scenario.left_out_at_rest)
+    not_done = [name for name in scenario.cases or {} if name not in whole]
+    left_out = scenario.left_out_at_rest
+    return CasesResult(scenario.lift.title, scenario.text, given, states, left_out, not_done)
 
 
 #: States of a variant, which may still be worked on.

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.hydro.database.around import ForcesAround, beside
+from gantline.hydro.database.outlying import outliers
 from gantline.hydro.waves import wave_number
 
 __all__ = ["AXES", "DRIFTING", "DatabaseError", "HydrodynamicDatabase"]
@@ -160,7 +161,25 @@ class HydrodynamicDatabase:
             matrix = self.infinite_added_mass
         else:
             matrix = self._between(self.added_mass, period)
-        return self._ready(matrix, density, "added mass")
+        found, doubts = self._ready(matrix, density, "added mass")
+        return found, doubts if period is None else doubts + self.outlying(period)
+
+    def outlying(self, period: float | None) -> list[str]:
+        """Each frequency whose added mass stands alone, a sentence each.
+
+        Args:
+            period: [s]; of those alone whose values tell what is there, between their neighbours; None for
+                all that the file has.
+        """
+        said = []
+        for one in outliers(self.added_mass):
+            ends = self.periods[[min(one.place + 1, len(self.periods) - 1), max(one.place - 1, 0)]]
+            if period is None or ends[0] <= period <= ends[1]:
+                axes = ", ".join(AXES[axis] for axis in one.axes)
+                what = f"{self.source}: its added mass of {axes} at {self.periods[one.place]:.4g} s"
+                beside = f"is {one.times:.3g} times that at the periods beside it"
+                said.append(f"{what} {beside}, where it goes smoothly by nature: leave that frequency out")
+        return said
 
     def damping_at(self, period: float, density: float) -> tuple[Array, list[str]]:
         """Damping at a period [s], shape (6, 6) [N s/m, N s, N m s]; otherwise as `added_mass_at`."""

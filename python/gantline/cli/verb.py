@@ -1,0 +1,45 @@
+"""What every verb refuses before it begins: an empty word where a file or folder is asked for."""
+
+from __future__ import annotations
+
+import inspect
+from pathlib import Path
+from typing import Any, get_args, get_type_hints
+
+from typer.core import TyperCommand
+
+from gantline.cli.messages import stop
+
+__all__ = ["Verb"]
+
+
+class Verb(TyperCommand):
+    """A verb of the command line.
+
+    An empty path is what a script passes on of a variable that is not set. Python takes it for the folder
+    that one is in, where the files of a run would land among others.
+    """
+
+    # typer has a copy of click inside, so the context's type has no public name.
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Read what was typed.
+
+        Raises:
+            typer.Exit: With 2 where a path is empty.
+        """
+        if any(not word.partition("=")[2 if "=" in word else 0].strip() for word in args):
+            self._refuse_empty_paths(ctx, args)
+        return super().parse_args(ctx, args)
+
+    def _refuse_empty_paths(self, ctx: Any, args: list[str]) -> None:
+        assert self.callback is not None  # every verb does something
+        hints = get_type_hints(inspect.unwrap(self.callback))
+        typed, _, _ = self.make_parser(ctx).parse_args(args=list(args))
+        for parameter in self.params:
+            hint = hints.get(str(parameter.name))
+            given = typed.get(str(parameter.name))
+            # What stands without an option is a file, a folder, or the name of a lift.
+            is_path = Path in (hint, *get_args(hint)) or parameter.param_type_name == "argument"
+            if is_path and isinstance(given, str) and not given.strip():
+                name = next((one for one in parameter.opts if one.startswith("--")), parameter.metavar)
+                stop(f"{name}: an empty path is no place; '.' is the folder that you are in")

@@ -1,0 +1,97 @@
+"""A tank that lies in baskets of `mechanics` so that any push rolls it over was a GO of its run.
+
+The run said of `hangs_stably` that it was `not checked`, which no verdict counts as a warning, while
+`gantline statics` of the same lift ended with code 1, "UNSTABLE". A run of perfect symmetry has no push. It
+asks statics now, from where it ends, and by its plan where the load hung still before.
+
+The pipe of the guide: eyes 2 a = 1 m apart, a sling of 11 m about them, so two legs of l = 5 m. The hook is
+on an ellipse about the eyes, and the pipe keeps upright where its centre of gravity is more than a^2/b below
+them, b = sqrt(l^2 - a^2): 0.25/4.975 m = 50 mm, a little less as the slings stretch.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+import gantline
+from gantline.checks import Check, Verdict, check_recording, verdict_of
+from gantline.results.recording import Recording
+from gantline.scenario import parse_scenario
+
+LIFT = """\
+format: 1
+lift: {title: A pipe in two baskets}
+duration: 30 s
+ground: {level: 0 m, friction: 0.5}
+ropes: {sling_36: {construction: 6x36 IWRC, grade: 1960, diameter: 36 mm, damping_time: 10 ms}}
+load:
+  name: pipe
+  shape: {box: [10 m, 1 m, 1 m]}
+  weight: {calculated: 10 t}
+  centre_of_gravity: {at: [0 m, 0 m, 0.4 m]}
+cranes:
+  west: {type: fixed_hook, at: [-3 m, 0 m, 5.3 m], hoist: {speed: 3 m/min, acceleration: 0.05 m/s^2}}
+  east: {type: fixed_hook, at: [ 3 m, 0 m, 5.3 m], hoist: {speed: 3 m/min, acceleration: 0.05 m/s^2}}
+mechanics:
+  ropes:
+"""
+for name, x in (("west", -3), ("east", 3)):
+    eyes = ", ".join(f"{{type: eye, body: pipe, at: [{x} m, {y} m, HIGH m]}}" for y in (0.5, -0.5))
+    end = f"{{type: end, body: {name}}}"
+    LIFT += f"    {name}: {{rope: sling_36, length: 11 m, route: [{end}, {eyes}, {end}]}}\n"
+PLAN = """\
+plan:
+  - {step: lift off, hoist: [west, east], speed: 1 m/min, until: {supports: clear}}
+  - {step: hold, hold: until_end}
+limits: {rule: yard, load_tilt: 5 deg}
+"""
+SET_DOWN = """\
+plan:
+  - {step: lift off, hoist: [west, east], speed: 1 m/min, until: {supports: clear}}
+  - {step: hold, hold: 6 s}
+  - {step: land, lower: [west, east], speed: 1 m/min, until: {supports: touched}}
+  - {step: rest, hold: until_end}
+limits: {rule: yard, load_tilt: 5 deg}
+"""
+
+
+def run(high: float, plan: str = PLAN) -> Recording:
+    text = LIFT.replace("HIGH", repr(high)) + plan
+    return gantline.simulate(parse_scenario(text.replace("30 s", "50 s") if plan is SET_DOWN else text))
+
+
+def stability(recording: Recording) -> list[Check]:
+    return [check for check in check_recording(recording) if check.name == "hangs_stably"]
+
+
+@pytest.mark.parametrize(("high", "plan"), [(0.03, PLAN), (0.047, PLAN), (0.03, SET_DOWN)])
+def test_one_that_rolls_is_no_go(high: float, plan: str) -> None:
+    """Set down again before the run ends, too."""
+    recording = run(high, plan)
+    [check] = stability(recording)
+    assert (check.element, check.verdict) == ("pipe", Verdict.FAILED)
+    assert "unstable: pipe turns about x" in check.remark
+    assert verdict_of(check_recording(recording)).startswith("NO-GO")
+
+
+@pytest.mark.parametrize("plan", [PLAN, SET_DOWN])
+@pytest.mark.parametrize("high", [0.053, 0.1])
+def test_nothing_is_said_of_one_that_keeps_upright(high: float, plan: str) -> None:
+    recording = run(high, plan)
+    assert recording.rig.loads[0].resting
+    assert not stability(recording)
+
+
+def test_one_that_leans_on_the_ground_at_rest_is_a_warning() -> None:
+    """By statics its edge rolls on to the ground, a few millimetres below: it does not hang so."""
+    [check] = stability(run(0.047, SET_DOWN))
+    assert (check.element, check.verdict) == ("pipe", Verdict.WARNING)
+
+
+def test_a_run_that_has_not_asked_is_a_warning() -> None:
+    """Such as one that was paused before its end."""
+    simulation = gantline.Simulation(parse_scenario(LIFT.replace("HIGH", "0.03") + PLAN))
+    recording = simulation.run(until=15.0)
+    [check] = stability(recording)
+    assert check.verdict is Verdict.WARNING
+    assert check.remark == "borne by ropes of 'mechanics', west, east: no equilibrium tells it: pipe"
