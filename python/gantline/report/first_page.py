@@ -159,7 +159,7 @@ def _warning(check: Check, own: Container[str]) -> dict[str, str]:
     """A warning with what is past its limit; `own` are limits of the lift file."""
     share = check.utilisation
     value, limit = (typeset(check.shown(one)) for one in (check.value, check.limit))
-    past = f"{value}, past the {limit} of the lift file" if check.name in own else f"{value}, past {limit}"
+    past = f"{value}, past {'its limit of ' if check.name in own else ''}{limit}"
     text = "; ".join(
         part for part in (past if share is not None and share > 1.0 else "", check.remark) if part
     )
