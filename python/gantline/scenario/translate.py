@@ -118,7 +118,6 @@ _INSTEAD = {
             "ea",
             "grade",
             "mass",
-            "mbl",
             "minimum_breaking_force",
         ),
         _OF_A_ROPE,
