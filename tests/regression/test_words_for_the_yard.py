@@ -40,10 +40,17 @@ def test_a_warning_names_its_limit() -> None:
     assert re.match(r"20\d\.\d deg, past 45\.0 deg; a limit of its own", yaw["text"])
 
 
+def test_what_nobody_looked_at_is_said_first() -> None:
+    # "... are not part of a recording" told a foreman nothing, who has none.
+    assert "Not looked at here: other weights, centres of gravity, sling lengths" in render_report(yard())
+
+
 def test_no_line_ends_between_a_number_and_its_unit() -> None:
     page = html.unescape(render_report(yard()))
     heads = re.findall("<th>at (\\d+\u00a0%)</th>", page)
     assert heads == ["25\u00a0%", "50\u00a0%", "75\u00a0%", "100\u00a0%"]
     (stop,) = re.findall(r'<ul class="stop">(.*?)</ul>', page, re.DOTALL)
     assert "a sheave is over 90\u00a0% of its stroke" in stop
-    assert not re.search(r"\d (%|s|m|deg|m/s)\b", stop)
+    (steps,) = re.findall(r'<ol class="steps">(.*?)</ol>', page, re.DOTALL)
+    assert "hoist 0.3\u00a0m/min by 0.3\u00a0m" in steps
+    assert not re.search(r"\d (%|s|m|deg|m/s|m/min)(?![\w/])", stop + steps)
