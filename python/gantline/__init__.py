@@ -10,6 +10,19 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from gantline import cad as cad
+    from gantline import checks as checks
+    from gantline import export as export
+    from gantline import hydro as hydro
+    from gantline import plot as plot
+    from gantline import report as report
+    from gantline import results as results
+    from gantline import rope_data as rope_data
+    from gantline import rule_data as rule_data
+    from gantline import scenario as scenario
+    from gantline import statics as statics
+    from gantline import study as study
+    from gantline import units as units
     from gantline.assembly.commands import CommandError
     from gantline.overrides import SettingError
     from gantline.report import Report, write_report
@@ -82,16 +95,19 @@ _HOMES = {
 }
 
 
-def __getattr__(name: str) -> Any:
-    if name == "__version__":
-        from gantline.version import version
+# A type checker sees the imports above: this here would tell it that a name is anything, a misspelt one too.
+if not TYPE_CHECKING:
 
-        return version()
-    if name in _HOMES:
-        return getattr(import_module(_HOMES[name]), name)
-    if name in _PARTS:
-        return import_module(f"gantline.{name}")
-    raise AttributeError(f"module 'gantline' has no attribute {name!r}")
+    def __getattr__(name: str) -> Any:
+        if name == "__version__":
+            from gantline.version import version
+
+            return version()
+        if name in _HOMES:
+            return getattr(import_module(_HOMES[name]), name)
+        if name in _PARTS:
+            return import_module(f"gantline.{name}")
+        raise AttributeError(f"module 'gantline' has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:

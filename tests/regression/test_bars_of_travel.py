@@ -1,7 +1,7 @@
 """Bars of travel in reports whose colour was not that of the check, and "1 times" beside a stop.
 
 From 90 % of a stroke on they warned, whatever the limit of the lift: with a limit of 80 % a sheave at 85 %
-was a warning among the checks, "stop if travel is over 80 %" on the first page, and a green bar below. A
+was a warning among the checks, "stop if a sheave is over 80 %" on the first page, and a green bar below. A
 stop that was met once was met "1 times".
 """
 
@@ -45,7 +45,7 @@ def test_a_bar_warns_where_its_check_does(used: float, limit: float) -> None:
     assert content is not None
     bar = content["equalizers"][0]["sheaves"][1]["down_used"]
     assert bar["text"] == f"{100 * used:.0f} %" and bar["tone"] == TONES[check.verdict]
-    assert f"travel is over {100 * limit:.0f} % of its stroke" in stop_if(Subject(lift))
+    assert f"a sheave is over {100 * limit:.0f} % of its stroke" in stop_if(Subject(lift))
 
 
 def test_without_a_limit_it_warns_from_the_usual_one_on() -> None:

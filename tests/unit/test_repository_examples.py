@@ -37,7 +37,7 @@ PARTS = {place: text for place, text in examples("yaml").items() if place not in
 PYTHON = examples("python")
 #: What examples in Python do over and over, and how often it is done here: what they show is in that already.
 FEWER = {
-    "docs/reference/python.md-8": ("size=(100, ", "size=(3, "),
+    "docs/reference/python.md-9": ("size=(100, ", "size=(3, "),
     "docs/guides/afloat.md-1": (
         '("1 m", "2 m", "3 m"):\n    for seed in (1, 2, 3)',
         '("3 m",):\n    for seed in (3,)',

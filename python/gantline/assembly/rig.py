@@ -367,7 +367,24 @@ def _step(scenario: Scenario, step: Any) -> Json:
         **({"turns": True} if _turns(step) else {}),
         **_kept_plumb(scenario, step),
         **_ended_by(step),
+        **_goes(step),
+        **_compensated(step),
     }
+
+
+def _goes(step: Any) -> Json:
+    """What a step moves, as the lift file names it, and which way or how far."""
+    if not isinstance(step, MovingStep):
+        return {}
+    way = {key: value for key in ("by", "to") if (value := getattr(step, key, None)) is not None}
+    back = {"towards": "minus"} if getattr(step, "towards", "") == "minus" else {}
+    return {"moves": list(step.moved), **way, **back}
+
+
+def _compensated(step: Any) -> Json:
+    """The hooks that a step keeps still, and over whose deck."""
+    deck = {"relative_to": step.relative_to} if step.relative_to else {}
+    return {"compensate_heave": list(step.compensate_heave), **deck} if step.compensate_heave else {}
 
 
 def _turns(step: Any) -> bool:

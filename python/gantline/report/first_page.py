@@ -159,7 +159,7 @@ def _warning(check: Check, own: Container[str]) -> dict[str, str]:
     """A warning with what is past its limit; `own` are limits of the lift file."""
     share = check.utilisation
     value, limit = (typeset(check.shown(one)) for one in (check.value, check.limit))
-    past = f"{value}, past the {limit} of the lift file" if check.name in own else f"{value}, past {limit}"
+    past = f"{value}, past {'its limit of ' if check.name in own else ''}{limit}"
     text = "; ".join(
         part for part in (past if share is not None and share > 1.0 else "", check.remark) if part
     )
@@ -231,6 +231,16 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
         used = show(share(largest, of), "%", 0)
         text += f" of {as_given(of / rig.gravity)} t, {used}"
     rows.append(("largest hoist load, simulated", text))
+    return [*rows, *_corner_loads(subject)]
+
+
+def _corner_loads(subject: Subject) -> list[tuple[str, str]]:
+    """What the rails of a Goliath crane bear at most, as the check has it, and its limit if there is one."""
+    rows = []
+    for check in subject.checks:
+        if check.name == "corner_load" and check.value is not None:
+            of = f" of {check.shown(check.limit)}" if check.limit is not None else ""
+            rows.append((f"largest corner load, {check.element}", f"{check.shown(check.value)}{of}"))
     return rows
 
 
@@ -245,7 +255,7 @@ def stop_if(subject: Subject) -> list[str]:
     found = [f"{cell} differs by more than 10 % from its reading in the table “Hooks”"]
     found.append(_tilt(subject, limits.get("load_tilt")))
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
-        found.append(f"travel is over {show(subject.most_travel, '%', 0)} of its stroke")
+        found.append(f"a sheave is over {show(subject.most_travel, '%', 0)} of its stroke")
     return [*found, *_waves(subject), *_wind(subject), *_current(subject)]
 
 

@@ -9,12 +9,14 @@ import numpy as np
 from gantline.checks import LIMITS
 from gantline.report.holds import shares
 from gantline.report.section import Section
-from gantline.report.subject import Subject, show
+from gantline.report.subject import Subject, show, typeset
 from gantline.results.rig import Step
 
 _MOST = 16
 #: Of lifts afloat, whose vessels take room on the sheet.
-_MOST_AFLOAT = 12
+_MOST_AFLOAT = 10
+#: So few that when to stop has room in their column.
+_FEW = 6
 
 #: Steps whose speed is that of something that goes along a line.
 _ALONG = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out", "haul", "veer")
@@ -37,12 +39,16 @@ class StepsContinued(Section):
 
 
 def first_steps(subject: Subject) -> dict[str, Any]:
-    """Steps of the first page, and in words where the others are."""
+    """Steps of the first page, in words where the others are, and whether their column has room for more."""
     rows, most = step_rows(subject), _most(subject)
     left = len(rows) - most
     joint = "and" if left == 2 else "to"
     numbers = f"Step {len(rows)}" if left == 1 else f"Steps {most + 1} {joint} {len(rows)}"
-    return {"rows": rows[:most], "elsewhere": f"{numbers}: see sheet 2." if left > 0 else ""}
+    return {
+        "rows": rows[:most],
+        "elsewhere": f"{numbers}: see sheet 2." if left > 0 else "",
+        "has_room": 0 < len(rows) <= _FEW,
+    }
 
 
 def step_rows(subject: Subject) -> list[dict[str, Any]]:
@@ -50,11 +56,12 @@ def step_rows(subject: Subject) -> list[dict[str, Any]]:
     times = {name: time for time, _, name in subject.recording.events("step_begin")}
     plan = subject.rig.plan
     shared = shares(subject)
+    hooks = {hook.name for hook in subject.rig.hooks}
     return [
         {
             "name": step.step,
             "begin": show(times.get(step.step), "s", 1),
-            "does": _does(step),
+            "does": _does(step, hooks),
             "is_hold": _is_hold_point(step, plan[-1]),
             "shares": shared.get(step.step, ""),
             "require": ", ".join(_requirement(key, bounds) for key, bounds in step.require.items()),
@@ -72,8 +79,8 @@ def _is_hold_point(step: Step, last: Step) -> bool:
     return step.kind == "hold" and (step is not last or bool(step.require))
 
 
-def _does(step: Step) -> str:
-    """What a step does, at which speed, with which pins, and what goes or comes as it begins."""
+def _does(step: Step, hooks: set[str]) -> str:
+    """What a step moves, how fast and how far, with which pins, and what goes or comes as it begins."""
     pins = [
         f"{words} pins of {', '.join(names)}"
         for words, names in (("pull", step.pull_pins), ("put in", step.put_in_pins))
@@ -90,15 +97,52 @@ def _does(step: Step) -> str:
         if names
     ]
     verb = "" if step.kind == "hold" else step.kind.replace("_", " ")
-    return "; ".join(part for part in (f"{verb}{_speed(step)}", *pins, *gear) if part)
+    moved = f"{verb}{_moved(step, hooks)}{_speed(step)}{_way(step)}"
+    return "; ".join(part for part in (moved, *_still(step), *pins, *gear) if part)
+
+
+def _still(step: Step) -> list[str]:
+    """Which hooks are kept still against heave, and over what."""
+    over = step.relative_to or "the ground"
+    names = ", ".join(step.compensate_heave)
+    return [f"{names} kept still over {over}"] if names else []
+
+
+def _moved(step: Step, hooks: set[str]) -> str:
+    """What moves, unless that is every hook of the lift."""
+    drives = {drive.removesuffix(".hoist") for drive in step.drives}
+    return "" if not step.moves or drives == hooks else f" {', '.join(step.moves)}"
 
 
 def _speed(step: Step) -> str:
     if step.speed is None:
         return ""
+    # What follows a load goes as fast as that asks for, and no faster than this.
+    most = " up to" if step.keep_plumb else ""
     if step.kind in _TURNING:
-        return f" {np.rad2deg(60.0 * step.speed):.3g} deg/min"
-    return f" {60.0 * step.speed:.3g} m/min" if step.kind in _ALONG else ""
+        return f"{most} {np.rad2deg(60.0 * step.speed):.3g} deg/min"
+    return f"{most} {60.0 * step.speed:.3g} m/min" if step.kind in _ALONG else ""
+
+
+def _way(step: Step) -> str:
+    """How far it goes, to where, which way, or after what."""
+    if step.keep_plumb:
+        return f", keeps {', '.join(step.keep_plumb)} plumb"
+    if step.towards:
+        return f" towards {step.towards}"
+    way = next(
+        ((word, value) for word, value in (("by", step.by), ("to", step.to)) if value is not None), None
+    )
+    if way is None:
+        return ""
+    word, value = way
+    return f" {word} {_length(np.rad2deg(value), 'deg') if step.kind in _TURNING else _length(value, 'm')}"
+
+
+def _length(value: float, unit: str) -> str:
+    """As somebody gave it, to the millimetre or the thousandth of a degree."""
+    digits = f"{value:.3f}".rstrip("0").rstrip(".")
+    return typeset(f"{'0' if digits == '-0' else digits} {unit}")
 
 
 def _requirement(key: str, bounds: Any) -> str:

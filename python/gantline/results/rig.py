@@ -186,6 +186,12 @@ class Step(FromJson):
         keep_plumb: Hooks whose falls it keeps plumb.
         ends_by: Key of the lift file that says when something that moves stops, such as `until` or
             `brake_from`; empty of a hold.
+        moves: What it moves, as the lift file names it: hooks, trolleys, cranes, drums, lines.
+        by: Way after which that is at rest [m or rad], negative back; None where it ends otherwise.
+        to: Position in which it is at rest [m or rad], of hooks a height; None where it ends otherwise.
+        towards: `minus` of what goes to smaller positions until something else ends it.
+        compensate_heave: Hooks that it keeps still against heave, as the lift file names them.
+        relative_to: Vessel over whose deck it keeps them still; empty over the ground.
     """
 
     step: str
@@ -206,6 +212,12 @@ class Step(FromJson):
     turns: bool = False
     keep_plumb: Sequence[str] = ()
     ends_by: str = ""
+    moves: Sequence[str] = ()
+    by: float | None = None
+    to: float | None = None
+    towards: str = ""
+    compensate_heave: Sequence[str] = ()
+    relative_to: str = ""
 
 
 @dataclass(frozen=True)

@@ -100,11 +100,38 @@ _MEANT = {
     # <!-- words: on -->
 }
 _WET = "what water does to a load that is lowered into it stands under its 'in_water'"
+_JONSWAP = "a sea has the spectrum of JONSWAP; with 'peak_enhancement: 1' it is that of Pierson and Moskowitz"
+_OF_A_ROPE = "it belongs to a kind of rope under 'ropes', which the sling names by 'rope'"
 #: What people look for and is not there: what there is in its place, by what it is looked for in.
 _INSTEAD = {
+    "a crane": {
+        "vessel": "a fixed hook hangs in the world; a crane of 'type: floating_crane' is on a vessel",
+        "winch": "a fixed hook moves by its 'hoist', or hangs in falls from a drum by 'reeving' and 'drum'",
+    },
+    "a rope": {
+        **dict.fromkeys(("cd", "drag", "drag_coefficient"), "neither water nor wind drags at ropes here"),
+        **dict.fromkeys(("bending_stiffness", "ei"), "ropes bend without resistance here"),
+    },
+    "a sling": dict.fromkeys(
+        (
+            "axial_stiffness",
+            "construction",
+            "diameter",
+            "ea",
+            "grade",
+            "mass",
+            "minimum_breaking_force",
+        ),
+        _OF_A_ROPE,
+    ),
+    "a vessel": dict.fromkeys(
+        ("displacement_raos", "motion", "motions", "rao", "raos"),
+        "a vessel moves by what pushes it: 'wave_forces' and 'radiation' name a hydrodynamic database; "
+        "motions in waves that are known beforehand, RAOs of displacement, cannot be given",
+    ),
     "waves": {
-        "spectrum": "a sea has the spectrum of JONSWAP; with 'peak_enhancement: 1' it is that of Pierson and "
-        "Moskowitz",
+        "spectrum": _JONSWAP,
+        "type": _JONSWAP,
         "spreading": "waves run in one direction; several 'waves' with directions of their own spread a sea",
     },
     "a floating crane": dict.fromkeys(
