@@ -17,6 +17,7 @@ from gantline.checks.limits import LIMITS
 from gantline.checks.loads import held_by_tag_lines, on_their_tip, run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, named
 from gantline.checks.overlaps import run_into
+from gantline.checks.picked_up import picked_up
 from gantline.checks.plan import (
     came_down,
     fell_behind,
@@ -75,8 +76,8 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         behind and each winch that slipped, where slings never carried or run through a load, where a tag line
         pulls as if it bore one, where a hook holds a frame upright, where the recording has warnings of its
         own or values that are no numbers, where steps moved nothing, where a load came down while it was
-        taken along or came down hard, and where a run lifts nothing, holds nothing still or ends before
-        its plan.
+        taken along, came down hard or was picked up after it had been set down, and where a run lifts
+        nothing, holds nothing still or ends before its plan.
     """
     rig = recorded(recording).rig
     _hold_steps(recording, ending)
@@ -115,7 +116,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     if recording.is_equilibrium:
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every + not_lifted(recording)]
-    every += stood_still(recording) + came_down(recording) + hit(recording)
+    every += stood_still(recording) + came_down(recording) + hit(recording) + picked_up(recording)
     return every + (unfinished(recording) or not_lifted(recording) + never_still(recording))
 
 
