@@ -82,6 +82,8 @@ def what_helps(recording: Recording, load: Load, time: float) -> str:
         return "creep, or a brake before it, is usual"
     if hung is not None and hung.came_off and hung.end - hung.begin < _HUNG:
         less = ", or wait for less sea" if recording.rig.sea else ""
+        if not less and recording.rig.wind is not None:
+            less = ", or wait for less wind"
         return f"it had just lifted off; hoist it off faster{less}"
     return "no step lowers it then; keep it farther away"
 
