@@ -100,6 +100,16 @@ _MEANT = {
 _WET = "what water does to a load that is lowered into it stands under its 'in_water'"
 #: What people look for and is not there: what there is in its place, by what it is looked for in.
 _INSTEAD = {
+    "limits": {
+        **dict.fromkeys(
+            ("clearance", "clearances", "distance", "distances"),
+            "distances that have to be kept stand under 'watch', each with its 'smallest'",
+        ),
+        **dict.fromkeys(
+            ("wind", "wind_limit", "wind_speed"),
+            "the wind in which a crane may lift is its own 'wind_limit', held against that of the lift",
+        ),
+    },
     "waves": {
         "spectrum": "a sea has the spectrum of JONSWAP; with 'peak_enhancement: 1' it is that of Pierson and "
         "Moskowitz",
