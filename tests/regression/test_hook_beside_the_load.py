@@ -71,13 +71,27 @@ def test_what_a_crew_sets_a_hook_to(aside: float) -> None:
 
 
 def test_a_load_that_hangs_askew_on_purpose() -> None:
-    """Slings along -x 1 m longer over 6 m of lugs: a slope of 1/6 and more takes its centre of gravity along.
+    """It comes off about its lowest edge, from a hook that stands 0.35 m towards that.
 
-    Its far edge is hypot(5, 3, 2) = 6.2 m away, which may be 1 m aside by then.
+    Slings of 11.9 m at -3 m and 10.9 m at 3 m meet at x with 11.9² - 10.9² = 12 x, 1.90 m, and 10.66 m above
+    the lugs, 12.66 m above the centre of gravity: the load hangs at atan(1.90/12.66) = 8.5°. Its edge at
+    (-5, -2) m is then at -5 cos 8.5° + 2 sin 8.5° = -4.65 m.
     """
     askew = {"S1": ("A", "1", 11.9), "S2": ("A", "2", 11.9), "S3": ("A", "3", 10.9), "S4": ("A", "4", 10.9)}
-    assert told({"A": (0.5, 0.0, 13.5)}, askew) == []
-    assert told({"A": (2.5, 0.0, 13.0)}, {name: (*of[:2], 12.5) for name, of in askew.items()}) != []
+    assert told({"A": (-0.35, 0.0, 13.5)}, askew) == []
+    assert told({"A": (-0.51, 0.0, 13.5)}, askew) == []
+    assert told({"A": (-0.59, 0.0, 13.5)}, askew) != []
+    assert told({"A": (0.0, 0.0, 13.5)}, askew) == []
+    assert told({"A": (0.25, 0.0, 13.5)}, askew) != []
+
+
+def test_slings_of_one_length_to_lugs_about_another_place() -> None:
+    """A transformer whose centre of gravity is 0.5 m off the middle of its lugs tilts: not on purpose.
+
+    Its hook over that middle is as far beside, and the edge that leaves last is on the other side of it.
+    """
+    (says,) = told({"A": (0.0, 0.0, HIGH)}, four(), centre=(0.5, 0.0, 2.0))
+    assert "A stands 0.50 m beside" in says and "move A 0.50 m along +x, or" in says
 
 
 def test_one_end_that_is_tilted_up() -> None:

@@ -16,7 +16,7 @@ import numpy as np
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Parts
 from gantline.assembly.plain import bodies_in_hook, ropes_ending_at, ropes_over
-from gantline.assembly.spatial import Array
+from gantline.assembly.spatial import Array, about_axis, rotation_matrix
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.errors import Doubt
@@ -37,6 +37,8 @@ _ASIDE = math.tan(math.radians(0.5))
 _SET, _SET_OF_HEIGHT = 0.2, 0.03
 #: How far heads of booms go outwards as they are loaded, over their height: a vessel trims, tracks sink [1].
 _YIELDS_AFLOAT, _YIELDS_ASHORE = 0.05, 0.005
+#: Newton's steps to where slings meet: digits double.
+_STEPS = 8
 #: A centre of gravity farther than this from the area between the lugs, over the load's smaller side [1], is
 #: no mistake: one end is lifted, and the load turns about the other.
 _OUTSIDE = 0.1
@@ -79,13 +81,14 @@ def doubtful_beside(
         return
     bearings = {name: parts.pose(name)[0] + np.array((*(gone[name] or (0.0, 0.0)), 0.0)) for name in names}
     way = -_way_into(centre[:2], [place[:2] for place in bearings.values()])
-    aside = float(np.linalg.norm(way))
     askew = _askew(rigging, centre, turned, lifted, bearings, on)
+    # One that stands where the load, askew, comes off about its last corner drags nothing either.
+    least = min(float(np.linalg.norm(way)), float(np.linalg.norm(way + askew)))
     most = max(
         _allowed(scenario, scenario.hooks[name], float(place[2] - centre[2]))
         for name, place in bearings.items()
     )
-    if aside > most + askew:
+    if least > most:
         yield Doubt(scenario.hooks[names[0]].paths[""], _told(load.name, names, way))
 
 
@@ -178,7 +181,7 @@ def _allowed(scenario: Scenario, hook: Hook, height: float) -> float:
     crane = (scenario.cranes or {})[hook.crane]
     is_afloat = isinstance(crane, FloatingCrane) and crane.vessel is not None
     yields = _YIELDS_AFLOAT if is_afloat else _YIELDS_ASHORE
-    return usual + yields * (boom.heel[2] + boom.boom.length * math.sin(boom.boom.angle))
+    return max(usual, yields * (boom.heel[2] + boom.boom.length * math.sin(boom.boom.angle)))
 
 
 def _askew(
@@ -188,32 +191,39 @@ def _askew(
     lifted: LiftedLoad,
     bearings: dict[str, Array],
     on: frozenset[str],
-) -> float:
-    """How far the centre of gravity goes aside as a load turns that hangs askew on purpose [m].
+) -> Array:
+    """From above the centre of gravity to where a hook lifts a load off that hangs askew by its slings [m].
 
-    Slings of a single hook right above it then go taut one after another, and the load turns about the corner
-    that is left.
+    Level, (2,). The load then turns about the corner that hangs lowest. It is known of one hook with slings
+    to lugs alone.
     """
-    if len(bearings) > 1:
-        return 0.0
-    taut = []
-    for name in bearings:
-        for sling in slings_under(rigging, name):
-            if sling.name not in on or sling.equalizer is not None or len(sling.lugs) != 1:
-                continue
-            lug = turned @ np.array(lifted.lugs[sling.lugs[0]])
-            across = float(np.linalg.norm(lug[:2]))
-            if across < sling.length:
-                taut.append((lug[:2], float(lug[2]) + math.sqrt(sling.length**2 - across**2)))
-    slopes = [
-        abs(one - other) / length
-        for (here, one), (there, other) in combinations(taut, 2)
-        if (length := float(np.linalg.norm(here - there))) > 0.0
-    ]
-    if not slopes:
-        return 0.0
-    sine = min(max(slopes), 1.0)
-    return sine * float(np.linalg.norm(lifted.corners[:4], axis=1).max())
+    slings = [sling for name in bearings for sling in slings_under(rigging, name) if sling.name in on]
+    is_plain = all(sling.equalizer is None and sling.spreader is None and sling.lugs for sling in slings)
+    if len(bearings) > 1 or len(slings) < 2 or not is_plain:
+        return np.zeros(2)
+    lugs = np.array([turned @ np.array(lifted.lugs[sling.lugs[0]]) for sling in slings])
+    hook = _meeting(lugs, np.array([sling.length for sling in slings]))
+    plumb = hook / np.linalg.norm(hook)
+    # By the least turn the hook comes plumb over the centre of gravity.
+    axis = (float(plumb[1]), -float(plumb[0]), 0.0)
+    if not any(axis):
+        return np.zeros(2)
+    turn = rotation_matrix(about_axis(axis, math.acos(min(1.0, float(plumb[2])))))
+    corners = lifted.corners @ turned.T
+    lowest = corners[np.argmin((corners @ turn.T)[:, 2])]
+    gone: Array = (lowest - turn @ lowest)[:2]
+    return gone
+
+
+def _meeting(lugs: Array, lengths: Array) -> Array:
+    """Where slings of given lengths [m] from lugs (slings, 3) meet above them, by least squares (3,) [m]."""
+    hook: Array = lugs.mean(axis=0) + np.array((0.0, 0.0, float(lengths.mean())))
+    for _ in range(_STEPS):
+        ways = hook - lugs
+        far = np.linalg.norm(ways, axis=1)
+        step, *_ = np.linalg.lstsq(ways / far[:, None], lengths - far, rcond=None)
+        hook = hook + step
+    return hook
 
 
 def _way_into(point: Array, places: Sequence[Array]) -> Array:
