@@ -14,7 +14,7 @@ from gantline import _core
 from gantline.assembly import assemble
 from gantline.assembly.commands import CommandError, command_of, commanded
 from gantline.assembly.origin import refused
-from gantline.assembly.vessels import adrift, misplaced, vessel_hulls
+from gantline.assembly.vessels import adrift, misplaced, off_their_decks, vessel_hulls
 from gantline.interrupt import noted_interrupt
 from gantline.overrides import is_number, overridden, with_adjusting_factor, with_locked_equalizers
 from gantline.results.clearances import clearance_events, contact_warnings
@@ -412,6 +412,8 @@ class Simulation:
         if rig.vessels and len(columns["time"]):
             afloat = [vessel.body for vessel in rig.vessels]
             warnings += adrift(self.assembly.document, afloat, at_start, turned)
+            decks = _decks(rig, columns, names)
+            warnings += off_their_decks(self.assembly.document, decks, at_start, turned)
             hulls = vessel_hulls(self.assembly.document, afloat)
             ground = ground_in(self.assembly.scene)
             warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground, water.depth)
@@ -516,6 +518,15 @@ def _long_steps(integrator: Mapping[str, Any]) -> list[str]:
         much = f"at {_RINGING:g} Hz by {share} of critical"
         sentence = f"steps of {step:g} s: the method damps what rings, and peaks with it, {much}"
     return [f"{sentence}; 1 ms is usual"]
+
+
+def _decks(rig: Rig, columns: Columns, names: Names) -> dict[str, list[str]]:
+    """What may move of what each load stands on as a run begins, by the name of its body."""
+    pressed = dict(zip(names.get("contact", ()), columns["contact_force"][0], strict=False))
+    return {
+        load.body: [under for contact, under in load.meets.items() if pressed.get(contact, 0.0) > 0.0]
+        for load in rig.loads
+    }
 
 
 def _wide_tolerance(integrator: Mapping[str, Any], rig: Rig) -> list[str]:

@@ -109,7 +109,10 @@ def test_outfitting_is_added_as_point_masses(tmp_path: Path) -> None:
     low = ship_block(SIZES).model.box[0, 2]
     points = [MassProperties.of_point(15e3, (-2, 1, 1)), MassProperties.of_point(5e3, (1, -1, 2))]
     whole = MassProperties.combined([steel().moved(np.eye(3), (0, 0, -low)), *points])
-    assert assembly.warnings == ("no sling leads to lug L3",)
+    of_lug, of_hook = assembly.warnings
+    assert of_lug == "no sling leads to lug L3"
+    # Outfitting takes the centre of gravity from below the hook, which stands above the datum.
+    assert of_hook.startswith("hook stands 0.45 m beside the centre of gravity of block")
     assert load_of(assembly)["mass"] == pytest.approx(60e3)
     assert assembly.rig["loads"][0]["centre_of_gravity_from_datum"] == pytest.approx(whole.centre, abs=1e-9)
     assert inertia_of(assembly) == pytest.approx(whole.inertia, abs=1e-6 * float(whole.inertia.max()))

@@ -14,6 +14,7 @@ from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
 from gantline.assembly.doubtful_booms import doubtful_booms
 from gantline.assembly.doubtful_baskets import doubtful_baskets
+from gantline.assembly.doubtful_beside import doubtful_beside
 from gantline.assembly.doubtful_drums import doubtful_drums
 from gantline.assembly.doubtful_empty import doubtful_empty, doubtful_pins
 from gantline.assembly.doubtful_fenders import doubtful_fenders
@@ -133,7 +134,12 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         add_load(parts, scenario, scenario.load, rigging, lifted)
         add_supports(parts, scenario, scenario.load, lifted)
         add_between(parts, scenario, rigging, lifted.lugs)
-        add_slings(parts, scenario, rigging, lifted.lugs)
+        try:
+            add_slings(parts, scenario, rigging, lifted.lugs)
+        except StartError as error:
+            # Slings are too short for a hook that is beside its load, where only its place is wrong.
+            beside = [scenario.problem(*doubt) for doubt in doubtful_beside(parts, scenario, rigging, lifted)]
+            raise StartError(scenario.source, [*beside, *error.problems]) from None
     add_mechanics(parts, scenario)
     add_water(parts, scenario)
     add_doubts_of_hulls(parts, scenario)
@@ -204,6 +210,7 @@ def _doubts(
         *doubtful_strength(scenario, rigging),
         *doubtful_ratings(scenario, rigging),
         *doubtful_following(scenario, rigging),
+        *doubtful_beside(parts, scenario, rigging, lifted),
     )
 
 

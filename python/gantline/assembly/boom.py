@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from gantline.assembly.gusts import wind_of_limit
 from gantline.assembly.operations import luff_drive
 from gantline.assembly.parts import Json, Parts, end, eye, material
 from gantline.assembly.reeving import hook_rig, mass_on
@@ -15,6 +16,7 @@ from gantline.assembly.slewing import add_turned, add_upper
 from gantline.assembly.spatial import Array, about_axis
 from gantline.scenario import Scenario
 from gantline.scenario.boom import FloatingCrane, PlacedBoom
+from gantline.scenario.crawler import Crawler
 from gantline.scenario.luffing import Tackles, luffing_drum
 from gantline.scenario.rope_weight import rope_weight
 
@@ -248,11 +250,18 @@ def boom_rig(scenario: Scenario, parts: Parts) -> list[Json]:
             "range": None if placed.luffing is None else list(placed.luffing.range_),
             "reach_from": list(placed.reach_from),
             "base_from": [-value for value in parts.bodies[placed.base]["centre_of_gravity"]],
+            "wind_limit": _wind_limit(scenario, placed),
+            "wind": wind_of_limit(scenario),
             "hooks": [hook_rig(parts, scenario.hooks[f"{placed.crane}.{hook}"]) for hook in placed.hooks],
             **_slew_rig(placed),
         }
         for placed in scenario.booms.values()
     ]
+
+
+def _wind_limit(scenario: Scenario, placed: PlacedBoom) -> float | None:
+    crane = (scenario.cranes or {})[placed.crane]
+    return crane.wind_limit if isinstance(crane, Crawler | FloatingCrane) else None
 
 
 def _slew_rig(placed: PlacedBoom) -> Json:

@@ -79,9 +79,13 @@ def _idle(parts: Parts, scenario: Scenario) -> list[Doubt]:
 
 
 def _strong(scenario: Scenario) -> list[Doubt]:
-    """Wind in which cranes with booms do not lift, of which nothing else is held against it."""
+    """Wind in which cranes with booms do not lift, of those without a `wind_limit`."""
     cranes = (scenario.cranes or {}).items()
-    booms = [name for name, crane in cranes if isinstance(crane, Crawler | FloatingCrane)]
+    booms = [
+        name
+        for name, crane in cranes
+        if isinstance(crane, Crawler | FloatingCrane) and crane.wind_limit is None
+    ]
     speed = wind_of_limit(scenario) or 0.0
     if not booms or speed <= _LIFTS_UP_TO:
         return []

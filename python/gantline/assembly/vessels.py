@@ -29,6 +29,7 @@ __all__ = [
     "adrift",
     "drifted",
     "misplaced",
+    "off_their_decks",
     "slid",
     "upright_hydrostatics",
     "vessel_hull",
@@ -43,6 +44,10 @@ __all__ = [
 _SUNK_SILENTLY = 0.02
 #: A vessel or load that the way to rest takes farther than this was not meant to go there [m].
 _ADRIFT = 1.0
+#: A load that stands aboard this much higher or lower than the lift file has it is not where it stands [m].
+_OFF_DECK = 0.25
+#: What that makes of slings.
+_SLINGS = {"higher": "slacker", "lower": "tighter"}
 #: One whose heel and trim come out farther than this from those of the lift file was not meant so [rad]: the
 #: head of a boom is 1 m elsewhere then.
 _LEANS = math.radians(0.5)
@@ -284,6 +289,53 @@ def misplaced(document: Json, loads: Collection[str], at_start: Mapping[str, Seq
     return sentences
 
 
+def off_their_decks(
+    document: Json,
+    decks: Mapping[str, Collection[str]],
+    at_start: Mapping[str, Sequence[float]],
+    turned: Mapping[str, Sequence[float]],
+) -> list[str]:
+    """A sentence for each load that stands aboard a vessel higher or lower there than the lift file has it.
+
+    Places of loads count from the origin of the world, decks from the water: with another tide, or another
+    draft, a load begins in its deck or above it, comes to stand all the same, and its slings fit no more.
+
+    Args:
+        document: What has been assembled of the lift.
+        decks: Bodies that each load stands on at the start, by the name of its body; none ashore.
+        at_start: Centres of gravity of bodies at the start of the run by their names, world axes [m].
+        turned: Quaternions world from body of bodies then.
+    """
+    bodies = {body["name"]: body for body in document.get("bodies", ())}
+    sentences = []
+    for load, stands_on in decks.items():
+        afloat = [vessel for under in stands_on if (vessel := _free_under(bodies, under)) is not None]
+        if not afloat or way_of(bodies[load], at_start)[2] == 0.0:
+            continue
+        vessel = bodies[afloat[0]]
+        given = rotation_matrix(vessel["joint"]["orientation"])
+        turn = rotation_matrix(turned[vessel["name"]]) @ given.T
+        there = np.asarray(at_start[vessel["name"]]) - way_of(vessel, at_start)
+        lever = np.asarray(at_start[load]) - way_of(bodies[load], at_start) - there
+        along = np.asarray(at_start[vessel["name"]]) + turn @ lever
+        higher = float(at_start[load][2] - along[2])
+        if abs(higher) > _OFF_DECK:
+            stood, way = ("in", "higher") if higher > 0.0 else ("above", "lower")
+            sentences.append(
+                f"{load} starts {abs(higher):.2f} m {way} than the lift file has it, {stood} what bears it "
+                f"aboard {vessel['name']}: there it stands, and its slings are {_SLINGS[way]} by that; see "
+                "its position, the level of the water and the draft"
+            )
+    return sentences
+
+
+def _free_under(bodies: Mapping[str, Json], name: str) -> str | None:
+    """The free body that another is fixed to, through all between; None where it is of the world."""
+    while bodies[name].get("parent") in bodies:
+        name = bodies[name]["parent"]
+    return name if bodies[name]["joint"]["type"] == "free" else None
+
+
 def slid(
     document: Json, load: str, stands_on: Collection[str], places: Mapping[str, Sequence[float]]
 ) -> float:
@@ -300,10 +352,9 @@ def slid(
     bodies = {body["name"]: body for body in document["bodies"]}
     way = way_of(bodies[load], places)
     for under in stands_on:
-        while bodies[under].get("parent") in bodies:
-            under = bodies[under]["parent"]
-        if bodies[under]["joint"]["type"] == "free":
-            way = way - way_of(bodies[under], places)
+        afloat = _free_under(bodies, under)
+        if afloat is not None:
+            way = way - way_of(bodies[afloat], places)
             break
     return float(np.hypot(way[0], way[1]))
 

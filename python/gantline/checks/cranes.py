@@ -10,6 +10,8 @@ import numpy as np
 from gantline.checks.alarms import FALLS
 from gantline.checks.forces import kilonewton
 from gantline.checks.measure import Finding, Found, Missing, Refused, extreme
+from gantline.results.boom import Boom
+from gantline.results.crane import Crane
 from gantline.results.gear import Hook
 from gantline.results.pulled_aside import hooks_that_stay, pull_aside
 from gantline.results.recording import Recording
@@ -103,8 +105,12 @@ def corner_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 
 
 def wind_of_limit(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Gust of the lift over the wind limit of a crane."""
-    for crane in recording.rig.cranes:
+    """Gust of the lift over the wind limit of a crane; booms without one are left out where nobody asks."""
+    rig = recording.rig
+    is_asked = rig.limits.get("wind_of_limit") is not None
+    cranes: list[Crane | Boom] = [*rig.cranes]
+    cranes += [boom for boom in rig.booms if is_asked or boom.wind_limit is not None]
+    for crane in cranes:
         if crane.wind_limit is None:
             yield Missing(crane.name, "wind limit not known")
         elif crane.wind is None:

@@ -9,6 +9,7 @@ import numpy as np
 
 from gantline.checks.check import LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
+from gantline.checks.picked_up import what_helps
 from gantline.results import progress, series
 from gantline.results.gear import Drum
 from gantline.results.lift_off import hangs_from_the_start
@@ -239,8 +240,8 @@ def hit(recording: Recording) -> list[Check]:
         speeds = [_closing(recording, load, time) for time in down]
         worst = int(np.argmax(speeds))
         if speeds[worst] > _HARD:
-            met = format_quantity(speeds[worst], "m/min", 1)
-            remark = f"it meets what is below it at {met}; creep, or a brake before it, is usual"
+            met, when = format_quantity(speeds[worst], "m/min", 1), down[worst]
+            remark = f"it meets what is below it at {met}; {what_helps(recording, load, when)}"
             meaning = f"loads are set down with at most {format_quantity(_HARD, 'm/min', 0)}"
             check = Check("set_down_softly", Verdict.WARNING, meaning, element=load.name, remark=remark)
             checks.append(replace(check, time=float(down[worst])))

@@ -17,6 +17,7 @@ from gantline.checks.limits import LIMITS
 from gantline.checks.loads import held_by_tag_lines, on_their_tip, run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, named
 from gantline.checks.overlaps import run_into
+from gantline.checks.picked_up import picked_up
 from gantline.checks.plan import (
     came_down,
     fell_behind,
@@ -29,7 +30,7 @@ from gantline.checks.plan import (
 )
 from gantline.checks.ranges import left_range
 from gantline.checks.slings import idle, taken_off
-from gantline.checks.tag_lines import left_behind
+from gantline.checks.tag_lines import left_behind, never_taut
 from gantline.checks.vessels import turn_over
 from gantline.results import series
 from gantline.results.alike import first_largest
@@ -73,10 +74,10 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         off; a warning or a failure for each pair that is drawn in one place; one that failed for each
         trolley, crane or upper structure that goes past its range; and a warning for each hoist that fell
         behind and each winch that slipped, where slings never carried or run through a load, where a tag line
-        pulls as if it bore one, where a hook holds a frame upright, where the recording has warnings of its
-        own or values that are no numbers, where steps moved nothing, where a load came down while it was
-        taken along or came down hard, and where a run lifts nothing, holds nothing still or ends before
-        its plan.
+        pulls as if it bore one, or holds nothing, where a hook holds a frame upright, where the recording has
+        warnings of its own or values that are no numbers, where steps moved nothing, where a load came down
+        while it was taken along, came down hard or was picked up after it had been set down, and where a run
+        lifts nothing, holds nothing still or ends before its plan.
     """
     rig = recorded(recording).rig
     _hold_steps(recording, ending)
@@ -104,6 +105,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     every += (
         held_by_tag_lines(recording)
         + left_behind(recording)
+        + never_taut(recording)
         + run_through(recording)
         + run_into(recording)
         + left_ground(recording)
@@ -115,7 +117,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     if recording.is_equilibrium:
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every + not_lifted(recording)]
-    every += stood_still(recording) + came_down(recording) + hit(recording)
+    every += stood_still(recording) + came_down(recording) + hit(recording) + picked_up(recording)
     return every + (unfinished(recording) or not_lifted(recording) + never_still(recording))
 
 

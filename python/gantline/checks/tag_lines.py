@@ -1,8 +1,11 @@
-"""Tuggers of constant pull that a load leaves behind, so that their lines hold it no longer."""
+"""Tag lines that hold nothing: tuggers that a load leaves behind, lines that are made fast too long."""
 
 from __future__ import annotations
 
+import numpy as np
+
 from gantline.checks.check import Check, Verdict
+from gantline.checks.measure import named
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.tag_lines import TagLine
@@ -13,6 +16,8 @@ from gantline.units import format_quantity
 _KEPT = 0.5
 #: A line that holds little for longer is told [s]: a swing or the start of a step is over sooner.
 _LONG = 1.0
+#: A load that turns by less has not shown that lines which are slack do not hold it [rad].
+_TURNS = np.radians(10.0)
 
 
 def left_behind(recording: Recording) -> list[Check]:
@@ -25,6 +30,40 @@ def left_behind(recording: Recording) -> list[Check]:
     clear = series.is_clear(recording)
     found = (_left_behind(recording, line, clear) for line in recording.rig.tag_lines)
     return [check for check in found if check is not None]
+
+
+def never_taut(recording: Recording) -> list[Check]:
+    """A warning for lines that are made fast and never pull while the load hangs clear and turns."""
+    if recording.is_equilibrium:
+        return []
+    clear = series.is_clear(recording)
+    turned = _turned(recording, clear)
+    if turned < _TURNS:
+        return []
+    slack = [
+        line.name
+        for line in recording.rig.tag_lines
+        if line.pull is None and _is_slack(recording, line, clear)
+    ]
+    if not slack:
+        return []
+    by = format_quantity(turned, "deg", 0)
+    remark = f"slack all the time that the load hangs clear, and turns by {by}: made fast too long to hold it"
+    meaning = "tag lines that are made fast pull at some time while the load hangs clear"
+    return [Check("tag_lines_pull", Verdict.WARNING, meaning, element=named(slack), remark=remark)]
+
+
+def _turned(recording: Recording, clear: BoolArray) -> float:
+    """By how much a load changes its heading while it hangs clear [rad]; 0 of one that is upended."""
+    yaws = [series.load_yaw(recording, load) for load in recording.rig.loads]
+    return max((float(np.ptp(yaw[clear])) for yaw in yaws if yaw is not None and clear.any()), default=0.0)
+
+
+def _is_slack(recording: Recording, line: TagLine, clear: BoolArray) -> bool:
+    """Whether a line is there while the load hangs clear, and never taut then."""
+    counts = clear & series.are_whole(recording, [line.rope])[0]
+    tension = recording.column("rope_tension", line.rope)[counts]
+    return bool(tension.size) and not tension.any()
 
 
 def _left_behind(recording: Recording, line: TagLine, clear: BoolArray) -> Check | None:

@@ -19,6 +19,8 @@ from gantline.report.sketch import sketches
 from gantline.report.steps import first_steps
 from gantline.report.subject import ABSENT, Subject, as_given, share, show, typeset
 from gantline.report.turning import turnings
+from gantline.results.boom import Boom
+from gantline.results.crane import Crane
 from gantline.results.metrics import energy_bound
 from gantline.results.refinement import in_per_cent, refinement_of
 from gantline.results.rig import Load, Rig
@@ -292,7 +294,8 @@ def _wind(subject: Subject) -> list[str]:
     Of more wind than the lift was simulated in, and of other directions, nothing here tells.
     """
     rig = subject.rig
-    known = {crane.name: crane.wind_limit for crane in rig.cranes if crane.wind_limit is not None}
+    cranes: list[Crane | Boom] = [*rig.cranes, *rig.booms]
+    known = {crane.name: crane.wind_limit for crane in cranes if crane.wind_limit is not None}
     found = [f"wind is over {show(limit, 'm/s', 0)}, the limit of {name}" for name, limit in known.items()]
     if not known or any(hook.crane not in known for hook in rig.hooks):
         whose = "the crane's limit" if not known else "the limit of any other crane"

@@ -48,6 +48,8 @@ class Boom(FromJson):
         range: Least and largest angle [rad]; None of a boom that does not luff.
         reach_from: From where outreach or radius counts, axes of the base from its origin [m].
         base_from: Origin of the base from its centre of gravity, its axes [m].
+        wind_limit: Largest gust [m/s]; None if not said.
+        wind: Gust of this lift [m/s]; None if not said.
         hooks: Its hooks.
         slew: How it slews; None of one that does not.
     """
@@ -60,6 +62,8 @@ class Boom(FromJson):
     range: Range | None = None
     reach_from: Vector = (0.0, 0.0, 0.0)
     base_from: Vector = (0.0, 0.0, 0.0)
+    wind_limit: float | None = None
+    wind: float | None = None
     hooks: Sequence[CraneHook] = ()
     slew: Slew | None = None
 

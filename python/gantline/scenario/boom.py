@@ -29,6 +29,7 @@ from gantline.scenario.quantities import (
     PositiveInertia,
     PositiveLength,
     PositiveMass,
+    PositiveSpeed,
     Quantity,
     Ratio,
     refuse,
@@ -158,6 +159,7 @@ class FloatingCrane(Element):
     boom: Boom = Field(description="The boom.")
     luffing: Luffing | None = Field(None, description="What luffs the boom; it keeps its angle if not given.")
     rating: Rating | None = Field(None, description="Rating chart.")
+    wind_limit: PositiveSpeed | None = Field(None, description="Largest gust in which it may lift.")
     hooks: Named[BoomHook] = Field(
         description="Hooks in a row across the boom head, by name; each is called <crane>.<hook>."
     )

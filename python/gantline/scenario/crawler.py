@@ -26,6 +26,7 @@ from gantline.scenario.quantities import (
     PositiveAngle,
     PositiveLength,
     PositiveMass,
+    PositiveSpeed,
     PositiveStiffness,
     PositiveStress,
     PositiveTime,
@@ -216,6 +217,7 @@ class Crawler(Element):
         description="Its drive along its heading, from 'position'; it stands if not given.",
     )
     rating: Rating | None = Field(None, description="Rating chart.")
+    wind_limit: PositiveSpeed | None = Field(None, description="Largest gust in which it may lift.")
     hooks: Named[BoomHook] = Field(description="Hooks at the boom head, by name; each is <crane>.<hook>.")
 
     @model_validator(mode="after")

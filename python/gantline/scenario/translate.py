@@ -129,6 +129,16 @@ _INSTEAD = {
         "a vessel moves by what pushes it: 'wave_forces' and 'radiation' name a hydrodynamic database; "
         "motions in waves that are known beforehand, RAOs of displacement, cannot be given",
     ),
+    "limits": {
+        **dict.fromkeys(
+            ("clearance", "clearances", "distance", "distances"),
+            "distances that have to be kept stand under 'watch', each with its 'smallest'",
+        ),
+        **dict.fromkeys(
+            ("wind", "wind_limit", "wind_speed"),
+            "the wind in which a crane may lift is its own 'wind_limit', held against that of the lift",
+        ),
+    },
     "waves": {
         "spectrum": _JONSWAP,
         "type": _JONSWAP,

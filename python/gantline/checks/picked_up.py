@@ -1,0 +1,118 @@
+"""Whether loads that are set down stay there, and what to do about one that meets its deck hard."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from gantline.checks.check import Check, Verdict
+from gantline.results import progress
+from gantline.results.lift_off import hangs_from_the_start
+from gantline.results.recording import Recording
+from gantline.results.rig import Load
+
+__all__ = ["picked_up", "what_helps"]
+
+#: A load that has hung clear for so long was not just coming off; one that does bounces for less [s].
+_HUNG = 5.0
+#: One that is clear for less after it has been set down bounces on what it stands on [s].
+_BOUNCES = 0.5
+#: Steps that set a load down, and that leave it where it is.
+_LOWERS, _LEAVES = ("lower", "pay_out"), ("hold",)
+#: What helps against that, and what besides where there are waves.
+_MORE_SLACK = "pay out more slack, as soon as it stands"
+_OF_WAVES = ", compensate heave until its slings are off, or wait for less sea"
+
+
+@dataclass(frozen=True)
+class _Clear:
+    """A time in which a load hung clear.
+
+    Attributes:
+        begin: When it came clear, or the run began [s].
+        end: When it met something, or the run ended [s].
+        came_off: Whether it stood before.
+        landed: When a step had set it down before; None if none had, or another has hoisted it since.
+    """
+
+    begin: float
+    end: float
+    came_off: bool
+    landed: float | None
+
+
+def picked_up(recording: Recording) -> list[Check]:
+    """A warning for each load that a step sets down, and that comes clear again while none raises it."""
+    checks = []
+    for load in recording.rig.loads:
+        again = [
+            one
+            for one in _clear(recording, load)
+            if one.landed is not None and one.end - one.begin >= _BOUNCES
+        ]
+        if not again:
+            continue
+        first, longest = again[0], max(one.end - one.begin for one in again)
+        steps = _steps_at(recording, first.begin)
+        where = f" in '{progress.BESIDE.join(steps)}'" if steps else ""
+        times = "once" if len(again) == 1 else f"{len(again)} times"
+        said = f"set down at {first.landed:.2f} s, it is picked up again{where}"
+        said = f"{said}, {times}, for {longest:.1f} s at most"
+        remark = f"{said}: {_MORE_SLACK}{_OF_WAVES if recording.rig.sea else ''}"
+        meaning = "loads that are set down stay there until a step raises them"
+        checks.append(
+            Check(
+                "stays_set_down",
+                Verdict.WARNING,
+                meaning,
+                element=load.name,
+                time=first.begin,
+                remark=remark,
+            )
+        )
+    return checks
+
+
+def what_helps(recording: Recording, load: Load, time: float) -> str:
+    """What helps a load that meets what is below it hard at a time [s], by what the plan does then."""
+    kinds = {step.step: step.kind for step in recording.rig.plan}
+    hung = next((one for one in _clear(recording, load) if one.end == time), None)
+    if hung is not None and hung.landed is not None:
+        return "it had been set down, and was picked up again"
+    if any(kinds.get(step) not in ("hoist", "hold") for step in _steps_at(recording, time)):
+        return "creep, or a brake before it, is usual"
+    if hung is not None and hung.came_off and hung.end - hung.begin < _HUNG:
+        less = ", or wait for less sea" if recording.rig.sea else ""
+        if not less and recording.rig.wind is not None:
+            less = ", or wait for less wind"
+        return f"it had just lifted off; hoist it off faster{less}"
+    return "no step lowers it then; keep it farther away"
+
+
+def _clear(recording: Recording, load: Load) -> list[_Clear]:
+    """Each time in which a load hung clear, in order."""
+    removed = [one.removed_at for one in recording.rig.supports if one.removed_at is not None]
+    kinds = {step.step: step.kind for step in recording.rig.plan}
+    begins = [(begin, kinds.get(step)) for step, (begin, _) in progress.spans(recording).items()]
+    raised = removed + [begin for begin, kind in begins if kind not in (*_LOWERS, *_LEAVES)]
+    spans: list[_Clear] = []
+    since = 0.0 if hangs_from_the_start(recording, load) else None
+    came_off, landed = False, None
+    last = float(recording.time[-1]) if len(recording.time) else 0.0
+    events = [(time, kind) for time, kind, name in recording.events() if name == load.name]
+    for time, kind in [*events, (last, "end")]:
+        if kind == "lift_off":
+            since, came_off = time, True
+            if landed is not None and any(landed < moment <= time for moment in raised):
+                landed = None
+        elif since is not None and kind in ("set_down", "end"):
+            spans.append(_Clear(since, time, came_off, landed))
+            steps = _steps_at(recording, time)
+            is_lowered = any(kinds.get(step) in _LOWERS for step in steps)
+            if kind == "set_down" and landed is None and is_lowered and time - since >= _HUNG:
+                landed = time
+            since = None
+    return spans
+
+
+def _steps_at(recording: Recording, time: float) -> list[str]:
+    return [step for step, (begin, end) in progress.spans(recording).items() if begin < time <= end]
