@@ -12,9 +12,9 @@ from gantline.assembly.boom import add_booms, hang_in_tackles
 from gantline.assembly.crawler import add_crawlers
 from gantline.assembly.critical_damping import add_critical_damping
 from gantline.assembly.doubtful import doubtful_cranes
-from gantline.assembly.doubtful_booms import doubtful_booms
 from gantline.assembly.doubtful_baskets import doubtful_baskets
 from gantline.assembly.doubtful_beside import doubtful_beside
+from gantline.assembly.doubtful_booms import doubtful_booms
 from gantline.assembly.doubtful_drums import doubtful_drums
 from gantline.assembly.doubtful_empty import doubtful_empty, doubtful_pins
 from gantline.assembly.doubtful_fenders import doubtful_fenders

@@ -172,6 +172,8 @@ def _under_keel(scenario: Scenario, name: str, vessel: Vessel) -> Iterator[Doubt
                     f"mooring line {line} ends {deep} below the keel of {name}; heights count up from it"
                 )
                 yield Doubt(("mooring_lines", line, key), sentence)
+
+
 def _without_added_mass(scenario: Scenario, vessel: Vessel) -> Iterator[tuple[tuple[str, ...], str]]:
     """A vessel that waves push and that takes no water along."""
     if scenario.waves and vessel.wave_forces is not None and not (vessel.radiation or vessel.added_mass):
