@@ -249,7 +249,9 @@ impl Adaptive {
             }
             let after = system.rows.rate(&frame.gradient, row, &state.v)
                 + system.rows.rate(&frame.gradient, row, &self.rate.a);
-            frame.value[row] > -self.tolerance.position && after > STANDSTILL
+            // One that has parted, or is off, has ends that no length holds together.
+            let is_there = !state.modes[row].is_absent();
+            is_there && frame.value[row] > -self.tolerance.position && after > STANDSTILL
         })
     }
 }
