@@ -13,7 +13,7 @@ import pytest
 
 from mechanics import G, Json, adaptive, body, document, end, point, rope
 
-#: A mass 1 m below the world on a short rope, and a slack one of 5 m that holds it from 3 m aside: taut 4 m down.
+#: A mass hangs on a short rope, and a slack one holds it from 3 m aside, taut 4 m down [m].
 _SHORT, _LONG, _ASIDE = 1.0, 5.0, 3.0
 _FALL = math.sqrt(_LONG**2 - _ASIDE**2) - _SHORT
 
