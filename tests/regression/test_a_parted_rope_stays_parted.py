@@ -1,7 +1,7 @@
 """An inextensible rope that had parted, or was off, came back when another one went taut beside it.
 
 An impact asks which inextensible ropes take part: those whose ends are farther apart than they are long and
-go on moving apart. Ropes that were no longer there were asked too, and one whose load had dropped into another
+go on moving apart. Ropes that were no longer there were asked too. One whose load had dropped into another
 acted again: it pulled the load back to its old length at once.
 """
 
