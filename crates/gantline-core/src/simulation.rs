@@ -24,6 +24,7 @@ use crate::stepper::StepError;
 use crate::stepper::adaptive::Tolerance;
 use crate::stepper::frame::Frame;
 use crate::system::System;
+use crate::tree::kinematics::Kinematics;
 pub(crate) use checkpoint::{fingerprint, saved_state};
 pub use commands::Command;
 use method::Method;
@@ -222,13 +223,17 @@ impl Simulation {
             if recorder.is_past(after.time) {
                 // Of a step that leads over the end counts what has been sampled there.
                 let Sample { q, tension, .. } = recorder.last();
-                let force =
-                    |row: usize, known| (tension[row] > known).then_some((tension[row], recorder.end));
-                samples.note_peaks(system, q, force);
+                let mut kinematics = Kinematics::new(&system.tree);
+                kinematics.update(&system.tree, q, 0.0);
+                let now = |row: usize| system.curved_tension(row, tension[row], &kinematics);
+                let peak = |row: usize, known| Some((now(row), recorder.end)).filter(|now| now.0 > known);
+                samples.note_peaks(system, q, peak);
                 return;
             }
             samples.note_lines(system, &frame.kinematics, after);
-            samples.note_peaks(system, &after.q, |row, known| method.peak(span.before, after, row, known));
+            let peak =
+                |row, known| method.peak((system, &frame.kinematics), (span.before, after), row, known);
+            samples.note_peaks(system, &after.q, peak);
         });
     }
 
@@ -307,7 +312,8 @@ impl Simulation {
 
     /// Tension of every rope now [N].
     pub fn rope_tension(&self) -> Vec<f64> {
-        tensions_of(&self.system, &self.state.tension, &self.state.q).collect()
+        let State { tension, q, .. } = &self.state;
+        tensions_of(&self.system, tension, q, &self.frame.kinematics).collect()
     }
 
     /// What the run counted, by name, with the entries of its factor.

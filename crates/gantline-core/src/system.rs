@@ -18,6 +18,7 @@ use crate::plan::{Cut, Plan, Removal, Switching};
 use crate::rope::coil::Layers;
 use crate::tree::Tree;
 use crate::tree::joint::Joint;
+use crate::tree::kinematics::Kinematics;
 
 /// What lines pull with that hold what floats, of its weight.
 const HELD_AFLOAT: f64 = 1e-2;
@@ -409,10 +410,18 @@ impl System {
     }
 
     /// The tension that the force of a row stands for [N]; those of rows of ropes differ where rope is fed or has a curve.
-    pub fn rope_tension(&self, row: usize, force: f64, q: &[f64]) -> f64 {
+    pub fn rope_tension(&self, row: usize, force: f64, q: &[f64], kinematics: &Kinematics) -> f64 {
         let index = self.constraint_index(row);
         let AnyConstraint::Rope(rope) = &self.constraints[index] else { return force };
-        rope.spans[row - self.rows.first[index]].tension(q, force)
+        rope.tension(row - self.rows.first[index], kinematics, q, force)
+    }
+
+    /// The force of a row [N], or where its rope has a curve the tension that it stands for.
+    pub fn curved_tension(&self, row: usize, force: f64, kinematics: &Kinematics) -> f64 {
+        match self.constraint_of_row(row) {
+            AnyConstraint::Rope(rope) if rope.has_curve() => rope.tension(0, kinematics, &[], force),
+            _ => force,
+        }
     }
 
     /// Constraint that a row belongs to.

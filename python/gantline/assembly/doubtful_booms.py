@@ -65,10 +65,14 @@ def _chart(boom: PlacedBoom, chart: Rating, path: Path) -> Iterator[Doubt]:
                 right = "what may hang there is taken from a line between both, and a digit may have slipped"
                 yield Doubt((*path, "angle"), f"{sentence}; {right}")
         return
-    farthest = boom.heel[0] - boom.reach_from[0] + boom.boom.length
+    # A hook on a jib is farther from the heel pins than the head is.
+    arms = [math.hypot(boom.boom.length + hook.along, hook.above) for hook in boom.hooks.values()]
+    arm = max([boom.boom.length, *arms])
+    farthest = boom.heel[0] - boom.reach_from[0] + arm
     if _BEYOND * farthest < places[-1] <= FARTHEST:  # what no crane reaches is told as that
         row = f"has a row at {format_quantity(places[-1], 'm', 1)}"
-        reach = f"its boom reaches no farther than {format_quantity(farthest, 'm', 1)}"
+        what = "boom" if arm == boom.boom.length else "jib"
+        reach = f"its {what} reaches no farther than {format_quantity(farthest, 'm', 1)}"
         sentence = f"the rating chart of {boom.crane} {row}, and {reach}"
         yield Doubt((*path, chart.over), f"{sentence}; a digit has slipped, or it is of another boom")
 

@@ -60,6 +60,7 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
             "construction": kind.construction,
             "diameter": kind.diameter,
             "axial_stiffness": kind.stiffness,
+            **({} if kind.curve is None else {"curve": kind.curve.points}),
             "mass_per_length": weight.mass_per_length,
             "minimum_breaking_force": kind.breaking_force,
             "breaks_at": parting[name].breaks_at,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Annotated, Any, Self
 
 from pydantic import Field
@@ -205,7 +206,9 @@ class Rope(FromJson):
         name: Its name among the ropes of the recording.
         construction: Its construction, such as `6x36 IWRC`; None if not said.
         diameter: Nominal diameter [m]; None if not said.
-        axial_stiffness: EA [N]; None if it does not stretch, or in an old recording.
+        axial_stiffness: EA [N], of a curve that of the same energy; None if it does not stretch, or in an old
+            recording.
+        curve: Strain and tension [N] of each point of its curve, rising; none of a rope of one stiffness.
         mass_per_length: Mass per length that counts in the lift [kg/m]; 0 if it has none.
         minimum_breaking_force: From a certificate or from construction and grade [N]; None if not known.
         breaks_at: Tension at which it breaks in the simulation [N]; None if it never does.
@@ -221,6 +224,7 @@ class Rope(FromJson):
     construction: str | None = None
     diameter: float | None = None
     axial_stiffness: float | None = None
+    curve: Sequence[Sequence[float]] = ()
     mass_per_length: float = 0.0
     minimum_breaking_force: float | None = None
     breaks_at: float | None = None
@@ -230,6 +234,22 @@ class Rope(FromJson):
     nodes: int = 0
     end_mass: float | None = None
     over_eyes: bool = False
+
+    def strain(self, tension: float) -> tuple[float, float] | None:
+        """Strain under a tension [N] at rest and what it grows by with that [1/N]; None if it is not known.
+
+        Its first line goes on below nothing, its last one beyond its last point.
+        """
+        if self.curve:
+            lines = pairwise([(0.0, 0.0), *self.curve])
+            for (begin, low), (end, high) in lines:
+                soft = (end - begin) / (high - low)
+                if tension <= high:
+                    break
+            return begin + soft * (tension - low), soft
+        if not self.axial_stiffness:
+            return None
+        return tension / self.axial_stiffness, 1.0 / self.axial_stiffness
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,9 @@ A sling over an extension sheave shares with none: it follows the sling that its
 factor of its own. How slings share that carry such sheaves, where lengths decide it, depends on all that
 hangs below and cannot be told.
 
+Slings with a curve of tension over strain share such that their stretches fit, which is the least of
+Σ L ∫ s dT, found in steps of their slopes.
+
 With s = K^(-1/2) T and A = G K^(1/2), G the forces (and moments) of unit tensions, perfect lengths give
 s = A+ A s. `docs/concepts/checks.md` derives it.
 """
@@ -30,7 +33,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
-from gantline.results.gear import Sling
+from gantline.results.gear import Rope, Sling
 from gantline.results.pinned import pinned_sheaves
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
@@ -40,6 +43,9 @@ from gantline.results.variable import BoolArray, FloatArray
 _NO_LEVER = 1e-3
 #: A sling that would carry less than this share of the largest has no factor.
 _SLACK = 1e-3
+#: Steps of the search for forces of slings with a curve, halvings of each, and the share of the largest force
+#: below which a step is none.
+_ROUNDS, _HALVES, _SETTLED = 100, 30, 1e-9
 
 
 @dataclass(frozen=True)
@@ -172,11 +178,13 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
     if _hang_by_equalizers(recording, joined):
         yield from _none(slings, tension, "how they share depends on the equalizer that holds their spreader")
         return
-    stiffness = _stiffness(recording, slings)
-    if stiffness is None:
+    ropes = _ropes(recording, slings)
+    if ropes is None:
         yield from _none(slings, tension, "axial stiffness of its slings not known")
         return
-    yield from _all(slings, tension, perfect_forces(gradient, stiffness, tension), lengths_decide=True)
+    lengths = np.array([one.length for one in slings])
+    perfect = perfect_forces_of(ropes, lengths, gradient, tension)
+    yield from _all(slings, tension, perfect, lengths_decide=True)
 
 
 def _wrenches(
@@ -237,20 +245,69 @@ def perfect_forces(gradient: FloatArray, stiffness: FloatArray, tension: FloatAr
     return perfect
 
 
+def perfect_forces_of(
+    ropes: Sequence[Rope], lengths: FloatArray, gradient: FloatArray, tension: FloatArray
+) -> FloatArray:
+    """The same of slings whose stiffness may change with their tension, as their ropes have it.
+
+    Args:
+        ropes: Rope of each sling, that stretches.
+        lengths: Their lengths, shape (slings,) [m].
+        gradient: What unit tensions do to the load, shape (n, slings).
+        tension: Forces as they are, shape (slings,) [N].
+
+    Returns:
+        The forces whose stretches fit lugs that move as one, and that gradient @ tension allows, shape
+        (slings,) [N].
+    """
+    stiffness = np.array([one.axial_stiffness for one in ropes]) / lengths
+    perfect = perfect_forces(gradient, stiffness, tension)
+    if not any(one.curve for one in ropes):
+        return perfect
+    free = _unfelt(gradient)
+
+    def stretched(forces: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """What is left of stretches that do not fit [m], and how much softer each sling is there [m/N]."""
+        strains = np.array([rope.strain(force) for rope, force in zip(ropes, forces, strict=True)])
+        return free.T @ (lengths * strains[:, 0]), lengths * strains[:, 1]
+
+    misfit, soft = stretched(perfect)
+    for _ in range(_ROUNDS):
+        change = -free @ np.linalg.solve((free.T * soft) @ free, misfit)
+        share = 1.0
+        for _ in range(_HALVES):
+            left, soft = stretched(perfect + share * change)
+            if np.linalg.norm(left) <= np.linalg.norm(misfit):
+                break
+            share /= 2
+        perfect, misfit = perfect + share * change, left
+        if np.abs(share * change).max() <= _SETTLED * np.abs(tension).max():
+            break
+    return perfect
+
+
+def _unfelt(gradient: FloatArray) -> FloatArray:
+    """Directions of forces that the load does not feel, shape (slings, of them)."""
+    _, sizes, ways = np.linalg.svd(gradient)
+    felt = int(np.count_nonzero(sizes > _NO_LEVER * sizes[0]))
+    unfelt: FloatArray = ways[felt:].T
+    return unfelt
+
+
 def _static(recording: Recording, window: BoolArray, values: FloatArray) -> float:
     found = series.static_value(recording, values, window)
     return 0.0 if found is None else found
 
 
-def _stiffness(recording: Recording, slings: Sequence[Sling]) -> FloatArray | None:
-    """EA/L of each sling [N/m]; None if one is not known."""
+def _ropes(recording: Recording, slings: Sequence[Sling]) -> list[Rope] | None:
+    """The rope of each sling; None if the stiffness of one is not known."""
     found = []
     for sling in slings:
         rope = recording.rig.rope(sling.rope)
         if rope is None or not rope.axial_stiffness or not sling.length:
             return None
-        found.append(rope.axial_stiffness / sling.length)
-    return np.array(found)
+        found.append(rope)
+    return found
 
 
 def _all(

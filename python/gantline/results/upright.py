@@ -201,7 +201,7 @@ def _stiffness(
                     total[turns, turns] += 0.5 * (both + both.T) - float(slope @ lever) * np.eye(3)
             total += tension / length * moves.T @ (np.eye(3) - np.outer(up, up)) @ moves
             shortens += moves.T @ up
-        group, stiff = _shares(recording, sling, sample), _along(recording, sling)
+        group, stiff = _shares(recording, sling, sample), _along(recording, sling, tension)
         together.setdefault(group, []).append((shortens, stiff))
     for shared in together.values():
         way = np.sum([one for one, _ in shared], axis=0)
@@ -220,12 +220,13 @@ def _shares(recording: Recording, sling: Sling, sample: int) -> str:
     return sling.rope if pinned else equalizer.name
 
 
-def _along(recording: Recording, sling: Sling) -> float:
-    """EA/L of a sling [N/m]."""
+def _along(recording: Recording, sling: Sling, tension: float) -> float:
+    """EA/L of a sling [N/m], of one with a curve its slope at a tension [N]."""
     rope = recording.rig.rope(sling.rope)
-    if rope is None or not rope.axial_stiffness or not sling.length:
+    strain = None if rope is None else rope.strain(tension)
+    if strain is None or not sling.length:
         return _STIFF
-    return rope.axial_stiffness / sling.length
+    return 1.0 / (strain[1] * sling.length)
 
 
 def _cross(at: FloatArray) -> FloatArray:

@@ -142,8 +142,8 @@ impl Columns {
 }
 
 /// Mean tension over the straight parts of a rope [N] under the forces of its rows.
-fn mean_tension(rope: &Rope, force: &[f64], q: &[f64]) -> f64 {
-    rope.mean(|span| rope.spans[span].tension(q, force[span]))
+fn mean_tension(rope: &Rope, force: &[f64], q: &[f64], kinematics: &Kinematics) -> f64 {
+    rope.mean(|span| rope.tension(span, kinematics, q, force[span]))
 }
 
 /// Lengthening of all ropes (samples, ropes) [m], zero of those that are not adjusted; empty where none is.
@@ -167,16 +167,28 @@ fn lengthenings(system: &System, samples: &Samples) -> Vec<f64> {
 pub fn rope_tensions(system: &System, samples: &Samples) -> Vec<f64> {
     let (positions, rows) = (system.tree.positions, system.rows.count());
     let mut tensions = Vec::with_capacity(samples.time.len() * system.rope_count);
+    // Only ropes with a curve ask where their ends are.
+    let has_curves = system.ropes().any(Rope::has_curve);
+    let mut kinematics = Kinematics::new(&system.tree);
     for index in 0..samples.time.len() {
         let q = &samples.q[index * positions..][..positions];
-        tensions.extend(tensions_of(system, &samples.tension[index * rows..][..rows], q));
+        if has_curves {
+            kinematics.update(&system.tree, q, 0.0);
+        }
+        tensions.extend(tensions_of(system, &samples.tension[index * rows..][..rows], q, &kinematics));
     }
     tensions
 }
 
-/// Tension of every rope [N] at one moment, from the forces of all rows and the joint coordinates.
-pub fn tensions_of(system: &System, force: &[f64], q: &[f64]) -> impl Iterator<Item = f64> {
-    system.ropes().zip(&system.rows.first).map(|(rope, &first)| mean_tension(rope, &force[first..], q))
+/// Tension of every rope [N] at one moment, from the forces of all rows, the joint coordinates and `kinematics` there.
+pub fn tensions_of(
+    system: &System,
+    force: &[f64],
+    q: &[f64],
+    kinematics: &Kinematics,
+) -> impl Iterator<Item = f64> {
+    let ropes = system.ropes().zip(&system.rows.first);
+    ropes.map(move |(rope, &first)| mean_tension(rope, &force[first..], q, kinematics))
 }
 
 /// The system at one sample. Reused from sample to sample.
@@ -265,16 +277,11 @@ impl Sampled {
         self.straights.clear();
         let straights = &mut self.straights;
         let length = rope.route.length(&self.kinematics, seats, |_, straight| straights.push(*straight));
-        let tension_of = |span: usize| {
-            // Of a rope with a curve, which has one span, what it pulls with: its damping is in the force only.
-            let scale = rope.spans[span].curve.as_ref().map(|_| rope.spans[span].stretch(q, length).scale);
-            scale.map_or_else(|| rope.spans[span].tension(q, force[span]), |scale| scale * force[span])
-        };
-        columns.rope_tension.push(rope.mean(tension_of));
+        columns.rope_tension.push(mean_tension(rope, force, q, &self.kinematics));
         for (index, part) in rope.route.parts.iter().enumerate() {
             let straight = self.straights[index];
             let span = rope.span_of[index];
-            let tension = tension_of(span);
+            let tension = rope.tension(span, &self.kinematics, q, force[span]);
             columns.segment_tension.push(tension);
             columns.segment_length.push(straight.length);
             let [start, end] = straight.couple;

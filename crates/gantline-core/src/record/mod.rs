@@ -170,8 +170,8 @@ impl Samples {
         self.rope_peak_time.resize(system.all_ropes(), 0.0);
     }
 
-    /// Keeps the largest tension of every rope: `peak` gives the largest force of a row in a step that ended at `q`,
-    /// and its time [s], where it is more than what is known, by more than rounding.
+    /// Keeps the largest tension of every rope: `peak` gives the largest force of a row in a step that ended at `q`, of a
+    /// rope with a curve its largest tension, and its time [s], where it is more than what is known, by more than rounding.
     pub fn note_peaks(
         &mut self,
         system: &System,
@@ -182,9 +182,9 @@ impl Samples {
         let peaks = self.rope_peak_tension.iter_mut().zip(&mut self.rope_peak_time);
         for ((rope, &first), (known, when)) in system.ropes().zip(&system.rows.first).zip(peaks) {
             for (index, span) in rope.spans.iter().enumerate() {
-                let least = span.force(q, *known * (1.0 + ALIKE));
-                if let Some((force, time)) = peak(first + index, least) {
-                    (*known, *when) = (span.tension(q, force), time);
+                let scale = span.scale(q);
+                if let Some((force, time)) = peak(first + index, *known * (1.0 + ALIKE) / scale) {
+                    (*known, *when) = (scale * force, time);
                 }
             }
         }

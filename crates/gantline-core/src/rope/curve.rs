@@ -105,14 +105,6 @@ impl Curve {
         let growth = slope * force / (self.axial_stiffness * now);
         Still { tension: now, strain: strain + (now - tension) / slope, scale: now / force, growth }
     }
-
-    /// The force λ [N] of the row under a tension [N], the inverse of [`Curve::under`].
-    pub fn force(&self, tension: f64) -> f64 {
-        let knot = self.line(tension, |knot| knot.tension);
-        let over = (tension - knot.tension) / knot.slope;
-        let energy = knot.energy + 0.5 * (knot.tension + tension) * over;
-        (2.0 * energy.abs() * self.axial_stiffness).sqrt().copysign(tension)
-    }
 }
 
 #[cfg(test)]
@@ -136,7 +128,6 @@ mod tests {
             assert!((still.tension / tension - 1.0).abs() < 1e-14, "at {strain}");
             assert!((still.strain / strain - 1.0).abs() < 1e-14, "at {strain}");
             assert!((still.scale / bent.scale - 1.0).abs() < 1e-14, "at {strain}");
-            assert!((curve.force(tension) / force - 1.0).abs() < 1e-14, "at {strain}");
         }
         assert_eq!(curve.at(-0.5).value, -0.5 * curve.at(0.005).scale);
         assert!((curve.at(0.03).scale - 1.0).abs() < 1e-15);

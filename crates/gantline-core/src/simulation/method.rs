@@ -9,6 +9,7 @@ use crate::stepper::del::Del;
 use crate::stepper::explicit::Explicit;
 use crate::stepper::frame::Frame;
 use crate::system::System;
+use crate::tree::kinematics::Kinematics;
 
 /// The integrator of a run.
 #[derive(Debug, Clone)]
@@ -71,11 +72,19 @@ impl Method {
         }
     }
 
-    /// The largest force of a row in the step that has been made [N] and when [s], where it is more than `known`.
-    pub fn peak(&self, before: &State, after: &State, row: usize, known: f64) -> Option<(f64, f64)> {
+    /// The largest force of a row in the step that has been made [N], of a rope with a curve its tension, and when [s],
+    /// where it is more than `known`. `kinematics` are those after it.
+    pub fn peak(
+        &self,
+        (system, kinematics): (&System, &Kinematics),
+        (before, after): (&State, &State),
+        row: usize,
+        known: f64,
+    ) -> Option<(f64, f64)> {
         match self {
             Self::Del(_) | Self::Explicit(_) => {
-                (after.tension[row] > known).then_some((after.tension[row], after.time))
+                let now = system.curved_tension(row, after.tension[row], kinematics);
+                (now > known).then_some((now, after.time))
             }
             Self::Adaptive(adaptive) => {
                 let (force, share) = adaptive.peak(row, known)?;

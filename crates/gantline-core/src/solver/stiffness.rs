@@ -105,7 +105,7 @@ impl Stiffness {
             for part in 0..rope.groups() {
                 let span = rope.span_of[part];
                 let force = state.tension[system.rows.first[index] + span];
-                let tension = rope.spans[span].tension(&state.q, force);
+                let tension = rope.tension(span, &frame.kinematics, &state.q, force);
                 let range = self.start[group]..self.start[group + 1];
                 let columns = &mut self.columns[range.clone()];
                 if tension == 0.0 {

@@ -376,8 +376,9 @@ impl StaticLift {
 
     fn note_tensions(&mut self, state: &State) {
         let State { tension, q, time, .. } = state;
-        let peak = |row: usize, known: f64| (tension[row] > known).then_some((tension[row], *time));
         let frame = placed(&self.system, state);
+        let now = |row: usize| self.system.curved_tension(row, tension[row], &frame.kinematics);
+        let peak = |row: usize, known: f64| Some((now(row), *time)).filter(|now| now.0 > known);
         self.samples.note_lines(&self.system, &frame.kinematics, state);
         self.samples.note_peaks(&self.system, q, peak);
     }

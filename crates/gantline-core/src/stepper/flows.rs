@@ -352,7 +352,7 @@ pub fn tension_at(
     [q, v]: [&[f64]; 2],
 ) -> f64 {
     match force.get(row) {
-        Some(force) => system.rope_tension(row, *force, q),
+        Some(force) => system.rope_tension(row, *force, q, kinematics),
         None => {
             let line = system.moorings().nth(row - force.len());
             line.map_or(0.0, |mooring| mooring.tension_of(&system.tree, kinematics, v))

@@ -54,7 +54,7 @@ pub fn break_ropes(system: &System, state: &mut State, frame: &mut Frame, log: &
         }
     }
     for &(rope, force) in &system.fragile {
-        if is_whole(system, state, rope) && tension(system, state, rope) >= force * (1.0 - ROUNDING) {
+        if is_whole(system, state, rope) && tension(system, state, frame, rope) >= force * (1.0 - ROUNDING) {
             log.push(state.time, EventKind::Broken, rope);
             part(system, state, frame, rope);
             any = true;
@@ -71,10 +71,11 @@ fn is_whole(system: &System, state: &State, rope: usize) -> bool {
 }
 
 /// The largest tension along a rope [N].
-fn tension(system: &System, state: &State, rope: usize) -> f64 {
-    let spans = system.ropes().nth(rope).into_iter().flat_map(|rope| &rope.spans);
-    let forces = spans.zip(&state.tension[system.rows.first[rope]..]);
-    forces.map(|(span, force)| span.tension(&state.q, *force)).fold(0.0, f64::max)
+fn tension(system: &System, state: &State, frame: &Frame, rope: usize) -> f64 {
+    let forces = &state.tension[system.rows.first[rope]..system.rows.first[rope + 1]];
+    let Some(rope) = system.ropes().nth(rope) else { return 0.0 };
+    let of = |(span, force): (usize, &f64)| rope.tension(span, &frame.kinematics, &state.q, *force);
+    forces.iter().enumerate().map(of).fold(0.0, f64::max)
 }
 
 fn part(system: &System, state: &mut State, frame: &mut Frame, rope: usize) {

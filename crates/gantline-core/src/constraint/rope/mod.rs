@@ -144,6 +144,20 @@ impl Rope {
         sum / self.route.parts.len() as f64
     }
 
+    /// The tension of a span [N] that a force of its row stands for. Of a rope with a curve that takes where its ends are:
+    /// what damps it is in the force and not in w.
+    pub fn tension(&self, span: usize, kinematics: &Kinematics, q: &[f64], force: f64) -> f64 {
+        let span = &self.spans[span];
+        let Some(curve) = &span.curve else { return span.scale(q) * force };
+        let length = self.route.parts[span.parts.start].locate(kinematics).length;
+        curve.at(length / span.length - 1.0).scale * force
+    }
+
+    /// True where a curve has its tension by its strain.
+    pub fn has_curve(&self) -> bool {
+        self.spans.iter().any(|span| span.curve.is_some())
+    }
+
     /// Lengths of the spans [m] and their rates [m/s], with unit vectors for lines.
     pub fn measure(&self, at: &Moving, length: &mut [f64], rate: &mut [f64], lines: &mut [Line]) {
         for (row, span) in self.spans.iter().enumerate() {
@@ -206,8 +220,8 @@ impl Rope {
         let factor = if straight.length > 0.0 { tension / straight.length } else { 0.0 };
         if let Some(curve) = &self.spans[self.span_of[group]].curve {
             // What a rope that gets stiffer adds along itself, λ f″/L.
-            let bend =
-                curve.at(straight.length / self.length - 1.0).bend * curve.force(tension) / self.length;
+            let bent = curve.at(straight.length / self.length - 1.0);
+            let bend = bent.bend * tension / (bent.scale * self.length);
             if bend > 0.0 && factor > 0.0 {
                 let along = straight.direction * (bend / factor).sqrt();
                 let mut columns = columns.iter_mut();

@@ -99,24 +99,7 @@ impl Span {
         !self.feeds.is_empty() || self.curve.is_some()
     }
 
-    /// The tension [N] that a force of the row stands for at the configuration `q`; of a rope with a curve without what
-    /// its damping does to w, which is of second order where the force is largest.
-    pub fn tension(&self, q: &[f64], force: f64) -> f64 {
-        match &self.curve {
-            Some(curve) => curve.under(force).tension,
-            None => self.scale(q) * force,
-        }
-    }
-
-    /// The force of the row that stands for a tension, both [N].
-    pub fn force(&self, q: &[f64], tension: f64) -> f64 {
-        match &self.curve {
-            Some(curve) => curve.force(tension),
-            None => tension / self.scale(q),
-        }
-    }
-
-    /// w at the configuration `q` of a rope without a curve: tension over the force of the row.
+    /// w at the configuration `q` but for that of a curve: tension over the force of the row.
     pub fn scale(&self, q: &[f64]) -> f64 {
         if self.feeds.is_empty() { 1.0 } else { (self.length / self.unstretched(q)).sqrt() }
     }

@@ -1,7 +1,7 @@
 //! When a rope breaks along the course of a step.
 
 use super::{Adaptive, LOOKS};
-use crate::constraint::rope::span::Span;
+use crate::constraint::rope::Rope;
 use crate::force::mooring::Mooring;
 use crate::state::State;
 use crate::system::System;
@@ -15,13 +15,13 @@ impl Adaptive {
         let mut first = None;
         for &(index, force) in &system.fragile {
             let Some(rope) = system.ropes().nth(index) else { continue };
-            let spans = (system.rows.first[index]..).zip(&rope.spans);
+            let begin = system.rows.first[index];
+            let spans = (begin..).zip(&rope.spans);
             // One that goes taut does so at the end of the step at the earliest, and breaks after that.
             for (row, span) in spans.filter(|&(row, _)| state.modes[row].carries()) {
-                let Some((low, high)) = self.looks.reaches(row, span.force(&self.next.q, force)) else {
-                    continue;
-                };
-                let share = self.break_between(system, state, [low, high], (row, span, force));
+                let reached = self.looks.reaches(row, force / span.scale(&self.next.q));
+                let Some((low, high)) = reached else { continue };
+                let share = self.break_between(system, state, [low, high], (row, rope, row - begin), force);
                 if first.is_none_or(|first| share < first) {
                     first = Some(share);
                 }
@@ -62,15 +62,17 @@ impl Adaptive {
         system: &System,
         state: &State,
         bracket: [f64; 2],
-        (row, span, force): (usize, &Span, f64),
+        (row, rope, span): (usize, &Rope, usize),
+        force: f64,
     ) -> f64 {
         let [mut low, mut high] = bracket.map(|share| share * self.made);
         // Down to the last bit.
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
             self.probe_rows(system, state, middle);
-            let reached = span.tension(&self.probe.q, self.probe.trial[row]) >= force;
-            if reached { high = middle } else { low = middle }
+            let probe = &self.probe;
+            let tension = rope.tension(span, &probe.frame.kinematics, &probe.q, probe.trial[row]);
+            if tension >= force { high = middle } else { low = middle }
         }
         high
     }

@@ -30,8 +30,10 @@ const SPANS: [[f64; POINTS]; POINTS] = {
 /// What the looks saw.
 #[derive(Debug, Clone)]
 pub struct Looks {
+    /// Rows of ropes with a curve.
+    curved: Vec<usize>,
     /// Forces of all rows at the start and the looks [N]: of ropes and normals without their bound, of friction
-    /// with its mode.
+    /// with its mode. After them tensions of ropes with a curve, which follow no force of a row alone.
     forces: [Vec<f64>; POINTS],
     /// Divided differences of the forces (Newton's form).
     terms: [Vec<f64>; POINTS],
@@ -44,8 +46,11 @@ pub struct Looks {
 impl Looks {
     /// Room for `system`.
     pub fn new(system: &System) -> Self {
-        let rows = || std::array::from_fn(|_| vec![0.0; system.rows.count()]);
-        Self { forces: rows(), terms: rows(), far: [0.0; LOOKS.len()], broken: 0.0 }
+        let ropes = system.rows.first.iter().copied().zip(system.ropes());
+        let curved: Vec<_> = ropes.filter(|(_, rope)| rope.has_curve()).map(|(row, _)| row).collect();
+        let rows = || std::array::from_fn(|_| vec![0.0; system.rows.count() + curved.len()]);
+        let (forces, terms) = (rows(), rows());
+        Self { curved, forces, terms, far: [0.0; LOOKS.len()], broken: 0.0 }
     }
 
     /// Keeps the forces at point k: 0 the start, k the look k − 1.
@@ -53,6 +58,10 @@ impl Looks {
         let forces = self.forces[k].iter_mut().zip(&system.rows.laws);
         for ((force, law), (trial, tension)) in forces.zip(at.trial.iter().zip(&at.tension)) {
             *force = if matches!(law, Law::Unilateral { .. }) { *trial } else { *tension };
+        }
+        let tensions = &mut self.forces[k][system.rows.count()..];
+        for (tension, &row) in tensions.iter_mut().zip(&self.curved) {
+            *tension = system.curved_tension(row, at.trial[row], &at.frame.kinematics);
         }
     }
 
@@ -73,7 +82,7 @@ impl Looks {
 
     /// Forces of all rows at the share `x` of the step [N], not below zero where the law is one-sided.
     pub fn sample(&self, system: &System, x: f64, out: &mut [f64]) {
-        out.copy_from_slice(&self.terms[POINTS - 1]);
+        out.copy_from_slice(&self.terms[POINTS - 1][..out.len()]);
         for (terms, time) in self.terms.iter().zip(TIMES).rev().skip(1) {
             for (out, term) in out.iter_mut().zip(terms) {
                 *out = *out * (x - time) + term;
@@ -107,9 +116,17 @@ impl Looks {
         high
     }
 
-    /// Two shares of the step between which the force of a row reaches `force` [N] for the first time, if it does.
+    /// Where the tension of a rope with a curve stands among the forces, in place of its row.
+    fn place(&self, row: usize) -> usize {
+        let rows = self.forces[0].len() - self.curved.len();
+        self.curved.binary_search(&row).map_or(row, |index| rows + index)
+    }
+
+    /// Two shares of the step between which the force of a row, or the tension of a rope with a curve, reaches `force` [N]
+    /// for the first time, if it does.
     pub fn reaches(&self, row: usize, force: f64) -> Option<(f64, f64)> {
-        if let Some(k) = (1..POINTS).find(|&k| self.forces[k][row] >= force) {
+        let place = self.place(row);
+        if let Some(k) = (1..POINTS).find(|&k| self.forces[k][place] >= force) {
             return Some((TIMES[k - 1], TIMES[k]));
         }
         let (_, share) = self.peak(row, force)?;
@@ -117,11 +134,14 @@ impl Looks {
         Some((before, share))
     }
 
-    /// The largest force of a row [N] and the share of the step at which it was, where it is more than `least`.
+    /// The largest force of a row, or tension of a rope with a curve, [N] and the share of the step at which it was, where it is more than `least`.
     pub fn peak(&self, row: usize, least: f64) -> Option<(f64, f64)> {
+        let row = self.place(row);
         let highest = (0..POINTS).max_by(|&a, &b| self.forces[a][row].total_cmp(&self.forces[b][row]))?;
-        // Between points 0.3 of a step apart a course that such steps can follow rises by a few per cent at most.
-        if self.forces[highest][row] < 0.9 * least {
+        // Between points 0.3 of a step apart a course that such steps can follow rises by a few per cent at most; the
+        // tension of a rope with a curve has corners, between which a polynomial may rise by anything.
+        let most = self.forces[highest][row] / 0.9;
+        if most < least {
             return None;
         }
         let mut low = TIMES[highest.saturating_sub(1)];
@@ -132,7 +152,7 @@ impl Looks {
             if self.at(row, a) < self.at(row, b) { low = a } else { high = b }
         }
         let share = 0.5 * (low + high);
-        let inside = (self.at(row, share), share);
+        let inside = (self.at(row, share).min(most), share);
         // The search comes near the ends of the step and never there.
         let point = (self.forces[highest][row], TIMES[highest]);
         let (value, share) = if point.0 > inside.0 { point } else { inside };
