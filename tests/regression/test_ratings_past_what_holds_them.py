@@ -118,6 +118,15 @@ def test_a_type_of_lugs() -> None:
     assert said.startswith("lug_types.PL50.capacity: lug A bears 500 t, and what is shackled to it 75 t")
 
 
+def test_lugs_that_are_alike() -> None:
+    """Five lugs of 500 t with shackles of 75 t were five warnings: whoever wrote one so wrote all so."""
+    lugs = {f"load__lugs__L{k}__capacity": "500 t" for k in range(1, 6)}
+    assert told("equalizer", **lugs) == [
+        "load.lugs.L1.capacity: lugs L1, L2, L3, L4 and L5 bear 500 t each, and what is shackled to each 75 "
+        "t, 6.67 times less; a unit or digit has slipped"
+    ]
+
+
 def test_lugs_without_shackles() -> None:
     """Nothing is known of what goes round the plate then."""
     assert told("reeved_hoist", load__lugs__L1__capacity="1000 t") == []

@@ -2,7 +2,7 @@
 
 A body of 1e-300 kg; legs of a Goliath crane 1.4 m apart along the rail, for 14 m, which makes corner loads
 ten times as uneven; wind areas of a vessel a hundredth of what its hull shows, or a hundred times that; a
-filter of heave compensation of 1 s, which takes a swell for what is slow; a vessel without added mass.
+filter of heave compensation of 1 s, which takes a swell for what is slow.
 """
 
 from __future__ import annotations
@@ -77,12 +77,3 @@ def test_a_filter_that_takes_waves_for_what_is_slow(time: str, is_told: bool) ->
     tau = float(time.split()[0])
     left = 100.0 / math.hypot(1.0, 2.0 * math.pi / 10.0 * tau)
     assert all(f"leaves {left:.0f} % of the heave of waves of 10 s" in one for one in found)
-
-
-def test_a_vessel_in_waves_without_added_mass() -> None:
-    scenario = load_scenario(SCENARIOS / "onto_a_platform")
-    assert doubts("onto_a_platform", {}, "without the water") == []
-    barge = scenario.vessels["barge"].model_copy(update={"radiation": None})  # type: ignore[index]
-    bare = scenario.model_copy(update={"vessels": {"barge": barge}})
-    found = [one for one in assemble(bare).warnings if "without the water" in one]
-    assert len(found) == 1 and "see 'added_mass'" in found[0]

@@ -227,7 +227,8 @@ def test_vessels_in_waves_without_their_water(tmp_path: Path) -> None:
     path = written(tmp_path, lift_of(alone, waves={"swell": SWELL}))
     found = assemble(load_scenario(path)).warnings
     for key in ("added_mass", "water_damping"):
-        assert f"barge has 'wave_forces' and no '{key}': its motions in waves are not its own" in found
+        said = f"barge has 'wave_forces' and no '{key}': its motions in waves are not its own"
+        assert len([one for one in found if said in one]) == 1
 
 
 def test_a_file_too_coarse_for_its_waves(tmp_path: Path) -> None:

@@ -65,13 +65,12 @@ def _chart(boom: PlacedBoom, chart: Rating, path: Path) -> Iterator[Doubt]:
                 right = "what may hang there is taken from a line between both, and a digit may have slipped"
                 yield Doubt((*path, "angle"), f"{sentence}; {right}")
         return
-    # A hook on a jib is farther from the heel pins than the head is.
-    arms = [math.hypot(boom.boom.length + hook.along, hook.above) for hook in boom.hooks.values()]
-    arm = max([boom.boom.length, *arms])
-    farthest = boom.heel[0] - boom.reach_from[0] + arm
+    # Of a hook on a jib (BM6) reaches farthest where its pin is level with the heel pins.
+    jibs = [math.hypot(boom.boom.length + one.along, one.above) for one in boom.hooks.values()]
+    farthest = boom.heel[0] - boom.reach_from[0] + max([boom.boom.length, *jibs])
     if _BEYOND * farthest < places[-1] <= FARTHEST:  # what no crane reaches is told as that
         row = f"has a row at {format_quantity(places[-1], 'm', 1)}"
-        what = "boom" if arm == boom.boom.length else "jib"
+        what = "boom" if max([0.0, *jibs]) <= boom.boom.length else "boom, jib included,"
         reach = f"its {what} reaches no farther than {format_quantity(farthest, 'm', 1)}"
         sentence = f"the rating chart of {boom.crane} {row}, and {reach}"
         yield Doubt((*path, chart.over), f"{sentence}; a digit has slipped, or it is of another boom")
@@ -79,7 +78,10 @@ def _chart(boom: PlacedBoom, chart: Rating, path: Path) -> Iterator[Doubt]:
 
 def _heavy(name: str, crane: Crawler, chart: Rating) -> Iterator[Doubt]:
     """A crane that what its chart allows does not come near to tipping."""
-    radius, rated = max(rows_by_radius(crane, chart))
+    rows = rows_by_radius(crane, chart)
+    radius, rated = max(rows)
+    if rated >= max(mass for _, mass in rows):
+        return  # as much everywhere: what its hook or falls bear, and not what tips it
     used = rated / max(tipping_mass(crane, radius), 1.0)
     if 0.0 < used < _LEAST_OF_TIPPING:
         row = f"{format_quantity(rated, 't', 1)} at {format_quantity(radius, 'm', 1)}"

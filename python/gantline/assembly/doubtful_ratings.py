@@ -132,6 +132,7 @@ def _lugs(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
     for spreader, holder in (scenario.spreaders or {}).items():
         path: Path = ("spreaders", spreader, "lugs")
         lugs += [((*path, name), spreader, name, one) for name, one in holder.lugs.items()]
+    alike: dict[tuple[float, float], list[tuple[Path, str]]] = {}
     for own, holds, name, one in lugs:
         path, limit = own, limits.get((holds, name), math.inf)
         if one.capacity is None:
@@ -141,9 +142,14 @@ def _lugs(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
             continue
         said.add(path)
         of = f"{holds}.{name}" if holds else name
-        bears = f"lug {of} bears {_mass(capacity)}, and what is shackled to it {_mass(limit)}"
-        times = f"{capacity / limit:.3g} times less"
-        yield Doubt((*path, "capacity"), f"{bears}, {times}; {_SLIPPED}")
+        alike.setdefault((capacity, limit), []).append(((*path, "capacity"), of))
+    for (capacity, limit), those in alike.items():
+        path, first = those[0]
+        of = f"lug {first} bears {_mass(capacity)}, and what is shackled to it {_mass(limit)}"
+        if len(those) > 1:
+            names = f"{', '.join(name for _, name in those[:-1])} and {those[-1][1]}"
+            of = f"lugs {names} bear {_mass(capacity)} each, and what is shackled to each {_mass(limit)}"
+        yield Doubt(path, f"{of}, {capacity / limit:.3g} times less; {_SLIPPED}")
 
 
 def _shackled(rigging: Rigging) -> dict[tuple[str, str], float]:

@@ -64,7 +64,6 @@ def doubtful_vessels(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
             *_twice(vessel),
             *_periods(vessel),
             *_high_sides(vessel, float(breadth)),
-            *_without_added_mass(scenario, vessel),
         ):
             yield Doubt((*path, *key), f"{name} {sentence}")
         for (one, first), (other, second) in itertools.combinations((vessel.tanks or {}).items(), 2):
@@ -172,16 +171,6 @@ def _under_keel(scenario: Scenario, name: str, vessel: Vessel) -> Iterator[Doubt
                     f"mooring line {line} ends {deep} below the keel of {name}; heights count up from it"
                 )
                 yield Doubt(("mooring_lines", line, key), sentence)
-
-
-def _without_added_mass(scenario: Scenario, vessel: Vessel) -> Iterator[tuple[tuple[str, ...], str]]:
-    """A vessel that waves push and that takes no water along."""
-    if scenario.waves and vessel.wave_forces is not None and not (vessel.radiation or vessel.added_mass):
-        sentence = "moves in waves without the water that goes along with it: its periods are too short"
-        yield (
-            ("wave_forces",),
-            f"{sentence}, where barges heave with 1 to 7 times their mass; see 'added_mass'",
-        )
 
 
 def _shared(one: BallastTank, other: BallastTank) -> float:

@@ -17,18 +17,23 @@ __all__ = ["doubtful_waits"]
 
 #: Nobody holds a lift for less to look at it [s]; loads swing and rope stretches for seconds.
 _SHORTEST = 0.1
+#: What a step does as it begins, for which it need not last.
+_AT_ONCE = ("cut", "detach", "attach", "remove_supports", "pull_pins", "put_in_pins")
 
 
 def doubtful_waits(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
     """Each step whose hoist load cannot be reached by weight alone, and each hold of no length.
 
-    Nothing is said of hoist loads where something else may pull: bodies and ropes of `mechanics`, waves.
+    Holds that do something as they begin, such as taking slings off, may be as short as they like. Nothing is
+    said of hoist loads where something else may pull: bodies and ropes of `mechanics`, waves.
 
     Args:
         parts: The system with all its bodies and ropes.
         scenario: The lift.
     """
     for place, step in enumerate(scenario.plan):
+        if any(getattr(step, key) for key in _AT_ONCE):
+            continue
         if isinstance(step, HoldStep) and isinstance(step.hold, float) and step.hold < _SHORTEST:
             sentence = f"step '{step.step}' holds for {1e3 * step.hold:g} ms: nobody sees anything in that"
             yield Doubt(("plan", place, "hold"), f"{sentence}; a unit has slipped, ms for s")

@@ -238,6 +238,8 @@ def _other_period(scenario: Scenario, name: str, vessel: Vessel) -> list[Doubt]:
         given = getattr(vessel, key)
         if given is None:
             sentence = f"{name} has 'wave_forces' and no '{key}': its motions in waves are not its own"
+            if key == "added_mass":
+                sentence += "; barges heave with 1 to 7 times their mass of water"
             found.append(Doubt(("vessels", name), sentence))
         read = getattr(given, "period", None)
         if read == "infinite_frequency":

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from gantline.checks.check import Check, Verdict
 from gantline.results import progress
 from gantline.results.lift_off import hangs_from_the_start
@@ -16,6 +18,8 @@ __all__ = ["picked_up", "what_helps"]
 _HUNG = 5.0
 #: One that is clear for less after it has been set down bounces on what it stands on [s].
 _BOUNCES = 0.5
+#: One that is lowered on past what it met comes lower than this there [m].
+_LOWER = 0.1
 #: Steps that set a load down, and that leave it where it is.
 _LOWERS, _LEAVES = ("lower", "pay_out"), ("hold",)
 #: What helps against that, and what besides where there are waves.
@@ -47,7 +51,9 @@ def picked_up(recording: Recording) -> list[Check]:
         again = [
             one
             for one in _clear(recording, load)
-            if one.landed is not None and one.end - one.begin >= _BOUNCES
+            if one.landed is not None
+            and one.end - one.begin >= _BOUNCES
+            and not _is_lowered_past(recording, load, one)
         ]
         if not again:
             continue
@@ -75,17 +81,45 @@ def picked_up(recording: Recording) -> list[Check]:
 def what_helps(recording: Recording, load: Load, time: float) -> str:
     """What helps a load that meets what is below it hard at a time [s], by what the plan does then."""
     kinds = {step.step: step.kind for step in recording.rig.plan}
-    hung = next((one for one in _clear(recording, load) if one.end == time), None)
+    clear = _clear(recording, load)
+    hung = next((one for one in clear if one.end == time), None)
     if hung is not None and hung.landed is not None:
         return "it had been set down, and was picked up again"
     if any(kinds.get(step) not in ("hoist", "hold") for step in _steps_at(recording, time)):
         return "creep, or a brake before it, is usual"
+    if hung is not None and (came_down := _came_down(clear, hung)) is not None:
+        return f"it came down at {came_down:.2f} s, and bounces"
     if hung is not None and hung.came_off and hung.end - hung.begin < _HUNG:
         less = ", or wait for less sea" if recording.rig.sea else ""
         if not less and recording.rig.wind is not None:
             less = ", or wait for less wind"
         return f"it had just lifted off; hoist it off faster{less}"
     return "no step lowers it then; keep it farther away"
+
+
+def _came_down(clear: list[_Clear], bounce: _Clear) -> float | None:
+    """When a load came down that had hung, and bounces since [s]; None of one that has just lifted off."""
+    later = bounce
+    for one in reversed(clear[: clear.index(bounce)]):
+        if later.begin - one.end >= _HUNG:
+            return None
+        if one.end - one.begin >= _HUNG:
+            return one.end
+        later = one
+    return None
+
+
+def _is_lowered_past(recording: Recording, load: Load, one: _Clear) -> bool:
+    """Whether a load that met something on its way down is lowered on beside it, and hangs lower since.
+
+    In waves it may as well have been picked up from a deck that sinks.
+    """
+    kinds = {step.step: step.kind for step in recording.rig.plan}
+    if recording.rig.sea or not any(kinds.get(step) in _LOWERS for step in _steps_at(recording, one.begin)):
+        return False
+    height = recording.column("body_position", load.body)[:, 2]
+    began, ended = np.interp((one.begin, one.end), recording.time, height)
+    return bool(began - ended > _LOWER)
 
 
 def _clear(recording: Recording, load: Load) -> list[_Clear]:

@@ -60,7 +60,8 @@ def _resting(
     time = float(recording.time[sample])
     if rest is None or (rest.is_stable and _aside(recording, rest, load, sample) > _ELSEWHERE):
         rest = question.equilibrium(min(time, question.scenario.duration))
-    if any(one.contact in load.contacts for one in rest.contacts):
+    # Of contacts that slide freely, as here, the equilibrium lists none.
+    if any(rest.recording.column("contact_force", one)[-1] > 0.0 for one in load.contacts):
         return None  # it leans on what it hung clear of: whether it would have stayed there nothing tells
     away = [] if rest.is_stable else [one for one in question.modes(rest.unstable) if _moves(one, load)]
     return Resting(

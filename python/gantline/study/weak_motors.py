@@ -94,5 +94,8 @@ def _outermost(scenario: Scenario, hook: Hook) -> float:
 def _told(motor: OfDrum, one: StepAtRest) -> str:
     each = " of each rope" if motor.ropes > 1 else ""
     pulls = f"the motor of {motor.name} pulls at most {format_by_size(motor.holds, 'force', 4)}{each}"
-    short = f"and at rest {when(one)} it pulls all of that: what hangs there is too heavy for it"
-    return f"{pulls}, {short}, it does not hoist it or lets it down"
+    short = f"and at rest {when(one)} it pulls all of that"
+    heavy = "what hangs there is too heavy for it, it does not hoist it or lets it down"
+    if motor.path[0] == "mechanics":  # hooks hang in hoists, while drums hold what they are meant to
+        heavy = f"a winch of constant tension is meant to; for any other {heavy}"
+    return f"{pulls}, {short}: {heavy}"
