@@ -1,8 +1,8 @@
 """An inextensible rope that had parted, or was off, came back when another one went taut beside it.
 
-An impact asks which inextensible ropes take part: those whose ends are farther apart than they are long and go
-on moving apart. Ropes that were no longer there were asked too, and one whose load had dropped into another rope
-acted again: it pulled the load back to its old length at once.
+An impact asks which inextensible ropes take part: those whose ends are farther apart than they are long and
+go on moving apart. Ropes that were no longer there were asked too, and one whose load had dropped into
+another rope acted again: it pulled the load back to its old length at once.
 """
 
 from __future__ import annotations
@@ -13,7 +13,8 @@ import pytest
 
 from mechanics import G, Json, adaptive, body, document, end, point, rope
 
-#: A mass 1 m below the world on a short rope, and a slack one of 5 m that holds it from 3 m aside: taut 4 m down.
+#: A mass 1 m below the world on a short rope, and a slack one of 5 m that holds it from 3 m aside: taut 4 m
+#: down.
 _SHORT, _LONG, _ASIDE = 1.0, 5.0, 3.0
 _FALL = math.sqrt(_LONG**2 - _ASIDE**2) - _SHORT
 
