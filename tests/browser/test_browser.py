@@ -164,6 +164,8 @@ def test_report_and_player_in_a_browser(tmp_path: Path) -> None:
     recording = gantline.simulate(ROOT / "scenarios" / "equalizer")
     write_report(recording, tmp_path / "report.html")
     write_report(gantline.simulate(ROOT / "scenarios" / "equalizer_yard"), tmp_path / "yard.html")
+    for name in ("upending", "off_a_barge"):
+        write_report(gantline.simulate(ROOT / "scenarios" / name), tmp_path / f"{name}.html")
     harbour = tmp_path / "harbour.yaml"
     harbour.write_text(HARBOUR_LIFT, encoding="utf-8")
     write_report(gantline.simulate(harbour), tmp_path / "afloat.html")

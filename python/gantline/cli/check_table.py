@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import shutil
-import textwrap
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -12,7 +11,7 @@ import typer
 
 from gantline.checks import Check, Outcome, Verdict, has_failed, outcome_of, verdict_of
 from gantline.cli.messages import CHECK_FAILED, DONE, NO_VERDICT
-from gantline.cli.table import ABSENT
+from gantline.cli.table import ABSENT, wrapped
 from gantline.results.gaps import without_gaps
 
 if TYPE_CHECKING:
@@ -84,23 +83,11 @@ def check_table(
         lines.append(f"{style(check.verdict)}  {line}{f'  {place}' if place and beside else ''}".rstrip())
         notes = [] if beside or not place else [place]
         for note in (*notes, *_notes(check, full=full)):
-            lines += _wrapped(note, width, f"{_INDENT}  ", f"{_INDENT}    ")
+            lines += wrapped(note, width, f"{_INDENT}  ", f"{_INDENT}    ")
     if len(shown) < len(checks):
         unlimited = _named([check for check in checks if check not in shown])
-        lines += _wrapped(unlimited, width, f"{'no limit':<{_VERDICT_WIDTH}}  ", f"{_INDENT}  ")
-    return [*lines, "", *textwrap.wrap(verdict_of(checks), max(width, 60), subsequent_indent="  ")]
-
-
-def _wrapped(text: str, width: int, first: str, following: str) -> list[str]:
-    """Lines of a text after indents, with names that stay whole."""
-    return textwrap.wrap(
-        text,
-        max(width, 60),
-        initial_indent=first,
-        subsequent_indent=following,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
+        lines += wrapped(unlimited, width, f"{'no limit':<{_VERDICT_WIDTH}}  ", f"{_INDENT}  ")
+    return [*lines, "", *wrapped(verdict_of(checks), width)]
 
 
 def _is_unlimited(check: Check) -> bool:

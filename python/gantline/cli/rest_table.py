@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
@@ -11,7 +10,7 @@ from gantline.checks import Check, check_recording, outcome_of, verdict_of
 from gantline.cli.check_table import check_table, width_of_terminal
 from gantline.cli.friction import slid_loads
 from gantline.cli.summary import heading, weights
-from gantline.cli.table import ABSENT, show, table
+from gantline.cli.table import ABSENT, show, table, wrapped
 from gantline.results import series
 from gantline.results.saved import LOSSES
 from gantline.statics import Equilibrium, Losses, Mode, NoEquilibriumError, Sensitivity, Statics
@@ -206,16 +205,16 @@ def bounds_at_rest(
     for bound in bounds:
         verdict = verdict_of(check_recording(bound.recording))
         said = f"With all sheaves slipping {_SLIPPING[bound.losses]}: {verdict}"
-        lines += textwrap.wrap(said, max(width_of_terminal(), 60), subsequent_indent="  ")
+        lines += wrapped(said, width_of_terminal())
         still = _standing(rest, bound)
         if still:
             stand = "stands" if len(still) == 1 else "stand"
             said = f"  {', '.join(still)} still {stand} in that, at {bound.time:g} s: its plan waits"
             said += " longer, and it is no bound of what slings carry once clear"
-            lines += textwrap.wrap(said, max(width_of_terminal(), 60), subsequent_indent="  ")
+            lines += wrapped(said, width_of_terminal())
     for way, problem in nowhere.items():
         said = f"With all sheaves slipping {_SLIPPING[way]} {problem}"
-        lines += textwrap.wrap(said, max(width_of_terminal(), 60), subsequent_indent="  ")
+        lines += wrapped(said, width_of_terminal())
     return lines
 
 

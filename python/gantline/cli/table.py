@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import re
+import textwrap
 from collections.abc import Sequence
 
 from gantline.units import format_quantity
 
 ABSENT = "-"
+
+#: What takes the place of a blank that no line may end at.
+_KEPT = "\u00a0"
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]], align: str) -> list[str]:
@@ -64,6 +69,26 @@ def tables(
         found.append(lines)
         rest = rest[count:]
     return found
+
+
+def wrapped(text: str, width: int, first: str = "", following: str = "  ") -> list[str]:
+    """Lines of a text, none of which ends between a share and its '%' or within a name.
+
+    Args:
+        text: What is wrapped.
+        width: Columns of text that a line may have; 60 where it has fewer.
+        first: What the first line begins with.
+        following: What the others begin with.
+    """
+    lines = textwrap.wrap(
+        re.sub(r"(?<=\d) (?=%)", _KEPT, text),
+        max(width, 60),
+        initial_indent=first,
+        subsequent_indent=following,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    return [line.replace(_KEPT, " ") for line in lines]
 
 
 def pairs(title: str, rows: Sequence[tuple[str, str]], width: int = 24) -> list[str]:

@@ -176,7 +176,9 @@ def equalizer_row(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
 
 
 def _pins(subject: Subject, equalizer: Equalizer) -> str:
-    """What has to be done with its locking pins, and before which step."""
+    """What has to be done with its locking pins, and before which step; an approximated one has none."""
+    if equalizer.mechanism == "approximated":
+        return ABSENT
 
     def steps(key: str) -> list[str]:
         own = (equalizer.name, *equalizer.moving_sheaves)
