@@ -97,7 +97,7 @@ def test_the_first_page_says_what_is_taken_off() -> None:
     assert [one["does"] for one in steps] == [
         "lower 6 m/min",
         "lower 0.6 m/min",
-        "lower 6 m/min",
+        "lower 6 m/min by 0.3 m",
         "take off S1, S2",
     ]
     # As planned, and not as a rope that breaks.
