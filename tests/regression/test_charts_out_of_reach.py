@@ -32,7 +32,7 @@ def crawler(mass: str = "190 t") -> Crawler:
 def test_a_chart_with_a_gap() -> None:
     """Between 55 deg, 220 t, and 4.5 deg, 150 t, a line has 220 - 70 · 10 / 50.5 = 206 t at 45 deg."""
     at_45 = 220 - 70 * (55 - 45) / (55 - 4.5)
-    assert at_45 == pytest.approx(206.1, abs=0.1)
+    assert at_45 == pytest.approx(206.1, abs=0.05)  # as it is rounded
     chart = "cranes__sheerleg__rating__angle"
     assert told("crane_barge_in_swell", **{chart: ["75 deg", "65 deg", "55 deg", "4.5 deg"]}) == [
         "cranes.sheerleg.rating.angle: the rating chart of sheerleg has nothing between 4.5 deg and 55.0 "

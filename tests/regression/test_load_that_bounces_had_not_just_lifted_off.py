@@ -17,5 +17,5 @@ def test_it_bounces_since_it_came_down() -> None:
     [check] = [one for one in check_recording(recording) if one.name == "set_down_softly"]
     events = [(time, kind) for time, kind, name in recording.events() if name == "block"]
     came_off, came_down = events[0][0], events[1][0]
-    assert came_off < 20.0 and came_down == pytest.approx(40.6, abs=0.05)  # 0.4 m of fall and more
+    assert came_off < 20.0 and came_down == pytest.approx(40.6, abs=0.05)  # the story's digit
     assert f"it came down at {came_down:.2f} s, and bounces" in check.remark

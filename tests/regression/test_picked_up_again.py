@@ -8,8 +8,6 @@ was told the same.
 
 from __future__ import annotations
 
-import pytest
-
 from gantline import simulate
 from gantline.checks import Check, check_recording
 from gantline.scenario import parse_scenario
@@ -74,7 +72,8 @@ def test_a_load_that_its_deck_leaves_and_meets_again() -> None:
     """The deck goes down 1 m, while the slings have next to no slack: the load hangs from then on."""
     found = told(DOWN, DIPS)
     again, hard = found["stays_set_down"], found["set_down_softly"]
-    assert again.time == pytest.approx(16.2, abs=0.3)
+    # From 16 s on the deck goes down 0.4 t² m: beyond slack and give in less than half a second.
+    assert 16.0 < again.time < 16.5
     assert "it is picked up again in 'end', once, for" in again.remark
     assert again.remark.endswith("s at most: pay out more slack, as soon as it stands")
     assert hard.remark.startswith("it meets what is below it at 24.")

@@ -51,7 +51,7 @@ def test_a_hold_after_the_pins_tells_it() -> None:
     """Static W/3 with the factor of the rule."""
     recording = run(60.0)
     force = sling_forces(recording, series.everywhere(recording))["S2"]
-    assert force.rule == pytest.approx(WEIGHT / 3 * FACTOR, rel=0.02)
+    assert force.rule == pytest.approx(WEIGHT / 3 * FACTOR, rel=1e-6)
     assert force.caution == ""
     assert UNRAISED_UNDER_PINS not in lug(recording).remark
 
