@@ -73,7 +73,7 @@ def test_a_load_that_its_deck_leaves_and_meets_again() -> None:
     found = told(DOWN, DIPS)
     again, hard = found["stays_set_down"], found["set_down_softly"]
     # From 16 s on the deck goes down 0.4 t² m: beyond slack and give in less than half a second.
-    assert 16.0 < again.time < 16.5
+    assert again.time is not None and 16.0 < again.time < 16.5
     assert "it is picked up again in 'end', once, for" in again.remark
     assert again.remark.endswith("s at most: pay out more slack, as soon as it stands")
     assert hard.remark.startswith("it meets what is below it at 24.")
