@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::constraint::Law;
 use crate::force::{self, AnyForce};
 use crate::solver::complementarity::Mode;
-use crate::system::System;
+use crate::system::{DriveJoint, System};
 use crate::tree::kinematics::Kinematics;
 
 /// Names of the energy kinds, in the order of [`Ledger::values`].
@@ -46,7 +46,7 @@ const STILL: f64 = 1e-9;
 pub struct Flows {
     /// Work of the drives on the system.
     pub drive_work: f64,
-    /// Work of wind, current and waves on the system.
+    /// Work of wind, current and waves on the system, through drives that waves move too.
     #[serde(default)]
     pub fluid_work: f64,
     /// Lost in rope dampers.
@@ -68,6 +68,18 @@ pub struct Flows {
     pub adjusting: f64,
     /// Lost by the method itself.
     pub method: f64,
+}
+
+impl Flows {
+    /// Where the work of a drive is booked: as the waves' that move it, or its own.
+    pub fn work_of(&mut self, drive: &DriveJoint) -> &mut f64 {
+        if drive.by_waves { &mut self.fluid_work } else { &mut self.drive_work }
+    }
+
+    /// What drives, wind, current and waves put in [J].
+    pub fn put_in(&self) -> f64 {
+        self.drive_work + self.fluid_work
+    }
 }
 
 impl std::ops::AddAssign for Flows {
@@ -248,6 +260,7 @@ pub fn kinds_of(system: &System) -> Vec<usize> {
     let has_fluid = system.tree.forces.iter().any(|force| !matches!(force, AnyForce::Mooring(_)));
     let streams = force::has_stream(&system.tree)
         || force::has_waves(&system.tree)
+        || system.drives.iter().any(|drive| drive.by_waves)
         || force::submerged(&system.tree).any(|load| !load.sea.components.is_empty());
     let is_there = |kind: &usize| match KINDS[*kind] {
         "fluid" | "drag" => has_fluid,

@@ -84,6 +84,8 @@ pub struct DriveJoint {
     pub is_limited: bool,
     /// True for one of these that hauls as long as its rope pulls less.
     pub keeps_pull: bool,
+    /// True where waves move it.
+    pub by_waves: bool,
 }
 
 /// Contacts that carry one load together.

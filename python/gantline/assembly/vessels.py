@@ -1,12 +1,13 @@
-"""Vessels as free bodies: axes at stern, keel and centre plane, x forward, y to port, z up."""
+"""Vessels as bodies: axes at stern, keel and centre plane, x forward, y to port, z up."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import numpy as np
 
+from gantline.assembly.carriers import add_carried_vessel
 from gantline.assembly.deck import bottom_edge, deck_edge, sunk_share
 from gantline.assembly.hulls import HullMesh, hull_mesh, hull_shape
 from gantline.assembly.parts import Json, Parts
@@ -56,7 +57,9 @@ _PER_WAVE, _MOST_PIECES = 24, 200
 
 
 def add_vessels(parts: Parts, scenario: Scenario) -> None:
-    """Add a free body for each vessel, with what it weighs by itself, where it is at the start.
+    """Add a body for each vessel, with what it weighs by itself, where it is at the start.
+
+    It is free, or carried by what waves do to it.
 
     Raises:
         ScenarioError: if the file of a hull cannot be used, or draft, tanks or openings do not fit it.
@@ -64,13 +67,16 @@ def add_vessels(parts: Parts, scenario: Scenario) -> None:
     level = (scenario.water or Water()).level
     for name, vessel in (scenario.vessels or {}).items():
         own = vessel.own_inertia
-        parts.add_body(
-            name,
-            _start(scenario, name, vessel, level),
-            mass=vessel.mass,
-            centre_of_gravity=vessel.centre_of_gravity,
-            inertia=(own.xx, own.yy, own.zz, own.xy, own.xz, own.yz),
-        )
+        weighs: Json = {
+            "mass": vessel.mass,
+            "centre_of_gravity": vessel.centre_of_gravity,
+            "inertia": (own.xx, own.yy, own.zz, own.xy, own.xz, own.yz),
+        }
+        start = _start(scenario, name, vessel, level)
+        if vessel.wave_motion is None:
+            parts.add_body(name, start, **weighs)
+        else:
+            add_carried_vessel(parts, name, vessel, start, weighs)
 
 
 def _start(scenario: Scenario, name: str, vessel: Vessel, level: float) -> Json:
@@ -174,6 +180,7 @@ def vessel_rig(scenario: Scenario, parts: Parts) -> list[Json]:
                 "density": water.density,
                 "hull": hull_name(name),
                 "marks": _marks(scenario, name),
+                **({} if vessel.wave_motion is None else {"is_carried": True}),
             }
         )
     return found
@@ -217,7 +224,7 @@ def adrift(
         turned: Quaternions world from body of bodies then.
     """
     sentences = []
-    for body in (one for one in document["bodies"] if one["name"] in vessels):
+    for body in _free(document, vessels):
         joint = body["joint"]
         moved = way_of(body, at_start)
         way, higher = float(np.hypot(*moved[:2])), float(moved[2])
@@ -258,7 +265,7 @@ def drifted(scenario: Scenario, document: Json, places: Mapping[str, Sequence[fl
         return []
     moored = {line.vessel for line in lines.values()}
     sentences = []
-    for body in (one for one in document["bodies"] if one["name"] in moored & set(scenario.vessels or {})):
+    for body in _free(document, moored & set(scenario.vessels or {})):
         way = float(np.hypot(*way_of(body, places)[:2]))
         if way > _ADRIFT:
             sentences.append(
@@ -266,6 +273,13 @@ def drifted(scenario: Scenario, document: Json, places: Mapping[str, Sequence[fl
                 "see its mooring lines, their ends and pretensions, and what pulls or pushes it"
             )
     return sentences
+
+
+def _free(document: Json, vessels: Collection[str]) -> Iterator[Json]:
+    """Bodies of vessels that nothing carries."""
+    for body in document["bodies"]:
+        if body["name"] in vessels and body["joint"]["type"] == "free":
+            yield body
 
 
 def misplaced(document: Json, loads: Collection[str], at_start: Mapping[str, Sequence[float]]) -> list[str]:

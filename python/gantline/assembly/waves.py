@@ -14,6 +14,7 @@ from gantline.assembly.parts import Json, Parts
 from gantline.assembly.steepness import doubts_of_steepness, refuse_breaking
 from gantline.assembly.trains import Train
 from gantline.assembly.vessels import vessel_hull
+from gantline.assembly.wave_motion import move_by_waves
 from gantline.hydro.database import AXES, DatabaseError, ForcesAround, HydrodynamicDatabase
 from gantline.hydro.mean_drift import Drifting
 from gantline.hydro.waves import Components, regular, sea, wave_number
@@ -44,7 +45,7 @@ _OTHER_LENGTH = 0.05
 
 
 def add_waves(parts: Parts, scenario: Scenario) -> None:
-    """Add the sea, and to each vessel the force of its waves; warn of waves that do nothing.
+    """Add the sea, and to each vessel what its waves do to it; warn of waves that do nothing.
 
     Raises:
         ScenarioError: if waves break, or a database cannot be used.
@@ -56,13 +57,14 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     listed = [wave for train in trains.values() for wave in train.document]
     rise_time = _PERIODS_TO_GROW * max(train.main_period for train in scenario.waves.values())
     parts.sea = {"components": listed, "rise_time": rise_time, "depth": (scenario.water or Water()).depth}
-    moved = {name: vessel for name, vessel in (scenario.vessels or {}).items() if vessel.wave_forces}
-    for name, vessel in moved.items():
+    pushed = {name: vessel for name, vessel in (scenario.vessels or {}).items() if vessel.wave_forces}
+    for name, vessel in pushed.items():
         force, *mean = _forces(parts, scenario, name, vessel, trains)
         parts.forces += [force, *mean]
         parts.doubts += _other_period(scenario, name, vessel)
         parts.doubts += _drifting(scenario, name, vessel, drifts=bool(force["drifts"]))
-    parts.doubts += _idle(scenario, moved) + doubts_of_steepness(scenario)
+    move_by_waves(parts, scenario, trains)
+    parts.doubts += _idle(scenario) + doubts_of_steepness(scenario)
 
 
 def _train(scenario: Scenario, name: str, given: WaveTrain) -> Train:
@@ -281,14 +283,14 @@ def _drifting(scenario: Scenario, name: str, vessel: Vessel, *, drifts: bool) ->
     return []
 
 
-def _idle(scenario: Scenario, moved: dict[str, Vessel]) -> list[Doubt]:
+def _idle(scenario: Scenario) -> list[Doubt]:
     names = ", ".join(scenario.waves or {})
     vessels = scenario.vessels or {}
     if not vessels and scenario.load is not None and scenario.load.in_water is not None:
         return []
     if not vessels:
         return [Doubt(("waves",), f"the waves {names} do nothing: there are no vessels")]
-    still = [name for name in vessels if name not in moved]
+    still = [name for name, one in vessels.items() if one.wave_forces is None and one.wave_motion is None]
     if not still:
         return []
     sentence = f"the waves {names} pass under {', '.join(still)} without a trace: no 'wave_forces'"

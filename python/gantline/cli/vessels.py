@@ -74,7 +74,7 @@ def _lies_aside(question: Statics, rest: Equilibrium) -> list[str]:
     places = dict(zip(recording.coordinates["body"], recording["body_position"].values[-1], strict=True))
     bodies = {body["name"]: body for body in question.assembly.document["bodies"]}
     lines = []
-    for vessel in recording.rig.vessels:
+    for vessel in (one for one in recording.rig.vessels if not one.is_carried):
         body = bodies[vessel.body]
         orientations = [body["joint"]["orientation"], recording.column("body_orientation", vessel.body)[-1]]
         given, heads = heading(np.array(orientations))

@@ -37,6 +37,7 @@ class Vessel(FromJson):
         marks: Points that should stay above the water, vessel axes [m], by what they belong to.
         righting: Moments [s] with its metacentric heights for heel and trim then [m], of a start at rest and
             of the end: where a lift sets a limit for them, or one is below zero.
+        is_carried: Whether it moves by its RAOs, so that nothing that hangs from it, or rights it, counts.
     """
 
     name: str
@@ -48,6 +49,7 @@ class Vessel(FromJson):
     hull: str = ""
     marks: Mapping[str, Sequence[Vector]] = field(default_factory=dict)
     righting: Sequence[Vector] = ()
+    is_carried: bool = False
 
 
 def with_righting(

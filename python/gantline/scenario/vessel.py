@@ -6,7 +6,7 @@ The axes of a vessel begin at stern, keel and centre plane: x forward, y to port
 from __future__ import annotations
 
 import math
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
@@ -36,6 +36,7 @@ __all__ = [
     "VesselDamping",
     "VesselHull",
     "VesselMass",
+    "WaveMotion",
 ]
 
 #: Angle of a vessel's own z axis from plumb beyond which it has capsized [rad]. By the 2008 IS Code, part A
@@ -140,6 +141,33 @@ class VesselDamping(WaterDamping):
         return self
 
 
+class WaveMotion(Element):
+    """How a vessel moves in waves where that is known beforehand: by its RAOs, whatever hangs from it."""
+
+    what: ClassVar[str] = "a wave motion"
+
+    raos: Text = Field(description="Table of RAOs of displacement beside the lift file: .csv.")
+    phases: Literal["lag", "lead"] = Field(
+        description="Whether phases of the table say how late a motion is after the crest at 'at', or how "
+        "early before it."
+    )
+    at: Position = Field(
+        description="Point of the vessel whose motion the table has and phases count from, vessel's axes."
+    )
+
+
+#: Keys of what pushes a vessel, or is in it, which one that moves by its RAOs does not feel.
+_UNFELT = (
+    "wave_forces",
+    "radiation",
+    "added_mass",
+    "water_damping",
+    "wind_areas",
+    "current_areas",
+    "tanks",
+)
+
+
 class Vessel(Afloat):
     """A vessel: one body that floats."""
 
@@ -157,6 +185,9 @@ class Vessel(Afloat):
     hull: VesselHull = Field(description="What of it displaces water.")
     water_damping: VesselDamping | None = Field(None, description="What water resists its motion with.")
     wave_forces: WaveForces | None = Field(None, description="What waves do to it; nothing if not given.")
+    wave_motion: WaveMotion | None = Field(
+        None, description="How it moves in waves where that is known beforehand; nothing else moves it then."
+    )
     masses: Named[VesselMass] = Field(
         description="What it weighs by itself, by name: without cranes, hooks and contents of tanks."
     )
@@ -175,6 +206,14 @@ class Vessel(Afloat):
     def _one_inertia(self) -> Vessel:
         if (self.radii_of_gyration is None) == (self.inertia is None):
             raise refuse("needs 'radii_of_gyration' or 'inertia', and not both")
+        return self
+
+    @model_validator(mode="after")
+    def _moves_once(self) -> Vessel:
+        for key in _UNFELT if self.wave_motion is not None else ():
+            if getattr(self, key) is not None:
+                sentence = "a vessel with 'wave_motion' moves by its RAOs and by nothing else"
+                raise refuse(f"{sentence}: leave '{key}' or 'wave_motion' out", key)
         return self
 
     @property

@@ -59,14 +59,14 @@ class MetacentricHeights:
 
 
 def metacentric_heights(question: Statics, rest: Equilibrium) -> dict[str, MetacentricHeights]:
-    """Metacentric heights of every vessel of a lift.
+    """Metacentric heights of every vessel of a lift that floats freely.
 
     Args:
         question: The lift.
         rest: Its equilibrium that was found last.
     """
     found = {}
-    for vessel in rest.recording.rig.vessels:
+    for vessel in (one for one in rest.recording.rig.vessels if not one.is_carried):
         displaced = float(rest.recording.column("vessel_displacement", vessel.name)[-1])
         found[vessel.name] = heights_of(question, rest, vessel.body, displaced)
     return found

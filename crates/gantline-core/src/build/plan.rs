@@ -40,7 +40,11 @@ pub(super) fn build_drives(spec: &SystemSpec, tree: &Tree) -> Result<Vec<DriveJo
         let is_limited = matches!(joint, JointSpec::Flow { capacity: Some(_), .. });
         let keeps_pull = matches!(joint, JointSpec::Flow { capacity: Some(_), keeps_pull: true, .. });
         let dof = tree.bodies[body].first_velocity;
-        drives.push(DriveJoint { name: drive.name.clone(), body, dof, is_limited, keeps_pull });
+        let (name, by_waves) = (drive.name.clone(), drive.waves.is_some());
+        if by_waves && is_limited {
+            return error(&name, "waves move it, whatever that takes; it has no motor of limited force");
+        }
+        drives.push(DriveJoint { name, body, dof, is_limited, keeps_pull, by_waves });
     }
     for given in &spec.bodies {
         if let Some(name) = given.joint.drive()

@@ -1,5 +1,6 @@
 //! The state in which a system starts.
 
+use super::trains::build_trains;
 use super::{BuildError, error};
 use crate::audit::{Ledger, Stored, elastic_energy, gravity_energy};
 use crate::constraint::Law;
@@ -29,7 +30,7 @@ pub(super) fn first_state(
     (q, v): (Vec<f64>, Vec<f64>),
     (seats, spots): (Vec<Seat>, Vec<Spot>),
 ) -> Result<State, BuildError> {
-    let mut state = without_forces(spec, system, (q, v), (seats, spots));
+    let mut state = without_forces(spec, system, (q, v), (seats, spots))?;
     let mut frame = Frame::new(system);
     frame.update(system, &state);
     force::begin(&system.tree, &frame.kinematics, (&state.v, state.time), &mut state.past);
@@ -74,7 +75,7 @@ fn without_forces(
     system: &System,
     (q, v): (Vec<f64>, Vec<f64>),
     (seats, spots): (Vec<Seat>, Vec<Spot>),
-) -> State {
+) -> Result<State, BuildError> {
     let rows = system.rows.count();
     let timelines = system.drives.iter().zip(&spec.drives).map(|(drive, given)| {
         let start = q[system.tree.bodies[drive.body].first_position];
@@ -82,10 +83,14 @@ fn without_forces(
         for ramp in &given.ramps {
             timeline.ramp(ramp.at, ramp.duration, ramp.velocity, ramp.shape);
         }
-        timeline
+        if given.waves.is_some() {
+            timeline.follow_waves(build_trains(&given.name, given.waves.as_ref())?);
+        }
+        Ok(timeline)
     });
-    let plan = PlanState::new(&system.plan, timelines.collect());
-    State {
+    let timelines = timelines.collect::<Result<Vec<_>, BuildError>>()?;
+    let plan = PlanState::new(&system.plan, timelines);
+    Ok(State {
         time: 0.0,
         steps: 0,
         acceleration: vec![0.0; v.len()],
@@ -106,7 +111,7 @@ fn without_forces(
         engaged_step: f64::MAX,
         plan,
         ledger: Ledger::default(),
-    }
+    })
 }
 
 /// Sets the scale of inertia of each degree of freedom; one that has none is refused.

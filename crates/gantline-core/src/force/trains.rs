@@ -80,6 +80,34 @@ impl Trains {
         60.0 * s * (1.0 - s) * (1.0 - 2.0 * s) / (self.rise_time * self.rise_time)
     }
 
+    /// The third derivative of g over time at `time` [s]; it jumps where growth begins and ends.
+    fn growth_twist(&self, time: f64) -> f64 {
+        if time >= self.rise_time {
+            return 0.0;
+        }
+        let s = (time / self.rise_time).max(0.0);
+        60.0 * (1.0 - 6.0 * s * (1.0 - s)) / self.rise_time.powi(3)
+    }
+
+    /// What comes by at the origin at `time` [s], and its first three derivatives over time.
+    pub fn at_origin(&self, time: f64) -> [f64; 4] {
+        let mut sum = [0.0; 4];
+        for wave in &self.components {
+            let (sin, cos) = wave.turned(DVec2::ZERO, time);
+            let (a, omega) = (wave.amplitude, wave.frequency);
+            let turns = [cos, omega * sin, -omega.powi(2) * cos, -omega.powi(3) * sin];
+            sum.iter_mut().zip(turns).for_each(|(sum, turn)| *sum += a * turn);
+        }
+        let ((g, rate), bend, twist) = (self.growth(time), self.growth_bend(time), self.growth_twist(time));
+        let [x, v, a, j] = sum;
+        [
+            g * x,
+            g * v + rate * x,
+            g * a + 2.0 * rate * v + bend * x,
+            g * j + 3.0 * (rate * a + bend * v) + twist * x,
+        ]
+    }
+
     /// What comes by at a place [m] and `time` [s], of the water undisturbed by anything in it.
     pub fn passing(&self, place: DVec2, time: f64) -> Passing {
         let mut sum = Passing::default();

@@ -1,9 +1,13 @@
-//! What a drive does over time: what plan or program ask of it, and on top of that what compensates heave.
+//! What a drive does over time: what plan or program ask of it, and on top of that what compensates heave, or what waves
+//! do to a vessel whose motion is known beforehand.
+
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
 use super::course::{Course, Motion, soon};
 use super::step::Emergency;
+use crate::force::trains::Trains;
 use crate::spec::RampShape;
 
 /// What a program asks of a drive.
@@ -32,6 +36,9 @@ pub struct Timeline {
     course: Course,
     /// What heave compensation adds, from 0.
     added: Course,
+    /// What waves add. It is the lift's and not the state's: whoever takes up a saved state gives it back.
+    #[serde(skip)]
+    waves: Option<Arc<Trains>>,
     /// From when on a brake of which capacity holds in place of a motor [s, N].
     #[serde(default)]
     braked: Option<(f64, f64)>,
@@ -51,6 +58,7 @@ impl Timeline {
     pub fn copy_from(&mut self, other: &Self) {
         self.course.copy_from(&other.course);
         self.added.copy_from(&other.added);
+        self.waves.clone_from(&other.waves);
         (self.braked, self.noticed, self.commanded) = (other.braked, other.noticed, other.commanded);
         self.put_right = other.put_right;
     }
@@ -58,7 +66,22 @@ impl Timeline {
     /// A drive at rest at `start` [m or rad]. Room for ramps is made here, not while stepping.
     pub fn new(start: f64, ramps: usize) -> Self {
         let (course, added) = (Course::new(start, ramps), Course::new(0.0, 3));
-        Self { course, added, braked: None, noticed: None, commanded: None, put_right: 0.0 }
+        Self { course, added, waves: None, braked: None, noticed: None, commanded: None, put_right: 0.0 }
+    }
+
+    /// Waves move it as well.
+    pub fn follow_waves(&mut self, waves: Arc<Trains>) {
+        self.waves = Some(waves);
+    }
+
+    /// Gives back what a saved state does not hold, from `other`, the same drive of the same lift.
+    pub fn reattach(&mut self, other: &Self) {
+        self.waves.clone_from(&other.waves);
+    }
+
+    /// What waves add, if they move it.
+    pub fn waves(&self) -> Option<&Trains> {
+        self.waves.as_deref()
     }
 
     /// All its positions are `by` [m or rad] further: what it moves has slipped meanwhile, and is there.
@@ -69,7 +92,7 @@ impl Timeline {
 
     /// Where it would be at `time` [s] if nothing had ever slipped: what it has been asked for [m or rad].
     pub fn asked(&self, time: f64) -> f64 {
-        self.motion(time).position - self.put_right
+        self.calm(time).position - self.put_right
     }
 
     /// Stops in an emergency from `at` [s] on.
@@ -99,10 +122,18 @@ impl Timeline {
 
     /// Where the drive is at `time` [s].
     pub fn motion(&self, time: f64) -> Motion {
+        let calm = self.calm(time);
+        let Some(waves) = &self.waves else { return calm };
+        let [position, velocity, acceleration, _] = waves.at_origin(time);
+        calm + Motion { position, velocity, acceleration }
+    }
+
+    /// Where it would be in still water.
+    pub fn calm(&self, time: f64) -> Motion {
         self.course.motion(time) + self.added.motion(time)
     }
 
-    /// Where it would be without what heave compensation adds.
+    /// Where plan or program have it: without what heave compensation and waves add.
     pub fn planned(&self, time: f64) -> Motion {
         self.course.motion(time)
     }
@@ -144,12 +175,14 @@ impl Timeline {
     /// Acceleration at `time` [s] and its derivative, of the piece of motion that is under way at `from`.
     pub fn acceleration(&self, from: f64, time: f64) -> (f64, f64) {
         let [course, added] = [&self.course, &self.added].map(|one| one.acceleration(from, time));
-        (course.0 + added.0, course.1 + added.1)
+        let [.., by_waves, jerk] = self.waves.as_ref().map_or([0.0; 4], |waves| waves.at_origin(time));
+        (course.0 + added.0 + by_waves, course.1 + added.1 + jerk)
     }
 
-    /// The next time after `time` [s] at which a ramp starts or ends.
+    /// The next time after `time` [s] at which a ramp starts or ends, or waves have grown.
     pub fn next_break(&self, time: f64) -> f64 {
-        self.course.next_break(time).min(self.added.next_break(time))
+        let grown = self.waves.as_ref().map(|waves| waves.rise_time).filter(|&at| at > time);
+        self.course.next_break(time).min(self.added.next_break(time)).min(grown.unwrap_or(f64::INFINITY))
     }
 
     /// From `at` [s] on, within `duration` [s], the velocity goes to `velocity`. Later ramps are dropped.

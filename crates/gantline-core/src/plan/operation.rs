@@ -86,6 +86,13 @@ impl PlanState {
         (self.stop_at, self.stopped) = (other.stop_at, other.stopped);
     }
 
+    /// Gives back what a saved state does not hold, from `other`, one of the same lift.
+    pub fn reattach(&mut self, other: &Self) {
+        for (timeline, other) in self.timelines.iter_mut().zip(&other.timelines) {
+            timeline.reattach(other);
+        }
+    }
+
     /// Before the first step of `plan`.
     pub fn new(plan: &Plan, timelines: Vec<Timeline>) -> Self {
         let stop_at = match plan.stop {

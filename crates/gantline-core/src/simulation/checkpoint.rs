@@ -110,7 +110,8 @@ impl Simulation {
         }
         let samples = Samples::unpacked(packed).filter(|samples| samples.are_of(&self.state));
         self.samples = samples.ok_or_else(|| refused("its samples cannot be read"))?;
-        self.state = checkpoint.state;
+        let own = std::mem::replace(&mut self.state, checkpoint.state);
+        self.state.plan.reattach(&own.plan);
         self.events = checkpoint.events;
         self.commands = checkpoint.commands;
         self.counters = checkpoint.counters;

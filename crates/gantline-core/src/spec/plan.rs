@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 
+use super::TrainsSpec;
 use super::rope::LayersSpec;
 
 /// A drive: the prescribed motion of one joint.
@@ -13,6 +14,9 @@ pub struct DriveSpec {
     /// Ramps that are known in advance, in order of time.
     #[serde(default)]
     pub ramps: Vec<RampSpec>,
+    /// What waves add to that at the origin [m or rad].
+    #[serde(default)]
+    pub waves: Option<TrainsSpec>,
 }
 
 /// From `at` on, within `duration`, the velocity goes to `velocity`.

@@ -139,7 +139,7 @@ impl Statics {
     ) -> Result<Rest, NoEquilibrium> {
         self.begin(system, state);
         self.bearings.clear();
-        flows::set_driven(system, state);
+        flows::set_driven_calm(system, state);
         self.balance(system, state, losses)?;
         winding::lay(system, state, &self.search.here.frame);
         self.rest(system, state)

@@ -178,7 +178,7 @@ impl Statics {
             self.places[index] = stood[index] + further;
             state.q[system.tree.bodies[drive.body].first_position] = self.places[index];
         }
-        flows::set_driven(system, state);
+        flows::set_driven_calm(system, state);
         self.balance_and_wind(system, state, losses, &before)
     }
 

@@ -260,7 +260,7 @@ impl Explicit {
             frame.mass.multiply(&self.a, &mut self.work);
             for drive in &system.drives {
                 let force = self.work[drive.dof] + self.imbalance[drive.dof];
-                ledger.drive_work += h * force * self.v[drive.dof];
+                *ledger.work_of(drive) += h * force * self.v[drive.dof];
             }
         }
         for row in 0..system.rows.count() {

@@ -6,6 +6,8 @@ use crate::constraint::{AnyConstraint, Law};
 use crate::event::{EventKind, EventLog};
 use crate::force::{self, Energies};
 use crate::plan::Seen;
+use crate::plan::course::Motion;
+use crate::plan::drive::Timeline;
 use crate::record::Sample;
 use crate::solver::complementarity::{Complementarity, Mode};
 use crate::solver::stiffness::Stiffness;
@@ -110,7 +112,7 @@ impl StepFlows<'_> {
             work[place.dof] -= h * frame.coil_force(system, index);
         }
         for drive in system.drives.iter().filter(|drive| !drive.is_limited) {
-            state.ledger.flows.drive_work += work[drive.dof] * self.v[drive.dof];
+            *state.ledger.flows.work_of(drive) += work[drive.dof] * self.v[drive.dof];
         }
     }
 
@@ -378,9 +380,18 @@ pub fn advance_plan(
 
 /// Puts driven joints exactly where their drives are, so rounding does not add up.
 pub fn set_driven(system: &System, state: &mut State) {
+    place_driven(system, state, Timeline::motion);
+}
+
+/// The same in still water, for an equilibrium.
+pub fn set_driven_calm(system: &System, state: &mut State) {
+    place_driven(system, state, Timeline::calm);
+}
+
+fn place_driven(system: &System, state: &mut State, motion: fn(&Timeline, f64) -> Motion) {
     for (drive, timeline) in system.prescribed(&state.plan.timelines) {
         let position = system.tree.bodies[drive.body].first_position;
-        state.q[position] = timeline.motion(state.time).position;
+        state.q[position] = motion(timeline, state.time).position;
     }
 }
 

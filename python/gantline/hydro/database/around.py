@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["ForcesAround", "beside", "cubics_around"]
+__all__ = ["ForcesAround", "all_round", "beside", "cubics_around"]
 
 Array = npt.NDArray[np.float64]
 Complex = npt.NDArray[np.complex128]
+Values = TypeVar("Values", npt.NDArray[np.float64], npt.NDArray[np.complex128])
 
 #: Directions that are the same [rad].
 _SAME = math.radians(1e-6)
@@ -36,6 +38,24 @@ def beside(known: Array, wanted: float) -> tuple[int, float, float] | None:
     if min(ahead[after], behind[before]) < _SAME:
         return (after if ahead[after] < behind[before] else before), 0.0, 0.0
     return (before, float(behind[before]) / gap, gap) if gap <= _WIDEST else None
+
+
+def all_round(directions: Array, forces: Values, mirror: Array) -> tuple[Values, Array]:
+    """Forces by rising direction, mirrored where the other side has none, and these directions [rad].
+
+    A file for a body with two sides alike needs half of the directions.
+
+    Args:
+        directions: of the file (k,) [rad].
+        forces: (n, k, m).
+        mirror: sign of each on the other side (m,).
+    """
+    missing = np.array([beside(directions, -angle) is None for angle in directions])
+    own = np.degrees(directions)
+    around = np.round(np.concatenate([own, -own[missing]]), 6) % 360.0
+    order = np.unique(around, return_index=True)[1]
+    both = np.concatenate([forces, forces[:, missing] * mirror], axis=1)
+    return both[:, order], np.radians(around[order])
 
 
 @dataclass(frozen=True, eq=False)

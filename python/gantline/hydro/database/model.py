@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
-from gantline.hydro.database.around import ForcesAround, beside
+from gantline.hydro.database.around import ForcesAround, all_round, beside
 from gantline.hydro.database.outlying import outliers
 from gantline.hydro.waves import wave_number
 
 __all__ = ["AXES", "DRIFTING", "DatabaseError", "HydrodynamicDatabase"]
 
 Array = npt.NDArray[np.float64]
-Values = TypeVar("Values", npt.NDArray[np.float64], npt.NDArray[np.complex128])
 
 #: The six motions, in the order of rows and columns.
 AXES = ("surge", "sway", "heave", "roll", "pitch", "yaw")
@@ -238,7 +236,7 @@ class HydrodynamicDatabase:
         along = np.cos(self.directions) * x + np.sin(self.directions) * y
         way = np.outer(self._wave_number(self.frequencies), along)
         phased = self.excitation * np.exp(-1j * way)[:, :, np.newaxis]
-        forces, directions = self._all_round(phased, np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0]))
+        forces, directions = all_round(self.directions, phased, np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0]))
         scaled = forces * complex(self._denser(density))
         return ForcesAround.between(self.frequencies, scaled, frequency, directions)
 
@@ -254,21 +252,11 @@ class HydrodynamicDatabase:
         """
         if self.drift is None:
             return None
-        drifts, directions = self._all_round(self.drift, np.array([1.0, -1.0, -1.0]))
+        drifts, directions = all_round(self.directions, self.drift, np.array([1.0, -1.0, -1.0]))
         scaled = drifts * self._denser(density)
         return ForcesAround.drifts_between(
             self.frequencies, scaled, frequency, directions, derivative=derivative
         )
-
-    def _all_round(self, forces: Values, mirror: Array) -> tuple[Values, Array]:
-        """Forces (n, k, m) by rising direction, mirrored where the other side has none; directions [rad]."""
-        # A file for a body with two sides alike needs half of the directions.
-        missing = np.array([beside(self.directions, -angle) is None for angle in self.directions])
-        own = np.degrees(self.directions)
-        around = np.round(np.concatenate([own, -own[missing]]), 6) % 360.0
-        order = np.unique(around, return_index=True)[1]
-        both = np.concatenate([forces, forces[:, missing] * mirror], axis=1)
-        return both[:, order], np.radians(around[order])
 
     def _denser(self, density: float) -> float:
         """Forces in water of this density [kg/m^3] over those of the file."""

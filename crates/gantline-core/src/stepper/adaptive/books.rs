@@ -140,8 +140,8 @@ impl Adaptive {
         let (probe, ledger) = (&self.probe, &mut self.flows);
         for (dof, velocity) in self.point.v.iter().enumerate() {
             let work = duration * probe.imbalance[dof] * velocity;
-            if system.driven[dof].is_some() {
-                ledger.drive_work += work;
+            if let Some(drive) = system.driven[dof] {
+                *ledger.work_of(&system.drives[drive]) += work;
             } else if system.is_light[dof] {
                 ledger.friction -= work;
             } else {

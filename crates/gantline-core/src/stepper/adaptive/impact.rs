@@ -3,6 +3,7 @@
 
 use super::Adaptive;
 use super::rodas::Rodas;
+use crate::audit::Flows;
 use crate::clock::Stage;
 use crate::constraint::brake::Brake;
 use crate::event::{EventKind, EventLog};
@@ -69,7 +70,7 @@ impl Adaptive {
     /// kinetic energy of the correction. Where one has just gone taut (`hit`), that is the impact (restitution 0),
     /// in which others at their length take part: 0 ≤ p ⟂ G v₊ ≤ 0. One after the other, two ropes that tighten
     /// each other would hand an impact to and fro for ever. Dry friction takes no part in it. Returns what drives put in
-    /// at once [J].
+    /// at once.
     pub(super) fn project(
         &mut self,
         system: &System,
@@ -77,7 +78,7 @@ impl Adaptive {
         frame: &mut Frame,
         log: &mut EventLog,
         hit: bool,
-    ) -> Result<f64, ZeroPivot> {
+    ) -> Result<Flows, ZeroPivot> {
         self.note_taut(system, state);
         let mut settled = false;
         while !settled {
@@ -114,13 +115,13 @@ impl Adaptive {
             }
         }
         let flows = &mut state.ledger.flows;
-        flows.drive_work += work;
-        flows.impact += 0.5 * (before - frame.mass.quadratic(&state.v)) + work;
+        *flows += work;
+        flows.impact += 0.5 * (before - frame.mass.quadratic(&state.v)) + work.put_in();
         Ok(())
     }
 
     /// Brings the ends of inextensible ropes that act to equal speed, and what pins hold to rest. Where that is an
-    /// impact (`hit`), others at their length take part. Returns what drives put in at once [J].
+    /// impact (`hit`), others at their length take part. Returns what drives put in at once.
     fn hit(
         &mut self,
         system: &System,
@@ -128,7 +129,7 @@ impl Adaptive {
         frame: &Frame,
         log: &mut EventLog,
         hit: bool,
-    ) -> Result<f64, ZeroPivot> {
+    ) -> Result<Flows, ZeroPivot> {
         let held = if hit { release(system, state) } else { Vec::new() };
         self.equalise(system, state, frame, hit)?;
         if self.hold_again(system, state, &held) {
@@ -221,9 +222,9 @@ impl Adaptive {
         Ok(())
     }
 
-    /// What drives put in at once [J]: each keeps its velocity against the impulses p that change those of the others,
+    /// What drives put in at once: each keeps its velocity against the impulses p that change those of the others,
     /// which takes M Δv + Gᵀ p. `correct` has just found Δv and p.
-    fn work_at_once(&mut self, system: &System, state: &State, frame: &Frame) -> f64 {
+    fn work_at_once(&mut self, system: &System, state: &State, frame: &Frame) -> Flows {
         let impulse = &mut self.rate.phi;
         frame.mass.multiply(&self.rate.a, impulse);
         for row in told(system).filter(|&row| state.modes[row] == Mode::Acting) {
@@ -231,10 +232,11 @@ impl Adaptive {
                 impulse[dof] += entry * self.rodas.matrix.row_solution(row);
             }
         }
-        system
-            .prescribed(&state.plan.timelines)
-            .map(|(drive, _)| impulse[drive.dof] * state.v[drive.dof])
-            .sum()
+        let mut flows = Flows::default();
+        for (drive, _) in system.prescribed(&state.plan.timelines) {
+            *flows.work_of(drive) += impulse[drive.dof] * state.v[drive.dof];
+        }
+        flows
     }
 
     /// An inextensible rope on the wrong side of an impact: it pushes, or its ends move apart at its full length.

@@ -14,7 +14,7 @@ impl Adaptive {
             h = h.min(2.0 * state.engaged_step);
         }
         h = h.min(self.ringing_limit(system, state)).min(self.winding_limit(system, state));
-        h = h.min(self.crest_limit(system));
+        h = h.min(self.crest_limit(system)).min(prescribed::wave_limit(state));
         h = prescribed::turning_limit(system, state, h.min(stop - state.time));
         if !system.finders.is_empty() {
             let here = &self.rodas.here;
@@ -49,8 +49,9 @@ impl Adaptive {
                 h = (0.1 * h).max(FIRST_STEP);
                 continue;
             }
+            let missed = self.end_with_waves(system, state, h);
             let error = self.weights.norm(system, state, &self.rodas, &self.tolerance);
-            let error = error.max(self.foretell(system, state, h));
+            let error = error.max(missed).max(self.foretell(system, state, h));
             if error <= 1.0 && self.has_tangents(system, state) {
                 return Ok(error);
             }

@@ -338,9 +338,9 @@ impl Adaptive {
             self.rodas.evaluate(system, state);
             self.refresh(system, frame);
             self.hand_over(system, state);
-            let lost = before + work - flows::stored(system, state, frame).sum();
+            let lost = before + work.put_in() - flows::stored(system, state, frame).sum();
             let flows = &mut state.ledger.flows;
-            flows.drive_work += work;
+            *flows += work;
             *(if hit { &mut flows.impact } else { &mut flows.method }) += lost;
         }
         flows::store(system, state, frame);

@@ -14,6 +14,9 @@
 //!
 //! Where something free hangs on a drive, how that moves bounds the step; unless it is balanced, and then only what
 //! the drive turns is left: see [`TURN`].
+//!
+//! What waves do to a vessel whose motion is known is no polynomial. A step ends where they have it, and is as short as
+//! the course between asks, of which the middle is compared with them.
 
 use super::error::ROUNDING;
 use super::evaluation::Evaluation;
@@ -22,6 +25,7 @@ use super::looks::{POINTS, TIMES};
 use super::point::Point;
 use super::{Adaptive, LOOKS};
 use crate::constraint::Law;
+use crate::plan::drive::Timeline;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::joint::Motion;
@@ -51,6 +55,9 @@ const SHORTEST: f64 = 1e-6;
 /// A drive turns by no more than this in a step [rad]. What weight does then goes by a sine of which Gauss's four points
 /// miss 6e-10, whatever hangs on it and does not notice.
 const TURN: f64 = 1.0;
+
+/// Steps in the mean period of what waves do to a drive: none of a course that is sampled less often can be told.
+const STEPS_IN_WAVE: f64 = 8.0;
 
 /// Rows and drives that nothing free has a part in, and what the looks of a step say of them.
 #[derive(Debug, Clone)]
@@ -128,7 +135,34 @@ pub fn turning_limit(system: &System, state: &State, h: f64) -> f64 {
     limit
 }
 
+/// No step is longer while waves move a drive [s].
+pub fn wave_limit(state: &State) -> f64 {
+    let waves = state.plan.timelines.iter().filter_map(Timeline::waves);
+    waves.map(|waves| waves.mean_period() / STEPS_IN_WAVE).fold(f64::INFINITY, f64::min)
+}
+
 impl Adaptive {
+    /// Lets the step that has been computed, of length `h` [s], end where waves have the drives that they move; by how much
+    /// its course missed them, at its end or half-way, in tolerances.
+    pub(super) fn end_with_waves(&mut self, system: &System, state: &State, h: f64) -> f64 {
+        let mut missed = 0.0_f64;
+        let by_waves = |(_, timeline): &(_, &Timeline)| timeline.waves().is_some();
+        for (drive, timeline) in system.prescribed(&state.plan.timelines).filter(by_waves) {
+            let (dof, from) = (drive.dof, state.q[system.tree.bodies[drive.body].first_position]);
+            let ends = [0.5, 1.0].map(|theta| timeline.motion(state.time + theta * h));
+            self.rodas.course.at(0.5, &mut self.point);
+            let ways = [self.point.phi[dof], self.rodas.course.end.phi[dof]];
+            for (way, end) in ways.into_iter().zip(&ends) {
+                let miss = (from + way - end.position).abs() * self.weights.arm[dof];
+                missed = missed.max(miss / self.tolerance.position);
+            }
+            let end = &mut self.rodas.course.end;
+            (end.phi[dof], end.v[dof], end.a[dof]) =
+                (ends[1].position - from, ends[1].velocity, ends[1].acceleration);
+        }
+        missed
+    }
+
     /// How well looks at the step that has been computed, of length `h` [s], tell the forces that prescribed motion
     /// alone decides, in tolerances; at most 1 is good.
     pub(super) fn foretell(&mut self, system: &System, state: &State, h: f64) -> f64 {

@@ -1,0 +1,64 @@
+"""Vessels whose motion in waves is known beforehand: six drives that the sea moves, and nothing else.
+
+The point that this motion is of is carried along the level axes of the vessel's heading, then turned by yaw,
+pitch and roll, in this order. What the lift file says of heel and trim comes on top.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gantline.assembly.parts import Json, Parts
+from gantline.assembly.spatial import about_axis, quaternion_product, rotation_matrix
+from gantline.scenario.vessel import Vessel
+
+__all__ = ["add_carried_vessel", "carrier", "wave_drive"]
+
+#: Joints in the order in which they carry, by their axes.
+_JOINTS = {
+    "surge": ("slider", (1.0, 0.0, 0.0)),
+    "sway": ("slider", (0.0, 1.0, 0.0)),
+    "heave": ("slider", (0.0, 0.0, 1.0)),
+    "yaw": ("hinge", (0.0, 0.0, 1.0)),
+    "pitch": ("hinge", (0.0, 1.0, 0.0)),
+    "roll": ("hinge", (1.0, 0.0, 0.0)),
+}
+
+
+def carrier(vessel: str, axis: str) -> str:
+    """Name of the body that carries one motion of a vessel."""
+    return f"{vessel}/{axis}"
+
+
+def wave_drive(vessel: str, axis: str) -> str:
+    """Name of the drive of one motion of a vessel."""
+    return f"{vessel}.{axis}"
+
+
+def add_carried_vessel(parts: Parts, name: str, vessel: Vessel, start: Json, own: Json) -> None:
+    """Add a vessel that six drives carry at the point that its RAOs are of.
+
+    Args:
+        parts: the lift so far.
+        name: of the vessel.
+        vessel: it.
+        start: where a free body would be at the start: `position`, `orientation`.
+        own: what it weighs, as keywords of `Parts.add_body`.
+    """
+    motion = vessel.wave_motion
+    assert motion is not None
+    turned = rotation_matrix(start["orientation"])
+    at = np.array(motion.at)
+    place = {"position": np.array(start["position"]) + turned @ at}
+    place |= {"orientation": about_axis((0.0, 0.0, 1.0), vessel.heading)}
+    parent = None
+    for axis, (kind, way) in _JOINTS.items():
+        parts.add_drive(wave_drive(name, axis))
+        joint = {"type": kind, "axis": list(way), "position": 0.0, "velocity": 0.0, "damping": 0.0}
+        joint |= {"friction": 0.0, "drive": wave_drive(name, axis)}
+        parts.add_body(carrier(name, axis), joint, parent=parent, **place)
+        parent, place = carrier(name, axis), {}
+    back = about_axis((0.0, 0.0, 1.0), -vessel.heading)
+    leans = quaternion_product(back, start["orientation"])
+    aside = -(rotation_matrix(leans) @ at)
+    parts.add_body(name, {"type": "fixed"}, parent=parent, position=aside, orientation=leans, **own)
