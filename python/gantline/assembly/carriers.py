@@ -35,15 +35,14 @@ def wave_drive(vessel: str, axis: str) -> str:
     return f"{vessel}.{axis}"
 
 
-def add_carried_vessel(parts: Parts, name: str, vessel: Vessel, start: Json, own: Json) -> None:
-    """Add a vessel that six drives carry at the point that its RAOs are of.
+def add_carried_vessel(parts: Parts, name: str, vessel: Vessel, start: Json) -> None:
+    """Add a vessel that six drives carry at the point that its RAOs are of; its weight would change nothing.
 
     Args:
         parts: the lift so far.
         name: of the vessel.
         vessel: it.
         start: where a free body would be at the start: `position`, `orientation`.
-        own: what it weighs, as keywords of `Parts.add_body`.
     """
     motion = vessel.wave_motion
     assert motion is not None
@@ -61,4 +60,5 @@ def add_carried_vessel(parts: Parts, name: str, vessel: Vessel, start: Json, own
     back = about_axis((0.0, 0.0, 1.0), -vessel.heading)
     leans = quaternion_product(back, start["orientation"])
     aside = -(rotation_matrix(leans) @ at)
-    parts.add_body(name, {"type": "fixed"}, parent=parent, position=aside, orientation=leans, **own)
+    place = {"position": aside, "orientation": leans, "centre_of_gravity": vessel.centre_of_gravity}
+    parts.add_body(name, {"type": "fixed"}, parent=parent, **place)

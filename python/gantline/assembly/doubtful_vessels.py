@@ -79,6 +79,8 @@ def doubtful_vessels(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
 
 def _radii(vessel: Vessel, length: float, breadth: float) -> Iterator[tuple[tuple[str, ...], str]]:
     """Radii of gyration that no hull of this size has."""
+    if vessel.is_carried:
+        return
     own = vessel.own_inertia
     radii = [math.sqrt(one / vessel.mass) for one in (own.xx, own.yy, own.zz)]
     key = ("inertia",) if vessel.radii_of_gyration is None else ("radii_of_gyration",)

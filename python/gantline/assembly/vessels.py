@@ -66,17 +66,13 @@ def add_vessels(parts: Parts, scenario: Scenario) -> None:
     """
     level = (scenario.water or Water()).level
     for name, vessel in (scenario.vessels or {}).items():
+        start, centre = _start(scenario, name, vessel, level), vessel.centre_of_gravity
+        if vessel.is_carried:
+            add_carried_vessel(parts, name, vessel, start)
+            continue
         own = vessel.own_inertia
-        weighs: Json = {
-            "mass": vessel.mass,
-            "centre_of_gravity": vessel.centre_of_gravity,
-            "inertia": (own.xx, own.yy, own.zz, own.xy, own.xz, own.yz),
-        }
-        start = _start(scenario, name, vessel, level)
-        if vessel.wave_motion is None:
-            parts.add_body(name, start, **weighs)
-        else:
-            add_carried_vessel(parts, name, vessel, start, weighs)
+        inertia = (own.xx, own.yy, own.zz, own.xy, own.xz, own.yz)
+        parts.add_body(name, start, mass=vessel.mass, centre_of_gravity=centre, inertia=inertia)
 
 
 def _start(scenario: Scenario, name: str, vessel: Vessel, level: float) -> Json:
@@ -180,7 +176,7 @@ def vessel_rig(scenario: Scenario, parts: Parts) -> list[Json]:
                 "density": water.density,
                 "hull": hull_name(name),
                 "marks": _marks(scenario, name),
-                **({} if vessel.wave_motion is None else {"is_carried": True}),
+                **({"is_carried": True} if vessel.is_carried else {}),
             }
         )
     return found

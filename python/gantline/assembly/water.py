@@ -48,7 +48,8 @@ def add_water(parts: Parts, scenario: Scenario) -> None:
 def _around(parts: Parts, scenario: Scenario, name: str, body: Afloat, water: Water) -> None:
     hull = hull_mesh(scenario, name, body)
     if hull is not None:
-        surface = {"density": water.density, "level": water.level}
+        # What waves carry is pushed by nothing; how much it displaces is told.
+        surface = {"density": 0.0 if body.is_carried else water.density, "level": water.level}
         path = (*afloat_path(scenario, name), "hull")
         parts.doubts += [Doubt(path, doubt) for doubt in hull.doubts]
         named = {"type": "buoyancy", "name": hull_name(name), "body": name}

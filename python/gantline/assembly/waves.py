@@ -290,7 +290,7 @@ def _idle(scenario: Scenario) -> list[Doubt]:
         return []
     if not vessels:
         return [Doubt(("waves",), f"the waves {names} do nothing: there are no vessels")]
-    still = [name for name, one in vessels.items() if one.wave_forces is None and one.wave_motion is None]
+    still = [name for name, one in vessels.items() if one.wave_forces is None and not one.is_carried]
     if not still:
         return []
     sentence = f"the waves {names} pass under {', '.join(still)} without a trace: no 'wave_forces'"

@@ -48,7 +48,9 @@ def metacentric_height(recording: Recording, during: BoolArray) -> Iterator[Find
         time, height, _ = min(vessel.righting, key=lambda one: one[1])
         yield Found(height, vessel.name, time)
     for vessel in recording.rig.vessels:
-        if vessel not in known:
+        if vessel.is_carried:
+            yield Missing(vessel.name, "it moves by 'wave_motion', whatever rights it")
+        elif vessel not in known:
             yield Missing(vessel.name, "what rights it is known where a run begins at rest or has ended")
 
 

@@ -103,12 +103,13 @@ def _vessels(question: Statics, found: Sequence[StepAtRest], width: int) -> Iter
             ["trim", *_cells(found, "vessel_trim", name, "deg", 3)],
             ["freeboard", *_cells(found, "vessel_freeboard", name, "m", 3)],
         ]
-        heights = [one.heights.get(name) for one in found]
-        gm = [(None, None) if one is None else (one.transverse, one.longitudinal) for one in heights]
-        columns += [
-            ["GM heel", *_shown((transverse for transverse, _ in gm), "m", 2)],
-            ["GM trim", *_shown((longitudinal for _, longitudinal in gm), "m", 2)],
-        ]
+        if not vessel.is_carried:
+            heights = [one.heights.get(name) for one in found]
+            gm = [(None, None) if one is None else (one.transverse, one.longitudinal) for one in heights]
+            columns += [
+                ["GM heel", *_shown((transverse for transverse, _ in gm), "m", 2)],
+                ["GM trim", *_shown((longitudinal for _, longitudinal in gm), "m", 2)],
+            ]
         yield from tables([name, *_names(found)[1:]], columns, width=width)
 
 

@@ -63,7 +63,8 @@ def vessels_at_rest(question: Statics, rest: Equilibrium) -> list[str]:
     lies = vessels(rest.recording)
     if not lies:
         return []
-    return [*lies, *_lies_aside(question, rest), "", *righting(metacentric_heights(question, rest))]
+    rights = righting(metacentric_heights(question, rest))
+    return [*lies, *_lies_aside(question, rest), *([""] if rights else []), *rights]
 
 
 def _lies_aside(question: Statics, rest: Equilibrium) -> list[str]:
@@ -98,9 +99,11 @@ def _way(forth: str, back: str, way: float) -> str:
 
 
 def righting(heights: Mapping[str, MetacentricHeights]) -> list[str]:
-    """What rights each vessel."""
+    """What rights each vessel; nothing where none floats freely."""
     rows = [
         (name, *(format_quantity(height, "m", 2) for height in (found.transverse, found.longitudinal)))
         for name, found in heights.items()
     ]
+    if not rows:
+        return []
     return table(("Righting", "GM transverse, with free surfaces", "longitudinal"), rows, "lrr")

@@ -126,8 +126,8 @@ _INSTEAD = {
     ),
     "a vessel": dict.fromkeys(
         ("displacement_raos", "motion", "motions", "rao", "raos"),
-        "a vessel moves by what pushes it: 'wave_forces' and 'radiation' name a hydrodynamic database; "
-        "motions in waves that are known beforehand, RAOs of displacement, cannot be given",
+        "RAOs of displacement stand in 'wave_motion: {raos: vessel.csv, phases: lag, at: [50 m, 0 m, 4 m]}'; "
+        "'wave_forces' and 'radiation' name a hydrodynamic database, by which it answers what hangs from it",
     ),
     "limits": {
         **dict.fromkeys(

@@ -188,8 +188,10 @@ class Vessel(Afloat):
     wave_motion: WaveMotion | None = Field(
         None, description="How it moves in waves where that is known beforehand; nothing else moves it then."
     )
-    masses: Named[VesselMass] = Field(
-        description="What it weighs by itself, by name: without cranes, hooks and contents of tanks."
+    masses: Named[VesselMass] | None = Field(
+        None,
+        description="What it weighs by itself, by name: without cranes, hooks and contents of tanks. "
+        "Not needed beside 'wave_motion'.",
     )
     radii_of_gyration: Sizes | None = Field(
         None, description="Of these masses together about their centre of gravity, axes x, y, z."
@@ -204,7 +206,10 @@ class Vessel(Afloat):
 
     @model_validator(mode="after")
     def _one_inertia(self) -> Vessel:
-        if (self.radii_of_gyration is None) == (self.inertia is None):
+        if self.wave_motion is None and self.masses is None:
+            raise refuse("'masses' is missing; a vessel needs it unless it has a 'wave_motion'")
+        known = [one for one in (self.radii_of_gyration, self.inertia) if one is not None]
+        if len(known) > 1 or (self.wave_motion is None and not known):
             raise refuse("needs 'radii_of_gyration' or 'inertia', and not both")
         return self
 
@@ -217,13 +222,21 @@ class Vessel(Afloat):
         return self
 
     @property
+    def is_carried(self) -> bool:
+        """Whether it moves as its 'wave_motion' says."""
+        return self.wave_motion is not None
+
+    @property
     def mass(self) -> float:
-        """Mass of the vessel by itself [kg]."""
-        return math.fsum(one.mass for one in self.masses.values())
+        """Mass of the vessel by itself [kg]; 0 where it is not given."""
+        return math.fsum(one.mass for one in (self.masses or {}).values())
 
     @property
     def centre_of_gravity(self) -> tuple[float, float, float]:
-        """Centre of gravity of the vessel by itself, its axes [m]."""
+        """Centre of gravity of the vessel by itself, its axes [m]; without masses the point of its motion."""
+        if self.masses is None:
+            assert self.wave_motion is not None  # validated
+            return self.wave_motion.at
         parts = self.masses.values()
         x, y, z = (math.fsum(one.mass * one.at[axis] for one in parts) / self.mass for axis in range(3))
         return x, y, z

@@ -306,6 +306,11 @@ class Afloat(Element):
         return self
 
     @property
+    def is_carried(self) -> bool:
+        """Whether it moves as it is told, so that nothing that pushes it counts."""
+        return False
+
+    @property
     def floats_freely(self) -> bool:
         """Whether it has a hull, and nothing but forces hold it."""
-        return self.hull is not None
+        return self.hull is not None and not self.is_carried

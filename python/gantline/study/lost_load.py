@@ -189,9 +189,12 @@ def lose_load(question: Statics, rest: Equilibrium, load: str) -> LostLoad:
 
     Raises:
         NoEquilibriumError: If there is none without it.
-        ValueError: If there is no such load, or no vessel, or the load rests on one, which does not lose it.
+        ValueError: If there is no such load, or no vessel that floats freely, or the load rests on one, which
+            does not lose it.
     """
-    vessels = rest.recording.rig.vessels
+    vessels = [vessel for vessel in rest.recording.rig.vessels if not vessel.is_carried]
+    if rest.recording.rig.vessels and not vessels:
+        raise ValueError("vessels with 'wave_motion' move by that alone, whatever they lose")
     if not vessels:
         ashore = "a run shows what a crane on land does, with 'cut_at' on the slings of its load"
         raise ValueError(f"no vessel of this lift floats; {ashore}")

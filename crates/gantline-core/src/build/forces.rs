@@ -8,7 +8,7 @@ use super::memory::build_memory;
 use super::moorings::build_mooring;
 use super::submerged::build_submerged;
 use super::trains::{build_mean_drift, build_wave};
-use super::{BuildError, error, finite, positive};
+use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::force::AnyForce;
 use crate::force::added_mass::AddedMass;
 use crate::force::buoyancy::Buoyancy;
@@ -159,7 +159,8 @@ fn build_buoyancy(
     (density, level): (f64, f64),
     tree: &Tree,
 ) -> Result<Buoyancy, BuildError> {
-    positive(name, "the density of its water", density)?;
+    // Without density nothing pushes: what it displaces is told all the same.
+    at_least_zero(name, "the density of its water", density)?;
     finite(name, "the level of its water", &[level])?;
     if tree.gravity.length() == 0.0 {
         return error(name, "there is no gravity, so water does not press; give it gravity");

@@ -142,3 +142,30 @@ impl Trains {
         self.components.iter().map(|wave| wave.amplitude.abs()).sum()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each derivative at the origin against the difference of the one before it, while waves grow and after: what is
+    /// left is d² times the third derivative of that, ω³/6 for 1 m, and rounding over d.
+    #[test]
+    fn derivatives_at_the_origin() {
+        let wave = |frequency: f64, amplitude: f64, phase: f64| {
+            let (wave_number, number) = (DVec2::new(0.1, 0.0), 0.1);
+            Component { frequency, wave_number, number, amplitude, phase }
+        };
+        let components = vec![wave(0.7, 1.0, 0.3), wave(1.1, -0.4, 2.0)];
+        let waves = Trains { components, rise_time: 20.0, depth: None };
+        let d = 1e-4;
+        for time in [0.01, 3.0, 11.0, 19.0, 20.5, 47.0] {
+            let [before, here, after] = [time - d, time, time + d].map(|time| waves.at_origin(time));
+            for k in 0..3 {
+                let slope = (after[k] - before[k]) / (2.0 * d);
+                assert!((slope - here[k + 1]).abs() < 1e-8, "{k} at {time}: {slope} {}", here[k + 1]);
+            }
+            let passing = waves.passing(DVec2::ZERO, time);
+            assert!((here[0] - passing.value).abs() < 1e-15 && (here[1] - passing.rate).abs() < 1e-15);
+        }
+    }
+}
