@@ -85,6 +85,15 @@ def test_every_limit_has_a_key_and_a_row() -> None:
     assert [name for name in LIMITS if f"`{name}`" not in page] == []
 
 
+def test_a_slipped_unit_is_found_in_every_limit_that_is_an_angle() -> None:
+    """Nothing comes to a limit of 300 deg, which nobody meant, so that it would hide what it should show."""
+    largest = {name for name, one in LIMITS.items() if one.unit == "deg" and not one.at_least}
+    text = shipped()["spreader_bar"].read_text(encoding="utf-8").partition("\nlimits:")[0]
+    for name in sorted(largest & set(Limits.model_fields)):
+        doubts = assemble(parse_scenario(f"{text}\nlimits: {{{name}: 300 deg}}\n")).doubts
+        assert f"limits.{name}" in [one.path for one in doubts], name
+
+
 def pattern_of(name: ast.expr) -> str:
     """What matches a name that a source yields; in an f-string anything stands for what it puts in."""
     parts = name.values if isinstance(name, ast.JoinedStr) else [name]
