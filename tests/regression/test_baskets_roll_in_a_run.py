@@ -16,36 +16,18 @@ import pytest
 import gantline
 from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.results.recording import Recording
-from gantline.scenario import parse_scenario
+from gantline.scenario import Scenario, parse_scenario
+from pipe_in_baskets import pipe_in_baskets
 
-LIFT = """\
-format: 1
-lift: {title: A pipe in two baskets}
-duration: 30 s
-ground: {level: 0 m, friction: 0.5}
-ropes: {sling_36: {construction: 6x36 IWRC, grade: 1960, diameter: 36 mm, damping_time: 10 ms}}
-load:
-  name: pipe
-  shape: {box: [10 m, 1 m, 1 m]}
-  weight: {calculated: 10 t}
-  centre_of_gravity: {at: [0 m, 0 m, 0.4 m]}
-cranes:
-  west: {type: fixed_hook, at: [-3 m, 0 m, 5.3 m], hoist: {speed: 3 m/min, acceleration: 0.05 m/s^2}}
-  east: {type: fixed_hook, at: [ 3 m, 0 m, 5.3 m], hoist: {speed: 3 m/min, acceleration: 0.05 m/s^2}}
-mechanics:
-  ropes:
-"""
-for name, x in (("west", -3), ("east", 3)):
-    eyes = ", ".join(f"{{type: eye, body: pipe, at: [{x} m, {y} m, HIGH m]}}" for y in (0.5, -0.5))
-    end = f"{{type: end, body: {name}}}"
-    LIFT += f"    {name}: {{rope: sling_36, length: 11 m, route: [{end}, {eyes}, {end}]}}\n"
 PLAN = """\
+ground: {level: 0 m, friction: 0.5}
 plan:
   - {step: lift off, hoist: [west, east], speed: 1 m/min, until: {supports: clear}}
   - {step: hold, hold: until_end}
 limits: {rule: yard, load_tilt: 5 deg}
 """
 SET_DOWN = """\
+ground: {level: 0 m, friction: 0.5}
 plan:
   - {step: lift off, hoist: [west, east], speed: 1 m/min, until: {supports: clear}}
   - {step: hold, hold: 6 s}
@@ -55,9 +37,21 @@ limits: {rule: yard, load_tilt: 5 deg}
 """
 
 
+def lift(high: float, plan: str = PLAN) -> Scenario:
+    """The pipe on the ground below two hooks, its eyes so high [m]."""
+    text = pipe_in_baskets(
+        hooks=5.3,
+        eyes=high,
+        bottom=0.0,
+        rope="construction: 6x36 IWRC, grade: 1960, diameter: 36 mm",
+        duration=50.0 if plan is SET_DOWN else 30.0,
+        more=plan,
+    )
+    return parse_scenario(text)
+
+
 def run(high: float, plan: str = PLAN) -> Recording:
-    text = LIFT.replace("HIGH", repr(high)) + plan
-    return gantline.simulate(parse_scenario(text.replace("30 s", "50 s") if plan is SET_DOWN else text))
+    return gantline.simulate(lift(high, plan))
 
 
 def stability(recording: Recording) -> list[Check]:
@@ -90,7 +84,7 @@ def test_one_that_leans_on_the_ground_at_rest_is_a_warning() -> None:
 
 def test_a_run_that_has_not_asked_is_a_warning() -> None:
     """Such as one that was paused before its end."""
-    simulation = gantline.Simulation(parse_scenario(LIFT.replace("HIGH", "0.03") + PLAN))
+    simulation = gantline.Simulation(lift(0.03))
     recording = simulation.run(until=15.0)
     [check] = stability(recording)
     assert check.verdict is Verdict.WARNING

@@ -14,33 +14,13 @@ import pytest
 
 from gantline.assembly import assemble
 from gantline.scenario import parse_scenario
+from pipe_in_baskets import Basket, pipe_in_baskets
 
 
-def doubts(*baskets: tuple[str, float, float], height: float = 0.1) -> list[str]:
-    """Of a pipe in baskets: the name of each, where its hook is and where its eyes are along the pipe [m]."""
-    places = {x: f"h{number}" for number, x in enumerate(dict.fromkeys(hook for _, hook, _ in baskets))}
-    lift = """\
-format: 1
-lift: {title: A pipe in two baskets}
-duration: 1 s
-ropes: {soft: {axial_stiffness: 60 MN, damping_time: 10 ms}}
-load:
-  name: pipe
-  shape: {box: [10 m, 1 m, 1 m]}
-  position: [0 m, 0 m, 2 m]
-  weight: {calculated: 10 t}
-  centre_of_gravity: {at: [0 m, 0 m, 0.4 m]}
-cranes:
-"""
-    for x, name in places.items():
-        lift += f"  {name}: {{type: fixed_hook, at: [{x} m, 0 m, 6 m], hoist: {{speed: 3 m/min, "
-        lift += "acceleration: 0.1 m/s^2}}\n"
-    lift += "mechanics:\n  ropes:\n"
-    for name, hook, x in baskets:
-        eyes = ", ".join(f"{{type: eye, body: pipe, at: [{x} m, {y} m, {height} m]}}" for y in (0.5, -0.5))
-        end = f"{{type: end, body: {places[hook]}}}"
-        lift += f"    {name}: {{rope: soft, length: 11 m, route: [{end}, {eyes}, {end}]}}\n"
-    return [one for one in assemble(parse_scenario(lift)).warnings if one.startswith("baskets ")]
+def doubts(*baskets: Basket, height: float = 0.1) -> list[str]:
+    """What is said of the baskets of a pipe; `height` is that of their eyes [m]."""
+    text = pipe_in_baskets(baskets, hooks=6.0, eyes=height, rope="axial_stiffness: 60 MN")
+    return [one for one in assemble(parse_scenario(text)).warnings if one.startswith("baskets ")]
 
 
 def test_on_one_hook_they_slide() -> None:

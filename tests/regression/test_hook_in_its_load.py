@@ -9,44 +9,21 @@ from __future__ import annotations
 import pytest
 
 import gantline
+from box_on_a_hook import box_on_a_hook
 from gantline.checks import Check, Verdict, check_recording
 from gantline.scenario import parse_scenario
 
-LIFT = """\
-format: 1
-lift: {title: A hook in its load}
-duration: 40 s
-ground: {level: 0 m, friction: 0.5}
-ropes: {sling: {axial_stiffness: 50 MN, damping_time: 10 ms, minimum_breaking_force: 900 kN}}
-load:
-  name: box
-  shape: {box: [4 m, 2 m, 2 m]}
-  weight: {calculated: 10 t}
-  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
-  lugs:
-    L1: {at: [1 m, 0 m, 2 m], capacity: 20 t, main_plate: xz}
-    L2: {at: [-1 m, 0 m, 2 m], capacity: 20 t, main_plate: xz}
-cranes:
-  hook: {type: fixed_hook, at: [0 m, 0 m, 6 m], rated_capacity: 20 t,
-    hoist: {speed: 12 m/min, acceleration: 0.1 m/s^2}}
-sling_defaults: {rope: sling}
-slings:
-  S1: {from: hook, to: box.L1, length: 4.2 m}
-  S2: {from: hook, to: box.L2, length: 4.2 m}
-plan:
-  - {step: lift off, hoist: hook, speed: 3 m/min, until: {supports: clear}}
+PLAN = """\
   - {step: hold, hold: 6 s}
-  - {step: down, lower: hook, speed: 12 m/min, by: BY m}
-  - {step: rest, hold: until_end}
-limits: {rule: yard, load_tilt: 5 deg}
-"""
+  - {step: down, lower: hook, speed: 12 m/min, by: BY m}"""
 #: Top of the load, and what the hook reaches below its bearing [m].
 TOP, REACH = 2.0, 0.1
 
 
 def lowered(by: float) -> tuple[float, list[Check]]:
     """How high the hook ends [m], and what the run says of it."""
-    recording = gantline.simulate(parse_scenario(LIFT.replace("BY", repr(by))))
+    text = box_on_a_hook(PLAN.replace("BY", repr(by)), duration=40.0, speed=12.0)
+    recording = gantline.simulate(parse_scenario(text))
     found = [one for one in check_recording(recording) if one.name == "no_overlap"]
     return float(recording.column("body_position", "hook")[-1, 2]), found
 

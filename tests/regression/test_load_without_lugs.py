@@ -13,28 +13,9 @@ import pytest
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.statics import Statics
 from mechanics import G
+from pipe_in_baskets import pipe_in_baskets
 
-LIFT = """\
-format: 1
-lift: {title: A pipe in two baskets}
-duration: 1 s
-ropes: {soft: {axial_stiffness: 20 MN, damping_time: 10 ms}}
-load:
-  name: pipe
-  shape: {box: [10 m, 1 m, 1 m]}
-  position: [0 m, 0 m, 2 m]
-  weight: {calculated: 10 t}
-  centre_of_gravity: {at: [0 m, 0 m, 0.4 m]}
-cranes:
-  west: {type: fixed_hook, at: [-3 m, 0 m, 7.5 m], hoist: {speed: 6 m/min, acceleration: 1 m/s^2}}
-  east: {type: fixed_hook, at: [ 3 m, 0 m, 7.5 m], hoist: {speed: 6 m/min, acceleration: 1 m/s^2}}
-mechanics:
-  ropes:
-"""
-for name, x in (("west", -3), ("east", 3)):
-    eyes = ", ".join(f"{{type: eye, body: pipe, at: [{x} m, {y} m, 0.1 m]}}" for y in (0.5, -0.5))
-    end = f"{{type: end, body: {name}}}"
-    LIFT += f"    {name}: {{rope: soft, length: 11 m, route: [{end}, {eyes}, {end}]}}\n"
+LIFT = pipe_in_baskets(hooks=7.5)
 
 
 def test_baskets_bear_it() -> None:
@@ -55,7 +36,7 @@ def test_it_rolls(below: float, is_stable: bool) -> None:
     The axes are l = 5 m and b = √(l² - a²); from a centre of gravity c below the middle the hook is at the
     distance squared l² sin² t + (b cos t + c)², which is largest at t = 0 while a² < b c.
     """
-    text = LIFT.replace("0.5 m, 0.1 m]", f"0.5 m, {below} m]")
+    text = pipe_in_baskets(hooks=7.5, eyes=below)
     assert Statics(parse_scenario(text)).equilibrium().is_stable is is_stable
 
 

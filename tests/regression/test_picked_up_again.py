@@ -11,39 +11,9 @@ from __future__ import annotations
 from gantline import simulate
 from gantline.checks import Check, check_recording
 from gantline.scenario import parse_scenario
+from onto_a_deck import onto_a_deck
 
 #: The load hangs 0.3 m above the deck; at 0.05 m/s it stands 6 s after it begins to go down, at 12 s.
-LIFT = """\
-format: 1
-lift: {title: Onto a deck that goes down and comes up}
-duration: 24 s
-start: rest
-ropes: {soft: {axial_stiffness: 20 MN, damping_time: 10 ms}}
-load:
-  name: box
-  shape: {box: [2 m, 2 m, 2 m]}
-  position: [0 m, 0 m, %HEIGHT m]
-  weight: {calculated: 10 t}
-  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
-  lugs: {top: {at: [0 m, 0 m, 2 m]}}
-cranes:
-  hook: {type: fixed_hook, at: [0 m, 0 m, %HOOK m], hoist: {speed: 30 m/min, acceleration: 0.2 m/s^2}}
-slings: {S: {from: hook, to: box.top, length: 5 m, rope: soft}}
-mechanics:
-  bodies:
-    deck:
-      at: [10 m, 0 m, 0 m]
-      joint: {type: slider, axis: [0, 0, 1], motion: [%MOTION]}
-      mass: 1000 t
-      shape: {box: [24 m, 4 m, 1 m], centre: [0 m, 0 m, -0.5 m]}
-  body_contacts:
-    on_deck: {between: [box, deck], stiffness: 100 MN/m, damping: 1 MN s/m, friction: 0.3}
-plan:
-  - {step: wait, hold: 6 s}
-%PLAN
-  - {step: end, hold: until_end}
-simulation: {sample_interval: 10 ms}
-"""
 DOWN = "  - {step: set down, lower: hook, speed: 3 m/min, until: {supports: touched}}"
 SLACK = "  - {step: slack, lower: hook, speed: 3 m/min, by: 0.5 m}"
 STANDS = "{at: 23 s, duration: 0.5 s, velocity: 0.01 m/s}"
@@ -56,10 +26,7 @@ DIPS = ", ".join(
 
 def told(plan: str, motion: str, *, height: float = 0.3, hook: float = 7.3) -> dict[str, Check]:
     """What is said of a load that is set down, by the name of the check."""
-    given = {"%PLAN": plan, "%MOTION": motion, "%HEIGHT": f"{height}", "%HOOK": f"{hook}"}
-    text = LIFT
-    for old, new in given.items():
-        text = text.replace(old, new)
+    text = onto_a_deck(plan, motion, height=height, hook=hook)
     names = ("set_down_softly", "stays_set_down")
     return {one.name: one for one in check_recording(simulate(parse_scenario(text))) if one.name in names}
 

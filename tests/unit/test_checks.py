@@ -363,6 +363,16 @@ def test_a_go_past_a_limit_says_so() -> None:
     assert verdict_of([with_travel(down=0.5 * 1.9)]).startswith("GO; nearest to their limits")
 
 
+def test_a_go_past_two_limits_names_both_the_farthest_first() -> None:
+    tilt, travel = (
+        Check(name, Verdict.WARNING, "", value=value, limit=1.0)
+        for name, value in (("load_tilt", 1.1), ("equalizer_travel_used", 1.3))
+    )
+    within = Check("sling_tension", Verdict.OK, "", value=0.5, limit=1.0)
+    past = "past a limit that only warns: equalizer_travel_used 130 %, load_tilt 110 %;"
+    assert past in verdict_of([tilt, travel, within])
+
+
 @pytest.mark.parametrize(("limit", "verdict"), [(1.0, Verdict.FAILED), (1.08, Verdict.OK)])
 def test_travel_at_any_time_counts_before_the_load_is_clear(limit: float, verdict: Verdict) -> None:
     """Of three samples that far apart it may have come to 1.05 + 0.5^2/(8 x 1.6) = 1.0695."""

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from gantline.checks import Check, Verdict, check_recording, has_failed, values_of, verdict_of
+from gantline.checks.forces import hook_force, sling_forces
 from gantline.checks.slings import bending_factor
 from gantline.results.recording import Recording
 from sample_lift import ALONG, HOOK, LUGS, SLINGS, ringing_lift, sample_recording, sample_rig
@@ -61,6 +62,26 @@ def test_static_hook_load_is_that_of_the_design_weight() -> None:
     assert (found.verdict, found.element, found.time) == (Verdict.OK, "test_hook", None)
     assert found.formula == f"(static 3210.9 kN + {0.05e-3 * carried:.1f} kN to the design weight)"
     assert checked("static_hook_load", design_rig(static_hook_load=3.3e6)).verdict is Verdict.FAILED
+
+
+def test_every_load_has_a_design_weight_of_its_own() -> None:
+    """S1 hangs on a load with a contingency of 1.05, S5 beside it on one with 1.2; both carry 600 kN."""
+    rig = design_rig()
+    rig["loads"].append({**rig["loads"][0], "name": "beside", "design_mass": 360e3})
+    rig["slings"][4]["to_load"] = "beside"
+    recording = ringing_lift(rig=rig)
+    forces = sling_forces(recording, recording.time >= 0.0)
+    assert forces["S1"].static == pytest.approx(1.05 * 600e3, rel=1e-9)
+    assert forces["S5"].static == pytest.approx(1.2 * 600e3, rel=1e-9)
+
+
+def test_what_hung_still_at_another_time_is_no_force_of_this_one() -> None:
+    """Of the first 5 s only the frame counts, although slings bear 3 MN in the window after 20 s."""
+    recording = ringing_lift(rig=design_rig())
+    force = hook_force(recording, ["test_hook"], "hook_load", recording.time < 5.0)
+    assert force.static is not None
+    assert force.static > sum(STATIC)
+    assert force.dynamic == pytest.approx(RIGGING, rel=1e-9)
 
 
 def test_a_simulated_peak_is_never_multiplied_by_the_rules_factor() -> None:
@@ -273,6 +294,23 @@ def test_dynamic_load_of_a_shackle() -> None:
     found = checked("shackle_dynamic_load_of_strength", rig)
     assert found.value == pytest.approx(PEAK / 650e3, rel=1e-6)
     assert found.verdict == Verdict.FAILED
+
+
+def test_a_shackle_is_pulled_aside_at_another_time_than_at_its_peak() -> None:
+    """At 30 s, between two peaks, the load is tilted by 25 deg in one sample.
+
+    S3 carries 594 kN there, where side load leaves 75 % of strength: 594 kN/0.75 = 792 kN, more
+    than its peak of 692.8 kN, which comes straight.
+    """
+    rig = shackled()
+    rig["loads"][0]["lugs"]["L3"]["main_plate_normal"] = [1.0, 0.0, 0.0]
+    rig["slings"] = [rig["slings"][2]]
+    time = np.linspace(0.0, 40.0, 2001)
+    tilt = np.where(np.abs(time - 30.0) < 0.01, math.radians(25.0), 0.0)
+    found = check(ringing_lift(rig=rig, tilt=tilt), "shackle_dynamic_load_of_strength")
+    assert found.value == pytest.approx(594e3 / (0.75 * 75e3 * G), rel=1e-6)
+    assert found.element == "S3 bottom"
+    assert found.time == pytest.approx(30.0)
 
 
 def test_a_breaking_force_that_the_rule_asks_for_and_nobody_gives() -> None:

@@ -14,7 +14,7 @@ from gantline.simulation import simulate
 from gantline.statics import Statics
 from mechanics import G
 from of_recording import check_of
-from spreader_lifts import BAR, LOAD, one_bar, two_hooks
+from spreader_lifts import BAR, LOAD, one_bar, two_below_one, two_hooks
 
 DESIGN = 1.05
 
@@ -58,6 +58,9 @@ def test_a_spreader_has_no_contingency() -> None:
     """The design weight is one of the load: hook load W x 1.05 + B."""
     recording = at_rest(one_bar())
     assert check_of(recording, "static_hook_load").value == pytest.approx((DESIGN * LOAD + BAR) * G, rel=1e-6)
+    # Nor have those that hang below another, here two of 1 t each.
+    nested = check_of(at_rest(two_below_one()), "static_hook_load")
+    assert nested.value == pytest.approx((DESIGN * LOAD + BAR + 2e3) * G, rel=1e-6)
     # Between two hooks each bears its share of the bar.
     shares = values_of(at_rest(two_hooks()), "static_hook_load")
     assert sum(shares.values()) == pytest.approx((DESIGN * LOAD + BAR) * G, rel=1e-6)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -88,6 +89,14 @@ def test_without_a_limit_there_is_a_value() -> None:
     (found,) = sea(limit=None).extremes()
     assert found.value == pytest.approx(LOCATION + REDUCED * SCALE, rel=1e-12)
     assert (found.utilisation, found.utilisation_error) == (None, None)
+
+
+def test_none_of_a_sea_in_which_a_run_gave_up() -> None:
+    """What it would have come to is not known, also where its checks have values."""
+    whole = sea()
+    gave_up = SeaRecord(1, checks=whole.records[0].checks, cause="it gave up")
+    assert whole.extremes()
+    assert replace(whole, records=[gave_up, *whole.records[1:]]).extremes() == []
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from gantline.assembly.joints import start_of
 from gantline.assembly.spatial import rotation_matrix
 from gantline.checks import LIMITS
 from gantline.results import metrics
-from gantline.scenario import mechanics, parse_scenario, shipped
+from gantline.scenario import json_schema, mechanics, parse_scenario, shipped
 from gantline.scenario.bounds import Require
 from gantline.scenario.limits import Limits
 from gantline.simulation import simulate
@@ -83,6 +83,37 @@ def test_every_limit_has_a_key_and_a_row() -> None:
     assert set(LIMITS) - set(Limits.model_fields) - set(Require.model_fields) == said_elsewhere
     page = (ROOT / "docs/concepts/checks.md").read_text(encoding="utf-8")
     assert [name for name in LIMITS if f"`{name}`" not in page] == []
+
+
+def test_a_slipped_unit_is_found_in_every_limit_that_is_an_angle() -> None:
+    """Nothing comes to a limit of 300 deg, which nobody meant, so that it would hide what it should show."""
+    largest = {name for name, one in LIMITS.items() if one.unit == "deg" and not one.at_least}
+    text = shipped()["spreader_bar"].read_text(encoding="utf-8").partition("\nlimits:")[0]
+    for name in sorted(largest & set(Limits.model_fields)):
+        doubts = assemble(parse_scenario(f"{text}\nlimits: {{{name}: 300 deg}}\n")).doubts
+        assert f"limits.{name}" in [one.path for one in doubts], name
+
+
+def test_every_key_of_a_lift_file_is_read() -> None:
+    """As an attribute, or by its name: what somebody writes and nothing looks at would be an empty promise.
+
+    Keys that can say one thing only, which is so anyhow, need not be.
+    """
+    keys = {
+        key
+        for model in json_schema()["$defs"].values()
+        for key, one in model.get("properties", {}).items()
+        if "const" not in one
+    }
+    read = set()
+    for file in (ROOT / "python/gantline").rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Attribute):
+                read.add(node.attr)
+            elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+                read.add(node.value)
+    assert len(keys) > 400
+    assert sorted(keys - read) == []
 
 
 def pattern_of(name: ast.expr) -> str:

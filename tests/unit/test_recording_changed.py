@@ -73,7 +73,8 @@ def changed(name: str, values: Any) -> dict[str, Variable]:
 
 
 def test_the_sample_itself_is_read(tmp_path: Path) -> None:
-    gantline.open_recording(sample().save(tmp_path / "whole.nc"))
+    found = gantline.open_recording(sample().save(tmp_path / "whole.nc"))
+    assert found.variables.keys() == sample().variables.keys()
 
 
 @pytest.mark.parametrize("name", NAMES)

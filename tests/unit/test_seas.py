@@ -13,7 +13,7 @@ from column_in_waves import ALIKE, SEA, column
 from gantline import Simulation, simulate
 from gantline.checks import Outcome, check_recording
 from gantline.cli.seas_table import seas_table
-from gantline.results.saved_seas import SavedSeas, degrees
+from gantline.results.saved_seas import SavedSea, SavedSeas, degrees
 from gantline.scenario import Scenario, parse_scenario
 from gantline.study import SeasResult, run_seas
 from gantline.study.seas import NoSeaError
@@ -241,3 +241,28 @@ def test_the_worst_outcome_counts() -> None:
     found = run_seas(lift(), heights=[0.5])
     assert found.seas[0].outcome is Outcome.GO
     assert repr(found) == "<SeasResult 'A column in waves': 1 seas of 'swell', 1 of them run>"
+
+
+@pytest.mark.parametrize(
+    ("is_allowed", "used", "shown"),
+    [(True, 0.9996, "100 %"), (False, 1.0004, "100.04 %"), (False, 1.34, "134 %"), (False, None, "")],
+)
+def test_a_sea_past_a_limit_does_not_read_as_if_at_it(
+    is_allowed: bool, used: float | None, shown: str
+) -> None:
+    sea = SavedSea(
+        height=1.5,
+        period=8.0,
+        direction=0.0,
+        is_too_steep=False,
+        is_allowed=is_allowed,
+        is_refused=not is_allowed,
+        record=1,
+        used=used,
+        check="load_tilt",
+        element="load",
+        cause="",
+        starts=True,
+        verdict="",
+    )
+    assert sea.share == shown

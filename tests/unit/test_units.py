@@ -19,6 +19,43 @@ from gantline.units import (
     units_of,
 )
 
+#: Units without a prefix, in SI; a gram is 1e-3 kg.
+WHOLE = {
+    "m": 1.0,
+    "g": 1e-3,
+    "t": 1e3,
+    "s": 1.0,
+    "min": 60.0,
+    "h": 3600.0,
+    "N": 1.0,
+    "W": 1.0,
+    "Pa": 1.0,
+    "rad": 1.0,
+    "deg": math.pi / 180,
+    "rev": 2 * math.pi,
+    "%": 1e-2,
+    "": 1.0,
+}
+PREFIXES = {"u": 1e-6, "m": 1e-3, "c": 1e-2, "k": 1e3, "M": 1e6, "G": 1e9}
+
+
+def by_its_letters(unit: str) -> float:
+    """What a unit is in SI, by its parts: `kN m s`, `N/mm^2`; of each its prefix and its power."""
+    above, *below = unit.split("/")
+    product = 1.0
+    for part, sign in [*((part, 1) for part in above.split(" ")), *((part, -1) for part in below)]:
+        name, _, power = part.partition("^")
+        whole = WHOLE[name] if name in WHOLE else PREFIXES[name[0]] * WHOLE[name[1:]]
+        product *= whole ** (sign * int(power or 1))
+    return product
+
+
+@pytest.mark.parametrize(
+    ("dimension", "unit"), [(dimension, unit) for dimension in DIMENSIONS for unit in DIMENSIONS[dimension]]
+)
+def test_every_unit_is_what_its_letters_say(dimension: str, unit: str) -> None:
+    assert quantity(f"3 {unit}", dimension) == pytest.approx(3 * by_its_letters(unit), rel=1e-15)
+
 
 @pytest.mark.parametrize(
     ("text", "dimension", "value"),

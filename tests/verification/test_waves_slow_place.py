@@ -102,6 +102,33 @@ def test_a_vessel_that_has_turned_answers_like_one_that_lies_there(tmp_path: Pat
     assert np.abs(found - expected) / scale == pytest.approx(np.zeros(6), abs=1e-5)
 
 
+def test_a_vessel_that_turns_past_180_deg_answers_as_past_any_heading(tmp_path: Path) -> None:
+    """A barge that turns on by 40 deg in waves, past a heading of 180 deg, and the same with the whole lift
+    turned by -70 deg about the origin, at its stern: what does not turn with it is the same all the way.
+
+    Its slow heading goes on past 180 deg, where the angle of its axis comes back as -180 deg. That is told by
+    the way, not by where it comes to rest: half a minute later no filter knows of it any more.
+    """
+    rate = math.radians(40.0) * waves.DAMPING[5, 5] / (MASS * waves.RADII[2] ** 2 + waves.ADDED[5, 5])
+    runs = []
+    for turned in (0.0, -70.0):
+        folder = tmp_path / f"by{turned:g}"
+        folder.mkdir()
+        wave = {"height": "0.5 m", "period": f"{PERIOD!r} s", "direction": f"{60.0 + turned} deg"}
+        path = waves.in_waves(folder, {"swell": wave}, {"heading": f"{160.0 + turned} deg"})
+        # The stern starts at rest.
+        runs.append(moving(path, 5 * PERIOD, (0.0, rate * LENGTH / 2), turning=rate))
+    one, other = runs
+    ways = [np.unwrap(heading(run.body("barge", "body_orientation"))) for run in runs]
+    assert math.degrees(ways[0][0]) < 180.0 - 10.0
+    assert math.degrees(ways[0].max()) > 180.0 + 10.0
+    heights = [run.body("barge")[:, 2] for run in runs]
+    assert np.abs(ways[0] - ways[1] - math.radians(70.0)).max() < 1e-6
+    assert np.abs(heights[0] - heights[1]).max() < 1e-6 * np.ptp(heights[0])
+    spins = [np.linalg.norm(run.body("barge", "body_angular_velocity"), axis=1) for run in (one, other)]
+    assert np.abs(spins[0] - spins[1]).max() < 1e-6 * spins[0].max()
+
+
 @pytest.mark.parametrize(("speed", "towards"), [(1.0, 0.0), (1.0, 180.0), (0.5, 60.0)])
 def test_a_vessel_that_drifts_meets_waves_at_another_frequency(
     tmp_path: Path, speed: float, towards: float

@@ -48,8 +48,8 @@ _OWN_LIMIT = "a limit of its own under 'limits' would make this a failure"
 #: Of a limit that no element of the lift has.
 _NOTHING = "the lift has nothing that this limit is about, or nothing of that carries"
 
-#: What comes and goes as a load swings.
-_AS_IT_SWINGS = ("falls_out_of_plumb", "off_lead", "side_lead", "load_tilt")
+#: Limits of what comes and goes as a load swings.
+AS_IT_SWINGS = ("falls_out_of_plumb", "off_lead", "side_lead", "load_tilt")
 #: Check that lift file and run give no warnings of their own.
 NO_WARNINGS = "no_warnings"
 
@@ -403,7 +403,7 @@ def _swings(recording: Recording, step: Step, key: str, limit: float) -> str:
     The end of a hold is a moment: half a swing later plumb is what a quarter later is not.
     """
     measure = LIMITS[key]
-    during = second_half_of_hold(recording, step) if key in _AS_IT_SWINGS else None
+    during = second_half_of_hold(recording, step) if key in AS_IT_SWINGS else None
     worst = None if during is None else _look(measure, recording, during).worst
     if worst is None or worst.time is None or _verdict(measure, worst.value, limit) is not Verdict.FAILED:
         return ""

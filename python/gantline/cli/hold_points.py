@@ -9,6 +9,7 @@ import numpy as np
 
 from gantline.checks.readings import OUTSIDE, HookReading, hook_readings
 from gantline.checks.readings import hold_points as held
+from gantline.checks.run import AS_IT_SWINGS
 from gantline.cli.table import ABSENT, pairs, show, table
 from gantline.results import progress, series
 from gantline.results.recording import Recording
@@ -17,8 +18,6 @@ from gantline.results.rig import Step
 #: What stands in the table of hooks.
 _OF_HOOKS = ("hook_load", "hoist_load", "crane_radius")
 
-#: What comes and goes as a load swings: its value at one moment may be none of it.
-_AS_IT_SWINGS = ("load_swing", "load_tilt", "falls_out_of_plumb", "off_lead", "side_lead")
 #: Share of the most of a hold by which its end is less where that is told.
 _TOLD = 0.25
 
@@ -95,7 +94,7 @@ def _measure(recording: Recording, measure: str, sample: int, span: slice) -> It
         if label:
             values = recording.column(variable, label)
             last, most = float(values[sample]), float(values[span].max())
-            swings = measure in _AS_IT_SWINGS and most > last + _TOLD * most
+            swings = measure in ("load_swing", *AS_IT_SWINGS) and most > last + _TOLD * most
             beside = f" (up to {show(most, unit, digits)} in this hold)" if swings else ""
             yield f"{name} {show(last, unit, digits)}{beside}"
     if measure == "support_force":

@@ -19,7 +19,7 @@ _AT_ONCE = 32
 #: Unit and description of each, by the name that column and variable have; `layout` has the dimensions.
 DIRECT: dict[str, tuple[str, str]] = {
     "rope_tension": ("N", "tension of a rope: mean over its segments, or the largest of its nodes' segments"),
-    "rope_lengthening": ("m", "what adjusting has added to the natural length of a rope"),
+    "rope_lengthening": ("m", "what adjusting has added to the unstretched length of a rope"),
     "segment_tension": ("N", "tension of a segment of rope"),
     "segment_length": ("m", "length of a segment of rope, stretched"),
     "rope_point": ("m", "points on the drawn path of a rope"),

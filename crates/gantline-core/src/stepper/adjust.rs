@@ -1,5 +1,5 @@
 //! Lengths adjusted after a step: the equalizer without sheaves of the literature before Ham, Roh and Lee (2016), after
-//! Cha et al., in our reading. The natural length of the more loaded ropes of a group grows, that of the others
+//! Cha et al., in our reading. The unstretched length of the more loaded ropes of a group grows, that of the others
 //! shrinks by as much in total. With ε = L/EA,
 //!
 //! ```text
