@@ -46,6 +46,7 @@ export interface Wishes {
   width?: number;
   height?: number;
   dark?: boolean;
+  touch?: boolean;
   hash?: string;
 }
 
@@ -54,6 +55,7 @@ export async function open(browser: Browser, file: string, wishes: Wishes = {}):
   const context = await browser.newContext({
     viewport: { width: wishes.width ?? 1000, height: wishes.height ?? 700 },
     colorScheme: wishes.dark ? "dark" : "light",
+    hasTouch: wishes.touch ?? false,
     offline: true,
   });
   const page = await context.newPage();

@@ -32,12 +32,16 @@ describe("a lift that runs", () => {
     // Who comes without having been sent to a time looks at the end, and stays there.
     const first = await state();
     expect(first.time).toBe(first.end);
+    // Who listens is told that it runs, not how far it is, ten times a second.
+    const heard = await page.locator(".gl-live").ariaSnapshot();
+    expect(heard).toBe("- status: The lift is being simulated");
     lookedAt();
     await page.waitForFunction(
       () => document.querySelector(".gl-live")?.getAttribute("data-ended") === "done",
       undefined,
       { timeout: 40_000 },
     );
+    expect(await page.locator(".gl-live").textContent()).toBe("The lift has been simulated: 40.0 of 40.0 s");
     const found = await state();
     const { times, ropes, paths, frames } = expected();
     expect(found.end).toBeGreaterThan(first.end); // it grew while the page was open

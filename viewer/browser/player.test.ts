@@ -166,6 +166,88 @@ describe("the player", () => {
     expect(nameless).toBe(0);
   });
 
+  // Only some of them were heard: no capitals of P, no names, forces and distances but in the drawing, no = to come
+  // nearer, no up and down of the slider; and with Alt, which is the browser's, names went.
+  it("hears its keys wherever they are pressed, and leaves those of the browser alone", async () => {
+    const { page } = await open(browser, "report.html", { hash: "#t=20" });
+    const names = () => page.getByRole("button", { name: "Names" }).getAttribute("aria-pressed");
+    await page.locator(".gl-play").focus();
+    await page.keyboard.press("n");
+    expect(await names()).toBe("false");
+    await page.keyboard.press("Shift+N");
+    expect(await names()).toBe("true");
+    await page.locator(".gl-canvas").focus();
+    await page.keyboard.press("Alt+n");
+    expect(await names()).toBe("true");
+    const out = () =>
+      page.evaluate(() => {
+        const [x, y, z, u, v, w] = globalThis.gantlinePage!.player!.stage!.cameras.state() as number[];
+        return Math.hypot(x! - u!, y! - v!, z! - w!);
+      });
+    const before = await out();
+    await page.keyboard.press("=");
+    expect(await out()).toBeCloseTo(0.87 * before, 1);
+    const waiting = page.waitForEvent("download");
+    await page.keyboard.press("Shift+P");
+    await waiting;
+    await page.locator(".gl-slider").focus();
+    await page.keyboard.press("ArrowUp");
+    expect(await clock(page)).toBeCloseTo(20.2, 6);
+    await page.keyboard.press("ArrowDown");
+    expect(await clock(page)).toBe(20);
+  });
+
+  // The finger that had not moved was taken for a tap beside all ropes, and the pinned one was let go of.
+  it("keeps the pinned rope while two fingers zoom, whichever is lifted first", async () => {
+    const { page } = await open(browser, "report.html", { touch: true, hash: "#t=20&pin=sling.S1" });
+    const [x, y] = await page.evaluate(() => {
+      const { canvas } = globalThis.gantlinePage!.player!.stage!;
+      canvas.scrollIntoView({ block: "center" });
+      const { left, top, width, height } = canvas.getBoundingClientRect();
+      return [left + 0.2 * width, top + 0.5 * height];
+    });
+    const session = await page.context().newCDPSession(page);
+    const touch = (type: "touchStart" | "touchMove" | "touchEnd", ...places: number[]) =>
+      session.send("Input.dispatchTouchEvent", {
+        type,
+        touchPoints: places.map((place, id) => ({ x: place, y: y!, id })),
+      });
+    const pinned = () => page.evaluate(() => globalThis.gantlinePage!.session.pinned);
+    await touch("touchStart", x! + 40);
+    await touch("touchStart", x! + 40, x!);
+    for (const more of [60, 80, 100]) await touch("touchMove", x! + more, x!);
+    await session.send("Input.dispatchTouchEvent", {
+      type: "touchEnd",
+      touchPoints: [{ x: x!, y: y!, id: 1 }],
+    });
+    await touch("touchEnd");
+    expect(await pinned()).toBe("sling.S1");
+    // A tap there does let go of it.
+    await page.touchscreen.tap(x!, y!);
+    await expect.poll(pinned, PATIENTLY).toBe(null);
+  });
+
+  // Names hung upon nothing until the lift moved again.
+  it("is drawn again when the browser has given the graphics card back", async () => {
+    const { page } = await open(browser, "report.html", { hash: "#t=20" });
+    const seen = async () => (await page.locator(".gl-canvas").screenshot()).length;
+    const before = await seen();
+    await page.evaluate(async () => {
+      const { canvas } = globalThis.gantlinePage!.player!.stage!;
+      const card = canvas.getContext("webgl2")!.getExtension("WEBGL_lose_context")!;
+      const told = (what: string) =>
+        new Promise((done) => canvas.addEventListener(what, done, { once: true }));
+      const lost = told("webglcontextlost");
+      card.loseContext();
+      await lost;
+      await new Promise((done) => setTimeout(done, 100));
+      const restored = told("webglcontextrestored");
+      card.restoreContext();
+      await restored;
+    });
+    await expect.poll(seen, PATIENTLY).toBeGreaterThan(0.9 * before);
+  });
+
   it.each([
     ["report.html", 390],
     ["afloat.html", 390],

@@ -22,18 +22,23 @@ export async function follow(session: Session): Promise<void> {
   if (!address) return;
   // Who comes to see a lift that runs sees what it does now, unless he was sent to a time.
   if (parse(location.hash).time === undefined) session.seek(session.lift.end);
-  const sign = element("p", { class: "gl-live", role: "status" }, "The lift is being simulated");
+  const runs = "The lift is being simulated";
+  const words = element("span", {}, runs);
+  // Not for those who listen: it changes ten times a second.
+  const far = element("span", { "aria-hidden": "true" });
+  const sign = element("p", { class: "gl-live", role: "status" }, words, far);
   document.querySelector("[data-gantline-player]")?.before(sign);
   for (;;) {
     const live = await ask(address, session);
     if (live === null) {
-      sign.textContent = "The simulation has ended; this page shows what it had got.";
+      words.textContent = "The simulation has ended; this page shows what it had got.";
+      far.textContent = "";
       return;
     }
-    const now = `${session.lift.end.toFixed(1)} of ${live.duration.toFixed(1)} s`;
+    far.textContent = `: ${session.lift.end.toFixed(1)} of ${live.duration.toFixed(1)} s`;
     const end = ENDS[live.status];
-    sign.textContent = `${end ?? "The lift is being simulated"}: ${now}`;
     if (end !== undefined) {
+      words.textContent = end;
       sign.dataset.ended = live.status;
       return;
     }

@@ -253,4 +253,14 @@ describe("a lift", () => {
       { name: "hold", names: ["hold"], begin: 1, end: 2 },
     ]);
   });
+
+  // At the end of a lift, where a page of one that runs always is, nothing was said to be under way.
+  it("knows which is under way, at the last moment too, and none after the plan", () => {
+    const lift = smallLift([1, 1]);
+    expect(lift.end).toBe(2);
+    const at = (time: number) => lift.stepAt(time)?.name;
+    expect([at(0), at(1), at(2)]).toEqual(["hoist", "hold", "hold"]);
+    lift.steps.pop(); // a plan that is over before the run
+    expect([at(1), at(2)]).toEqual([undefined, undefined]);
+  });
 });

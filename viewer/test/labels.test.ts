@@ -1,9 +1,10 @@
 import { describe, expect, it } from "vitest";
-import { type ChartSpec, type LimitName, liftOffName, limitNames } from "../src/chart/frame";
+import { areaOf, type ChartSpec, type LimitName, liftOffName, limitNames } from "../src/chart/frame";
 import { crosses, type Paper, peakPlace } from "../src/chart/marks";
-import { shortenedInside } from "../src/chart/scale";
+import { shortenedInside, verticalScale } from "../src/chart/scale";
 import { Curve } from "../src/data/curve";
 import type { Session } from "../src/player/session";
+import { tooClose } from "../src/scene/labels";
 import { type Box, settle } from "../src/scene/settle";
 
 function box(x: number, y: number, width = 60): Box {
@@ -138,4 +139,21 @@ describe("names of limits", () => {
     expect(low!.baseline).toBeCloseTo(low!.line - 4);
     expect(high!.baseline).toBeCloseTo(high!.line - 4);
   });
+});
+
+// Of 2.998 m to a wall that 3 m are asked of the drawing said "3.00 m < 3 m".
+it("a distance that is too small is shown with decimals that say so", () => {
+  expect(tooClose(2.5, 3)).toBe("2.50 m < 3 m");
+  expect(tooClose(2.998, 3)).toBe("2.998 m < 3 m");
+  expect(tooClose(-0.12, 0)).toBe("−0.12 m < 0 m");
+});
+
+// Of slings that carry 5 N the numbers in tonne-force, "0.00050 t", ran out of the plot.
+it("an axis in tonne-force has room for its numbers", () => {
+  const room = (most: number) => {
+    const { right, beside } = areaOf(720, 150, { unit: "kN" }, verticalScale(0, most, 3, 1e-9));
+    return [720 - right, 720 - beside];
+  };
+  expect(room(3000)).toEqual([44, 37]);
+  expect(room(0.0052)[1]).toBeGreaterThan(6 * "0.00050 t".length);
 });

@@ -40,6 +40,9 @@ describe("axes", () => {
   it("have round ticks", () => {
     expect(ticksOf(0, 702, 5)).toEqual({ ticks: [0, 200, 400, 600], digits: 0, step: 200 });
     expect(ticksOf(0, 1, 4)).toEqual({ ticks: [0, 0.25, 0.5, 0.75, 1], digits: 2, step: 0.25 });
+    // 10 ** -4 is a little less than 0.0001: the axis of 1 kg had 0.0005, 0.0002 (0.00025) and 0.0000.
+    for (const power of [-5, -4, -3, -2, -1])
+      expect(ticksOf(0, Number(`5e${power}`), 2).digits, `5e${power}`).toBe(1 - power);
   });
 
   it("hold all values, begin at 0 where that is near, and are never without height", () => {
@@ -140,8 +143,8 @@ describe("playing", () => {
   it("steps between notable events, which are told once each", () => {
     const one = session();
     expect(one.notable()).toEqual([
-      { time: 0, text: "hoist" },
-      { time: 4, text: "lift off block, hold" },
+      { time: 0, text: "hoist", isGrave: false },
+      { time: 4, text: "lift off block, hold", isGrave: false },
     ]);
     one.jump(true);
     expect(one.time).toBe(4);
@@ -150,6 +153,33 @@ describe("playing", () => {
     one.jump(false);
     one.jump(false);
     expect(one.time).toBe(0);
+  });
+
+  // A barge that capsized, a rope that left its chart and a pair that came too close were stepped over.
+  it("steps to what a reader must not miss, and says that it is grave", () => {
+    const one = session();
+    one.lift.header.events = [
+      [1, "overload", "goliath.U1"],
+      [2, "capsized", "barge"],
+      [2, "cut", "sling.S1"],
+      [3, "slip", "block.1"],
+    ];
+    expect(one.notable()).toEqual([
+      { time: 1, text: "overload goliath.U1", isGrave: true },
+      { time: 2, text: "capsized barge, cut sling.S1", isGrave: true },
+    ]);
+  });
+
+  // A barge beside another in swell left and met its fenders 216 times in 600 s: the time line was a fence.
+  it("tells the ends of what comes again and again", () => {
+    const one = session();
+    (one.lift as { end: number }).end = 100;
+    const lifted = [3, 7, 16, 25.9, 40, 60, 65];
+    one.lift.header.events = lifted.map((time) => [time, "lift_off", "module"]);
+    one.lift.header.events.splice(2, 0, [8, "lift_off", "other"], [9, "lift_off", "fender.ps"]);
+    expect(one.notable().map(({ time }) => time)).toEqual([3, 8, 25.9, 40, 60, 65]);
+    one.lift.header.events = [1, 2, 3].map((time) => [time, "step_begin", "hoist"]);
+    expect(one.notable().length).toBe(3);
   });
 
   it("pins only ropes that there are, and refuses times that are none", () => {

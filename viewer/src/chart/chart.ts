@@ -44,7 +44,7 @@ export class Chart {
   private readonly clipBox = svg("rect", {});
   private readonly legend: Legend;
   private scale: Scale = { low: 0, high: 1, ticks: [], digits: 0 };
-  private area: Area = areaOf(720, 260, {});
+  private area: Area = areaOf(720, 260, {}, this.scale);
   private width = 0;
   private readonly height: number;
   private press: number | null = null;
@@ -112,10 +112,7 @@ export class Chart {
     const width = Math.max(260, Math.round(this.root.clientWidth || 720));
     if (width === this.width) return; // an observer tells of the first size too
     this.width = width;
-    const names = this.areMany && width >= WIDE ? roomOf(this.families, this.curves) : 0;
-    this.area = areaOf(width, this.height, this.spec, names);
     set(this.svg, { viewBox: `0 0 ${width} ${this.height}`, width, height: this.height });
-    this.cursors.fit(width, this.height, this.area);
     this.draw();
   }
 
@@ -154,6 +151,9 @@ export class Chart {
     ];
     const wanted = this.height > 200 ? 5 : 3;
     this.scale = verticalScale(Math.min(...values), Math.max(...values), wanted, this.spec.smallest ?? 1e-9);
+    const names = this.areMany && this.width >= WIDE ? roomOf(this.families, this.curves) : 0;
+    this.area = areaOf(this.width, this.height, this.spec, this.scale, names);
+    this.cursors.fit(this.width, this.height, this.area);
     set(this.clipBox, {
       x: this.area.left,
       y: this.area.top - 2,

@@ -45,18 +45,22 @@ export interface Area {
 const TONNE_FORCE = 9.81; // kN
 const LETTER = 6.1; // pixels, mean width of a letter
 const LINE = 11; // pixels, height of small letters with room
+const BESIDE = 7; // pixels from the plot to the numbers of an axis on the right
 const MARGIN = 12; // pixels at the right that a number of the time axis may take
 
-/** `names`: room for names at the ends of the curves. */
+/** `names`: room for names at the ends of the curves; an axis in tonne-force has as much as its numbers need. */
 export function areaOf(
   width: number,
   height: number,
   spec: { unit?: string; inverted?: boolean },
+  scale: Scale,
   names = 0,
 ): Area {
-  const right = width - (spec.unit === "kN" ? 44 : 14) - names;
-  const beside = right + 7 + names;
-  return { left: 52, right, top: 24, bottom: height - 26, inverted: spec.inverted ?? false, beside };
+  const [top, bottom] = [24, height - 26];
+  const numbers = spec.unit === "kN" ? tonnesOf(scale, bottom - top).map(({ text }) => text.length) : [];
+  const room = spec.unit === "kN" ? Math.max(44, BESIDE + LETTER * Math.max(...numbers)) : 14;
+  const right = width - room - names;
+  return { left: 52, right, top, bottom, inverted: spec.inverted ?? false, beside: right + BESIDE + names };
 }
 
 export function xOf(area: Area, [begin, end]: readonly [number, number], time: number): number {
@@ -132,13 +136,20 @@ function horizontal(session: Session, area: Area): SVGElement[] {
 
 /** The same axis in tonne-force, on the right. */
 function tonnes(area: Area, scale: Scale): SVGElement[] {
-  const wanted = area.bottom - area.top > 150 ? 5 : 3;
-  const { ticks, digits } = ticksOf(scale.low / TONNE_FORCE, scale.high / TONNE_FORCE, wanted);
-  return ticks.map((tick, index) => {
-    const text = `${shown(tick, digits)}${index === ticks.length - 1 ? " t" : ""}`;
-    const y = yOf(area, scale, tick * TONNE_FORCE) + 3.5;
+  return tonnesOf(scale, area.bottom - area.top).map(({ force, text }) => {
+    const y = yOf(area, scale, force) + 3.5;
     return svg("text", { x: area.beside, y, class: "gl-tick gl-quiet" }, text);
   });
+}
+
+/** Numbers of that axis, of a height [pixels], and the forces at which they stand [kN]. */
+function tonnesOf(scale: Scale, height: number): { force: number; text: string }[] {
+  const wanted = height > 150 ? 5 : 3;
+  const { ticks, digits } = ticksOf(scale.low / TONNE_FORCE, scale.high / TONNE_FORCE, wanted);
+  return ticks.map((tick, index) => ({
+    force: tick * TONNE_FORCE,
+    text: `${shown(tick, digits)}${index === ticks.length - 1 ? " t" : ""}`,
+  }));
 }
 
 /** Where the load lifts off; null where that is out of sight. */

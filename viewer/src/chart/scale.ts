@@ -18,7 +18,9 @@ export function ticksOf(
   const rough = span / Math.max(1, wanted);
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = power * ([1, 2, 2.5, 5, 10].find((factor) => factor * power >= rough * 0.999) ?? 10);
-  const digits = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9) + (step / power === 2.5 ? 1 : 0));
+  // 10 ** -4 is a little less than 0.0001.
+  const isQuarter = Math.abs(step / power - 2.5) < 1e-9;
+  const digits = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9) + (isQuarter ? 1 : 0));
   const ticks: number[] = [];
   for (let index = Math.ceil(low / step - 1e-9) + 0; index * step <= high + 1e-9 * span; index++)
     ticks.push(index * step);

@@ -102,9 +102,10 @@ export class Lift {
     return this.curves.filter((curve) => curve.entry.group === name);
   }
 
-  /** The step of the plan that is under way at a time [s]. */
+  /** The step of the plan that is under way at a time [s]; at the last moment of all the one that goes up to it. */
   stepAt(time: number): Step | undefined {
-    return this.steps.find((one) => time >= one.begin && time < one.end);
+    const isOn = (one: Step) => time < one.end || (time === this.end && time === one.end);
+    return this.steps.find((one) => time >= one.begin && isOn(one));
   }
 
   array(name: string): Numbers | undefined {

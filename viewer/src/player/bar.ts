@@ -77,8 +77,11 @@ export class Bar {
       strip.style.width = `${(100 * (step.end - step.begin)) / span}%`;
       marks.push(strip);
     });
-    for (const event of this.session.notable()) {
-      const tick = element("span", { class: "gl-mark", title: event.text });
+    // What must not be missed lies upon the rest.
+    const events = this.session.notable().sort((one, other) => Number(one.isGrave) - Number(other.isGrave));
+    for (const event of events) {
+      const kind = event.isGrave ? "gl-mark gl-mark-grave" : "gl-mark";
+      const tick = element("span", { class: kind, title: event.text });
       tick.style.left = place(event.time);
       marks.push(tick);
     }

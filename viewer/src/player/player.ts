@@ -47,7 +47,9 @@ export class Player {
       return stage;
     } catch (problem) {
       const reason = problem instanceof Error ? problem.message : String(problem);
-      const text = `This browser cannot draw in three dimensions (${reason}); the plots below work all the same.`;
+      const text =
+        `This browser cannot draw in three dimensions: ${reason.replace(/^(THREE\.\w+: )+/, "")} Switch on ` +
+        "graphics acceleration in its settings, or open this page in another one. The plots below work all the same.";
       this.root.append(element("p", { class: "gl-message", role: "status" }, text));
       return null;
     }
@@ -89,13 +91,19 @@ export class Player {
     if (orbits) {
       actions.ArrowUp = () => turn(0, 0.08);
       actions.ArrowDown = () => turn(0, -0.08);
-      actions["+"] = () => this.stage?.cameras.nudge(0, 0, 0.87);
+      for (const key of ["+", "="]) actions[key] = () => this.stage?.cameras.nudge(0, 0, 0.87);
       actions["-"] = () => this.stage?.cameras.nudge(0, 0, 1.15);
     }
+    // Of a slider people expect that up and down move it too.
+    if (target instanceof HTMLInputElement) {
+      actions.ArrowUp = actions.ArrowRight!;
+      actions.ArrowDown = actions.ArrowLeft!;
+    }
+    for (const [key, made] of Object.entries(this.stage?.switchOf ?? {})) actions[key] = () => made.click();
     VIEWS.forEach((view, place) => {
       actions[String(place + 1)] = () => this.stage?.showView(view);
     });
-    const action = actions[event.key];
+    const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!action) return;
     event.preventDefault();
     action();

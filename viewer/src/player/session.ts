@@ -9,21 +9,45 @@ export type Topic = "time" | "play" | "pin" | "span" | "hover" | "hidden" | "dat
 /** Speeds that can be chosen, of real time. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20] as const;
 
+/** Events that a reader must not miss. */
+const GRAVE = [
+  "cut",
+  "broken",
+  "off_support",
+  "too_close",
+  "flooding",
+  "capsized",
+  "overload",
+  "hook_too_high",
+  "tipping",
+  "emergency_stop",
+];
+
 /** Events between which one steps; the rest comes too often to be of use. */
 const NOTABLE = [
+  ...GRAVE,
   "step_begin",
   "lift_off",
   "set_down",
-  "cut",
-  "broken",
   "detached",
   "attached",
+  "support_removed",
   "stop_hit",
   "pin_pulled",
   "pin_put_in",
   "drum_slips",
-  "tipping",
+  "pump_stopped",
 ];
+
+/** An event that comes again so soon belongs to a row, of which the first and the last are told [s]. */
+const SOON = 10;
+
+/** What happened at one time. */
+export interface Notable {
+  time: number;
+  text: string;
+  isGrave: boolean;
+}
 
 export class Session {
   time: number;
@@ -148,15 +172,31 @@ export class Session {
     this.tell("hidden");
   }
 
-  /** Times of notable events, each once. */
-  notable(): { time: number; text: string }[] {
-    const found = new Map<number, string>();
-    for (const [time, kind, name] of this.lift.header.events) {
-      if (!NOTABLE.includes(kind) || time < this.lift.begin || time > this.lift.end) continue;
+  /** Times of notable events, each once; of what comes again and again, as in waves, the ends of each row. */
+  notable(): Notable[] {
+    const { begin, end, header } = this.lift;
+    const times = new Map<string, number[]>();
+    // Fenders, which bear and let go in every wave, lift nothing off.
+    for (const [time, kind, name] of header.events)
+      if (NOTABLE.includes(kind) && !name.startsWith("fender.") && time >= begin && time <= end) {
+        const key = `${kind} ${name}`;
+        if (!times.get(key)?.push(time)) times.set(key, [time]);
+      }
+    const found = new Map<number, Notable>();
+    for (const [time, kind, name] of header.events) {
+      const same = times.get(`${kind} ${name}`) ?? [];
+      const place = same.indexOf(time);
+      const isWithin = time - same[place - 1]! <= SOON && same[place + 1]! - time <= SOON;
+      if (place < 0 || (isWithin && kind !== "step_begin")) continue;
+      const before = found.get(time);
       const text = kind === "step_begin" ? name : `${words(kind)} ${name}`;
-      found.set(time, found.has(time) ? `${found.get(time)}, ${text}` : text);
+      found.set(time, {
+        time,
+        text: before ? `${before.text}, ${text}` : text,
+        isGrave: GRAVE.includes(kind) || (before?.isGrave ?? false),
+      });
     }
-    return [...found].map(([time, text]) => ({ time, text })).sort((a, b) => a.time - b.time);
+    return [...found.values()].sort((one, other) => one.time - other.time);
   }
 
   /** Go to the next or the last notable event. */

@@ -30,7 +30,8 @@ export class Stage {
   readonly canvas = element("canvas", {
     class: "gl-canvas",
     role: "img",
-    "aria-label": "The lift, drawn to scale",
+    "aria-label":
+      "The lift, drawn to scale. Up, down and Shift with left, right turn it, plus and minus zoom, 1 to 5 change the view.",
   });
   readonly world: World;
   readonly cameras: Cameras;
@@ -40,6 +41,8 @@ export class Stage {
   private readonly slack = element("span", { class: "gl-slack-line" });
   private readonly step = element("div", { class: "gl-step-now" });
   private readonly cheapSign: HTMLButtonElement;
+  /** The switches by their keys. */
+  readonly switchOf: Record<string, HTMLButtonElement> = {};
   private needsDrawing = true;
   private readonly pace = new Pace(READABLE);
   private needsLabels = true;
@@ -184,10 +187,7 @@ export class Stage {
     });
     distances.hidden = this.session.lift.header.pairs.length === 0;
     holder.append(names, arrows, distances, this.cheapSign);
-    this.root.addEventListener("keydown", (event) => {
-      const made = { n: names, f: arrows, d: distances }[event.key.toLowerCase()];
-      if (made && !event.ctrlKey && !event.metaKey) made.click();
-    });
+    Object.assign(this.switchOf, { n: names, f: arrows, d: distances });
     return holder;
   }
 
@@ -244,9 +244,12 @@ export class Stage {
       this.redraw();
     });
     this.session.on("pin", () => this.redraw());
+    // Browsers take the graphics card away, from pages behind others for one, and give it back empty.
+    this.canvas.addEventListener("webglcontextrestored", () => this.redraw());
     let pressed: [number, number] | null = null;
     this.canvas.addEventListener("pointerdown", (event) => {
-      pressed = [event.clientX, event.clientY];
+      // A second finger zooms; whichever is lifted first has pressed nothing.
+      pressed = event.isPrimary ? [event.clientX, event.clientY] : null;
     });
     this.canvas.addEventListener("pointerup", (event) => {
       const isClick = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 5;

@@ -129,9 +129,11 @@ export class Labels {
     if (label.pair >= 0) {
       const isTooClose = this.lift.isTooClose(label.pair);
       set(label.root, { "data-close": isTooClose ? "" : undefined });
-      const distance = `${shown(this.lift.distance(label.pair), 2)} m`;
+      const distance = this.lift.distance(label.pair);
       // Its colour alone would not tell everybody.
-      return isTooClose ? `${distance} < ${this.lift.header.pairs[label.pair]!.smallest} m` : distance;
+      return isTooClose
+        ? tooClose(distance, this.lift.header.pairs[label.pair]!.smallest)
+        : `${shown(distance, 2)} m`;
     }
     const tension = label.rope >= 0 ? this.lift.tensions[label.rope]! : -1;
     if (!hasValues || tension < 0) return "";
@@ -170,4 +172,11 @@ export class Labels {
     );
     return this.world.project(point[0]!, point[1]!, point[2]!, width, height);
   }
+}
+
+/** A distance that is below the smallest one [m], with as many decimals as show that it is: two, or up to six. */
+export function tooClose(distance: number, smallest: number): string {
+  let digits = 2;
+  while (digits < 6 && Number(distance.toFixed(digits)) >= smallest) digits += 1;
+  return `${shown(distance, digits)} m < ${smallest} m`;
 }
