@@ -1,7 +1,7 @@
 """The hook block of an auxiliary hook went up through that of the main hook without a word.
 
-What belongs to one crane was not held against itself, its hook blocks neither. Both hang at one boom here, and
-the auxiliary is hoisted past the level of the main hook, which stays at 30 m, up to 34 m.
+What belongs to one crane was not held against itself, its hook blocks neither. Both hang at one boom here,
+and the auxiliary is hoisted past the level of the main hook, which stays at 30 m, up to 34 m.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def hoisted_past(along: float) -> list[Check]:
 
 
 def test_hook_blocks_of_one_crane_that_go_through_each_other_are_told() -> None:
-    """A jib of 0.3 m is 0.07 m farther out at 76.8 deg, and hook blocks are drawn half a sheave, 0.35 m, wide."""
+    """A jib of 0.3 m is 0.07 m farther out at 76.8 deg; hook blocks are drawn 0.35 m wide, half a sheave."""
     found = hoisted_past(0.3)
     assert [one.verdict for one in found] == [Verdict.FAILED]
     assert "c1.H" in found[0].element + found[0].remark
