@@ -1,8 +1,8 @@
 """The player did not know how long a rope of `mechanics` with a curve is by itself.
 
-It took the one stiffness that has the energy of the curve, by which a rope of 10 m seemed to be 10 m to 10.07 m
-long as its load went up and down, so that it was taken for one that runs onto a drum and drawn straight while
-slack.
+It took the one stiffness that has the energy of the curve, by which a rope of 10 m seemed to be 10 m to
+10.07 m long as its load went up and down, so that it was taken for one that runs onto a drum and drawn
+straight while slack.
 """
 
 from __future__ import annotations
@@ -23,7 +23,10 @@ mechanics:
   bodies:
     m: {joint: {type: slider, axis: [0, 0, 1]}, mass: 10 t}
   ropes:
-    r: {rope: soft, length: 10 m, route: [{type: end, body: world, at: [0 m, 0 m, 10 m]}, {type: end, body: m}]}
+    r:
+      rope: soft
+      length: 10 m
+      route: [{type: end, body: world, at: [0 m, 0 m, 10 m]}, {type: end, body: m}]
 plan:
   - {step: bounce, hold: until_end}
 simulation: {sample_interval: 50 ms, tension_tolerance: 10 N, position_tolerance: 0.001 mm}
