@@ -18,6 +18,7 @@ from gantline.results.rating import (
     chart_load,
     chart_places,
     rated_groups,
+    rated_if_raised,
     rated_load,
     rows_at,
     within_rows,
@@ -102,7 +103,7 @@ def _of_row(
         yield Refused(element, _outside(recording, chart, hooks, places, outside))
         return
     rated = rated_load(recording, chart, group)
-    yield from _by_rule(recording, during, (element, hooks, kept), chart, rated, places)
+    yield from _by_rule(recording, during, (group, kept), chart, places)
     if recording.is_equilibrium:
         return
     loaded = during & (load > 0)
@@ -129,16 +130,16 @@ def _of_row(
 def _by_rule(
     recording: Recording,
     during: BoolArray,
-    of: tuple[str, tuple[str, ...], float],
+    of: tuple[RatedGroup, float],
     chart: RatingChart,
-    rated: FloatArray,
     places: FloatArray,
 ) -> Iterator[Finding]:
     """The design weight with the rule's dynamics against the least that is rated while the load is still.
 
     Of a crane that lifts alone against the least while the load hangs at all: it bears the same all the way.
     """
-    element, hooks, kept = of
+    group, kept = of
+    element, hooks = group.element, group.hooks
     hangs = _hangs(recording, chart, hooks) & during
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
     windows = series.quiet_windows(recording)
@@ -153,6 +154,8 @@ def _by_rule(
         still = force.rule if force.rule is not None else force.static
         if still is None or still <= 0:
             continue
+        # Hook blocks and falls are not raised, so that hooks with rows of their own change their shares.
+        rated = rated_if_raised(recording, chart, group, _raised_by(recording, hooks, variable, still, whole))
         at = int(np.argmin(np.where(window | hangs, rated, np.inf)))
         least = float(rated[at])
         if least <= 0:
@@ -165,6 +168,19 @@ def _by_rule(
         yield Found(
             kept * still / least, element, None, f"({text}){raised} / {kilonewton(least)}{where}", names
         )
+
+
+def _raised_by(
+    recording: Recording, hooks: Sequence[str], variable: str, still: float, window: BoolArray
+) -> float:
+    """How many times as much hangs in hooks by the rule than did while the load hung still [1]."""
+
+    def static(name: str) -> float:
+        total = np.sum([recording.column(name, hook) for hook in hooks], axis=0)
+        return series.static_value(recording, total, window) or 0.0
+
+    hung = static("hook_load")
+    return 1.0 if hung <= 0.0 else (still - static(variable) + hung) / hung
 
 
 def _hangs(recording: Recording, chart: RatingChart, hooks: tuple[str, ...]) -> BoolArray:

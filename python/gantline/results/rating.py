@@ -27,6 +27,7 @@ __all__ = [
     "place_of",
     "rated_at_places",
     "rated_groups",
+    "rated_if_raised",
     "rated_load",
     "rows_at",
     "within_rows",
@@ -81,8 +82,19 @@ def within_rows(chart: RatingChart, hooks: Sequence[str], places: FloatArray) ->
 
 def rated_load(recording: Recording, chart: RatingChart, group: RatedGroup) -> FloatArray:
     """What may hang where hooks are, shape (time,) [N]; 0 outside of the chart."""
+    return rated_if_raised(recording, chart, group, 1.0)
+
+
+def rated_if_raised(recording: Recording, chart: RatingChart, group: RatedGroup, by: float) -> FloatArray:
+    """The same if what hangs in each hook, without hook block and falls, were so many times as much.
+
+    Of hooks with rows of their own that is another number: their shares change.
+    """
     places = chart_places(recording, chart, group.hooks)
-    return rated_at_places(recording.rig, chart, group, places, _loads(recording, chart))
+    seen = _loads(recording, chart)
+    more = {hook: (by - 1.0) * load for hook, load in seen["hook_load"].items()}
+    raised = {name: {hook: load + more[hook] for hook, load in of.items()} for name, of in seen.items()}
+    return rated_at_places(recording.rig, chart, group, places, raised)
 
 
 def rated_at_places(
