@@ -145,3 +145,10 @@ def test_shares_of_charts_made_of_moments_are_the_tipping_moment() -> None:
     assert _used(recording, "c1") == pytest.approx(tipping / 0.75, rel=2e-4)
     simulated_tipping = float(recording.column("tipping_utilisation", "c1")[-1])
     assert simulated_tipping == pytest.approx(tipping, rel=2e-3)
+
+
+def test_a_hook_that_passes_its_own_chart_is_an_overload_of_hook_and_crane() -> None:
+    """120 t where its own chart has 90 t at 57.7 m, and the crane's has 626 t for 350 t."""
+    recording = simulated(_lift("{outreach: [40 m, 80 m], rated: [90 t, 90 t]}"))
+    assert {name for _, kind, name in recording.events() if kind == "overload"} == {"fc", "fc.H2"}
+    assert values_of(recording, "hoist_load_of_rating")["fc.H2"] == pytest.approx(120.0 / 90.0, rel=1e-4)
