@@ -21,10 +21,12 @@ from gantline.rule_data import (
     several_cranes,
 )
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.charts import boom_charts
 from gantline.scenario.crane import FixedHook
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import Hook, trolley_name
 from gantline.scenario.limits import Rules
+from gantline.scenario.rating import Rating
 from gantline.scenario.reeving import hoist_drum
 
 __all__ = ["bends", "limits_and_rules", "rating_charts", "ratings"]
@@ -119,30 +121,64 @@ def rating_charts(scenario: Scenario) -> list[Json]:
     gravity = scenario.simulation.gravity
     found = []
     for name, crane in (scenario.cranes or {}).items():
-        chart = getattr(crane, "rating", None)
-        if chart is None or isinstance(crane, FixedHook | Goliath):
+        charts = [one for one in boom_charts(scenario) if one.crane == name]
+        if not charts or isinstance(crane, FixedHook | Goliath):
             continue
         hooks = [hook for hook in scenario.hooks.values() if hook.crane == name]
-        whole = crane.rated_capacity or max(chart.rated)
-        shares = {
-            hook.name: chart.hooks_share or min(1.0, (hook.rated_capacity or whole) / whole) for hook in hooks
-        }
+        own = {one.hook: one.rating for one in charts if one.hook is not None}
+        shared = [hook for hook in hooks if hook.name not in own]
+        common = {"crane": name, "includes_hook_block": crane.rating_includes_hook_block}
+        chart = next((one.rating for one in charts if one.hook is None), None)
         found.append(
             {
-                "crane": name,
-                "over": chart.over,
-                "at": [place for place, _ in chart.rows],
-                "rated": [mass * gravity for _, mass in chart.rows],
-                "between": chart.between or "lines",
-                "includes_hook_block": crane.rating_includes_hook_block,
+                **common,
+                **({} if chart is None else _rows(chart, chart, gravity)),
                 "hooks": [hook.name for hook in hooks],
-                **_apart(hooks),
-                "hook_shares": shares,
-                "hooks_share": chart.hooks_share,
-                **{key: getattr(chart, key) for key in ("heel", "trim", "off_lead", "side_lead")},
+                **_apart(shared),
+                "hook_shares": dict.fromkeys(own, 1.0)
+                | _shares(crane.rated_capacity, chart, shared, bool(own)),
+                "hooks_share": None if chart is None else chart.hooks_share,
+                **(
+                    {
+                        "own": {
+                            hook: {**common, "hooks": [hook], **_rows(rating, chart, gravity)}
+                            for hook, rating in own.items()
+                        }
+                    }
+                    if own
+                    else {}
+                ),
             }
         )
     return found
+
+
+def _rows(chart: Rating, of_crane: Rating | None, gravity: float) -> Json:
+    """Rows of a chart and what they hold for; what that of a hook does not say is as in that of its crane."""
+
+    def said(key: str) -> Any:
+        own = getattr(chart, key)
+        return own if own is not None or of_crane is None else getattr(of_crane, key)
+
+    return {
+        "over": chart.over,
+        "at": [place for place, _ in chart.rows],
+        "rated": [mass * gravity for _, mass in chart.rows],
+        "between": said("between") or "lines",
+        **{key: said(key) for key in ("heel", "trim", "off_lead", "side_lead")},
+    }
+
+
+def _shares(
+    capacity: float | None, chart: Rating | None, hooks: Sequence[Hook], has_others: bool
+) -> dict[str, float]:
+    """What each of some hooks may carry of a row alone [1]; all of it the only one without its own chart."""
+    if chart is None:
+        return {}
+    if chart.hooks_share is not None or (has_others and len(hooks) == 1):
+        return {hook.name: chart.hooks_share or 1.0 for hook in hooks}
+    whole = capacity or max(chart.rated)
+    return {hook.name: min(1.0, (hook.rated_capacity or whole) / whole) for hook in hooks}
 
 
 def _apart(hooks: Sequence[Hook]) -> Json:

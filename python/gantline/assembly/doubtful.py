@@ -7,12 +7,12 @@ from collections.abc import Iterator
 
 from gantline.scenario import Scenario
 from gantline.scenario.boom import FloatingCrane
+from gantline.scenario.charts import Chart, boom_charts
 from gantline.scenario.crawler import Crawler
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Path
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.heave import FILTER
-from gantline.scenario.rating import Rating
 from gantline.units import format_by_size, format_quantity
 
 __all__ = ["doubtful_cranes", "rows_by_radius", "tipping_mass"]
@@ -57,16 +57,16 @@ def doubtful_cranes(scenario: Scenario) -> list[Doubt]:
 def _rising_charts(scenario: Scenario) -> list[Doubt]:
     """Each rating chart by which more may hang farther out."""
     doubts = []
-    for name, crane in (scenario.cranes or {}).items():
-        chart: Rating | None = getattr(crane, "rating", None)
-        if chart is not None and chart.rises is not None:
+    for one in boom_charts(scenario):
+        chart = one.rating
+        if chart.rises is not None:
             unit = "deg" if chart.over == "angle" else "m"
             near, far = (
                 f"{format_quantity(mass, 't', 1)} at {format_quantity(place, unit, 1)}"
                 for place, mass in chart.rises
             )
-            sentence = f"the rating chart of {name} has {far} and only {near}, nearer by"
-            doubts.append(Doubt(("cranes", name, "rating"), f"{sentence}; charts fall outwards"))
+            sentence = f"the rating chart of {one.owner} has {far} and only {near}, nearer by"
+            doubts.append(Doubt(one.path, f"{sentence}; charts fall outwards"))
     return doubts
 
 
@@ -76,12 +76,13 @@ def _unsaid_ratings(scenario: Scenario) -> list[Doubt]:
     They are then taken for hook loads, which leaves the weight of hook block and falls out.
     """
     doubts = []
+    charted = {chart.crane for chart in boom_charts(scenario)}
     for name, crane in (scenario.cranes or {}).items():
         hooks = [hook for hook in scenario.hooks.values() if hook.crane == name]
         is_heavy = any(hook.hook_block is not None or hook.hook_block_mass > 0.0 for hook in hooks)
         of_trolleys = crane.trolleys.values() if isinstance(crane, Goliath) else ()
         rated = [one.rated_capacity for one in (crane, *hooks, *of_trolleys)]
-        is_rated = any(one is not None for one in (*rated, getattr(crane, "rating", None)))
+        is_rated = name in charted or any(one is not None for one in rated)
         if is_heavy and is_rated and "rating_includes_hook_block" not in crane.model_fields_set:
             sentence = (
                 f"nothing says whether {name} is rated with its hook block and falls: they are left out of "
@@ -93,41 +94,56 @@ def _unsaid_ratings(scenario: Scenario) -> list[Doubt]:
 
 def _charts_past_tipping(scenario: Scenario) -> Iterator[Doubt]:
     """Each crawler crane whose chart and masses do not agree: it would nearly tip, or more."""
-    for name, crane in (scenario.cranes or {}).items():
-        if not isinstance(crane, Crawler) or crane.rating is None or crane.rating.over == "outreach":
+    for one in boom_charts(scenario):
+        crane = (scenario.cranes or {})[one.crane]
+        if not isinstance(crane, Crawler) or one.rating.over == "outreach":
             continue
         used, radius, rated = max(
-            (rated / max(tipping_mass(crane, radius), 1.0), radius, rated)
-            for radius, rated in rows_by_radius(crane, crane.rating)
+            (rated / max(tipping_mass(crane, radius, one), 1.0), radius, rated)
+            for radius, rated in rows_by_radius(crane, one)
         )
         if used > _MOST_OF_TIPPING:
             row = f"{format_quantity(rated, 't', 1)} at {format_quantity(radius, 'm', 1)}"
             share = f"{100.0 * used:.3g} % of what tips the crane by its masses, where 75 % is usual"
             right = "the chart is too large, or a mass of the crane too small"
-            sentence = f"the rating chart of {name} has {row}, {share}; {right}"
-            yield Doubt(("cranes", name, "rating"), sentence)
+            sentence = f"the rating chart of {one.owner} has {row}, {share}; {right}"
+            yield Doubt(one.path, sentence)
 
 
-def rows_by_radius(crane: Crawler, chart: Rating) -> list[tuple[float, float]]:
+def rows_by_radius(crane: Crawler, chart: Chart) -> list[tuple[float, float]]:
     """Rows of a chart as radius [m] and rated load [kg]."""
-    if chart.over == "radius":
-        return chart.rows
-    ahead, length = crane.boom.heel_pins.ahead, crane.boom.length
-    return [(ahead + length * math.cos(angle), rated) for angle, rated in chart.rows]
+    if chart.rating.over == "radius":
+        return chart.rating.rows
+    ahead, length, over = crane.boom.heel_pins.ahead, *_pin(crane, chart)
+    return [(ahead + length * math.cos(angle + over), rated) for angle, rated in chart.rating.rows]
 
 
-def tipping_mass(crane: Crawler, radius: float) -> float:
+def _pin(crane: Crawler, chart: Chart) -> tuple[float, float]:
+    """How far from the heel pins a hook with its own chart hangs [m], and that line over the boom [rad].
+
+    Of a chart of the crane the head of its boom.
+    """
+    if chart.hook is None:
+        return crane.boom.length, 0.0
+    hook = chart.hooks[0]
+    out = crane.boom.length + hook.along
+    return math.hypot(out, hook.above), math.atan2(hook.above, out)
+
+
+def tipping_mass(crane: Crawler, radius: float, chart: Chart) -> float:
     """What tips a crane that stands alone at a radius, equation (CR4) [kg]; infinite where nothing can."""
     half = min(crane.tracks.gauge, crane.tracks.length) / 2
-    if not half < radius <= crane.boom.heel_pins.ahead + crane.boom.length:
-        return math.inf
     boom, weight = crane.boom, crane.counterweight
     ahead = boom.heel_pins.ahead
+    reach, over = _pin(crane, chart)
+    if not half < radius <= ahead + reach:
+        return math.inf
+    head = boom.length * math.cos(math.acos(max(-1.0, (radius - ahead) / reach)) - over)
     lumps = (
         (crane.base_mass + crane.central_ballast, 0.0),
         (weight.mass, -weight.behind),
-        (boom.mass, ahead + boom.centre_of_gravity * (radius - ahead)),
-        (boom.head_gear, radius),
+        (boom.mass, ahead + boom.centre_of_gravity * head),
+        (boom.head_gear, ahead + head),
     )
     return max(0.0, math.fsum(mass * (half - at) for mass, at in lumps) / (radius - half))
 

@@ -41,7 +41,11 @@ def _carried_by(scenario: Scenario, hooks: set[str]) -> float:
     Infinite where it is not known.
     """
     bounds = [(set(one["hooks"]), one["rated_capacity"]) for one in ratings(scenario)]
-    bounds += [(set(one["hooks"]), max(one["rated"])) for one in rating_charts(scenario)]
+    for chart in rating_charts(scenario):
+        own = {hook: max(one["rated"]) for hook, one in chart.get("own", {}).items()}
+        # Shares of several charts come to one at most: no more than the largest of them rates.
+        bounds.append((set(chart["hooks"]), max([*chart.get("rated", ()), *own.values()])))
+        bounds += [({hook}, most) for hook, most in own.items()]
     shares: dict[frozenset[str], float] = {frozenset([hook]): math.inf for hook in hooks}
     for of, capacity in sorted(bounds, key=lambda one: len(one[0])):
         within = [some for some in shares if some <= of]

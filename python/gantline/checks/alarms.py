@@ -50,7 +50,8 @@ def _leans(key: str) -> Callable[[Recording, str], float]:
     """Heel or trim at which loose things on deck begin to move [rad], or past that the end of the charts."""
 
     def bound(recording: Recording, _vessel: str) -> float:
-        charts: list[float | None] = [getattr(chart, key) for chart in recording.rig.rating_charts]
+        every = [one for chart in recording.rig.rating_charts for one in (chart, *chart.own.values())]
+        charts: list[float | None] = [getattr(chart, key) for chart in every]
         return max([_LEANS, *(angle for angle in charts if angle is not None)])
 
     return bound
@@ -73,8 +74,8 @@ def _falls(recording: Recording, hook: str) -> float:
 
 
 def _of_chart(recording: Recording, hook: str, key: str) -> list[float]:
-    """The lead up to which the chart of the crane of a hook holds [rad], if it says so: no alarm before."""
-    charts = (chart for chart in recording.rig.rating_charts if hook in chart.hooks)
+    """The lead up to which the chart of a hook holds [rad], if it says so: no alarm before."""
+    charts = (chart.of(hook) for chart in recording.rig.rating_charts if hook in chart.hooks)
     return [lead for chart in charts if (lead := getattr(chart, key)) is not None]
 
 

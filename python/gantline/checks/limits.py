@@ -167,7 +167,7 @@ LIMITS: dict[str, Measure] = {
     "attitude_of_rating": _utilisation(
         "heel, trim, off-lead and side-lead under load / largest for which the rating chart holds",
         ratings.beyond_rating,
-        definition="'rating' of the crane",
+        definition="'rating' of the crane or hook",
     ),
     "moment_of_tipping_moment": _utilisation(
         "moment of what hangs / moment of the crane's own weight, about its worst tipping line",

@@ -18,7 +18,10 @@ from gantline.results.rating import (
     chart_load,
     chart_places,
     rated_groups,
+    rated_if_raised,
     rated_load,
+    rows_at,
+    within_rows,
 )
 from gantline.results.rating_chart import RatingChart
 from gantline.results.recording import Recording
@@ -95,18 +98,20 @@ def _of_row(
     element, hooks, share = group.element, group.hooks, group.share
     load = chart_load(recording, chart, hooks)
     places = chart_places(recording, chart, hooks)
-    outside = during & (load > 0) & ~chart.holds(places).all(axis=1)
+    outside = during & (load > 0) & ~within_rows(chart, hooks, places).all(axis=1)
     if outside.any():
-        yield Refused(element, _outside(recording, chart, places, outside))
+        yield Refused(element, _outside(recording, chart, hooks, places, outside))
         return
     rated = rated_load(recording, chart, group)
-    yield from _by_rule(recording, during, (element, hooks, kept), chart, rated, places)
+    yield from _by_rule(recording, during, (group, kept), chart, places)
     if recording.is_equilibrium:
         return
     loaded = during & (load > 0)
     if loaded.any() and not rated[loaded].all():
         at = int(np.flatnonzero(loaded & (rated <= 0))[0])
-        reason = f"nothing may hang at {_shown(chart, places[at].max())}, at {recording.time[at]:.2f} s"
+        reason = (
+            f"nothing may hang at {shown_places(chart, hooks, places[at])}, at {recording.time[at]:.2f} s"
+        )
         yield Refused(element, reason)
         return
     used = np.where(loaded, kept * load / np.where(loaded, rated, 1.0), 0.0)
@@ -125,16 +130,16 @@ def _of_row(
 def _by_rule(
     recording: Recording,
     during: BoolArray,
-    of: tuple[str, tuple[str, ...], float],
+    of: tuple[RatedGroup, float],
     chart: RatingChart,
-    rated: FloatArray,
     places: FloatArray,
 ) -> Iterator[Finding]:
     """The design weight with the rule's dynamics against the least that is rated while the load is still.
 
     Of a crane that lifts alone against the least while the load hangs at all: it bears the same all the way.
     """
-    element, hooks, kept = of
+    group, kept = of
+    element, hooks = group.element, group.hooks
     hangs = _hangs(recording, chart, hooks) & during
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
     windows = series.quiet_windows(recording)
@@ -149,6 +154,8 @@ def _by_rule(
         still = force.rule if force.rule is not None else force.static
         if still is None or still <= 0:
             continue
+        # Hook blocks and falls are not raised, so that hooks with rows of their own change their shares.
+        rated = rated_if_raised(recording, chart, group, _raised_by(recording, hooks, variable, still, whole))
         at = int(np.argmin(np.where(window | hangs, rated, np.inf)))
         least = float(rated[at])
         if least <= 0:
@@ -161,6 +168,19 @@ def _by_rule(
         yield Found(
             kept * still / least, element, None, f"({text}){raised} / {kilonewton(least)}{where}", names
         )
+
+
+def _raised_by(
+    recording: Recording, hooks: Sequence[str], variable: str, still: float, window: BoolArray
+) -> float:
+    """How many times as much hangs in hooks by the rule than did while the load hung still [1]."""
+
+    def static(name: str) -> float:
+        total = np.sum([recording.column(name, hook) for hook in hooks], axis=0)
+        return series.static_value(recording, total, window) or 0.0
+
+    hung = static("hook_load")
+    return 1.0 if hung <= 0.0 else (still - static(variable) + hung) / hung
 
 
 def _hangs(recording: Recording, chart: RatingChart, hooks: tuple[str, ...]) -> BoolArray:
@@ -179,22 +199,31 @@ def shown_places(chart: RatingChart, hooks: Sequence[str], places: FloatArray, d
     Args:
         chart: Their chart.
         hooks: The hooks.
-        places: As `chart_places` has them at one moment, shape (hooks or 1,).
+        places: As `chart_places` has them at one moment, shape (hooks,).
         digits: Of a radius or angle.
     """
-    worst = []
+    rows, worst = rows_at(chart, hooks, places[None])[0], []
     for several in at_one_place(chart, hooks):
-        own = places if chart.over == "angle" else places[[hooks.index(hook) for hook in several]]
-        worst.append(_shown(chart, float(own[int(np.argmin(chart.rated_at(own)))]), digits))
+        least = min((hooks.index(hook) for hook in several), key=rows.__getitem__)
+        worst.append(_shown(chart.of(hooks[least]), float(places[least]), digits))
     return " and ".join(worst)
 
 
-def _outside(recording: Recording, chart: RatingChart, places: FloatArray, outside: BoolArray) -> str:
+def _outside(
+    recording: Recording,
+    chart: RatingChart,
+    hooks: Sequence[str],
+    places: FloatArray,
+    outside: BoolArray,
+) -> str:
     at = int(np.flatnonzero(outside)[0])
-    place = float(places[at][int(np.argmin(chart.holds(places[at])))])
-    rows = f"{_shown(chart, chart.at[0])} to {_shown(chart, chart.at[-1])}"
+    beyond = int(np.argmin(within_rows(chart, hooks, places)[at]))
+    of = chart.of(hooks[beyond])
+    rows = f"{_shown(of, of.at[0])} to {_shown(of, of.at[-1])}"
     when = f"at {recording.time[at]:.2f} s"
-    return f"{chart.over} of {_shown(chart, place)} {when} is outside of the chart, {rows}: no lift"
+    whose = f"the chart of {hooks[beyond]}" if hooks[beyond] in chart.own else "the chart"
+    place = _shown(of, float(places[at][beyond]))
+    return f"{of.over} of {place} {when} is outside of {whose}, {rows}: no lift"
 
 
 def _shown(chart: RatingChart, place: float, digits: int = 2) -> str:
@@ -204,21 +233,28 @@ def _shown(chart: RatingChart, place: float, digits: int = 2) -> str:
 def beyond_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Heel, trim, off-lead and side-lead under load, over the largest for which the chart holds.
 
-    Leads are those of hooks that bear something: an empty one beside them may swing.
+    Leads are those of hooks that bear something: an empty one beside them may swing. So are the attitudes of
+    charts, where hooks have their own.
     """
     for chart in recording.rig.rating_charts:
         loaded = during & (chart_load(recording, chart, tuple(chart.hooks)) > 0)
-        for key, variable in _OF_CRANE.items():
-            limit = getattr(chart, key)
-            if limit is not None:
-                values = np.abs(recording.column(variable, chart.crane))
-                yield from _over(recording, values, loaded, limit, f"{key} {chart.crane}")
+        bearing = {hook: loaded & bears(recording, chart, hook) for hook in chart.hooks}
+        shared = [bearing[hook] for hook in chart.shared]
+        charts = {hook: (own, bearing[hook]) for hook, own in chart.own.items()}
+        if shared:
+            charts = {chart.crane: (chart, np.any(shared, axis=0) if chart.own else loaded)} | charts
+        for of, (one, during_its_loads) in charts.items():
+            for key, variable in _OF_CRANE.items():
+                limit = getattr(one, key)
+                if limit is not None:
+                    values = np.abs(recording.column(variable, chart.crane))
+                    yield from _over(recording, values, during_its_loads, limit, f"{key} {of}")
         for key, variable in _OF_HOOK.items():
-            limit = getattr(chart, key)
-            for hook in chart.hooks if limit is not None else ():
-                values = np.abs(recording.column(variable, hook))
-                bearing = loaded & bears(recording, chart, hook)
-                yield from _over(recording, values, bearing, limit, f"{key} {hook}")
+            for hook in chart.hooks:
+                limit = getattr(chart.of(hook), key)
+                if limit is not None:
+                    values = np.abs(recording.column(variable, hook))
+                    yield from _over(recording, values, bearing[hook], limit, f"{key} {hook}")
 
 
 def _over(

@@ -138,12 +138,12 @@ def _height(recording: Recording, hook: str, sample: int) -> float | None:
 def _radius(
     recording: Recording, hooks: tuple[str, ...], sample: int, chart: RatingChart | None
 ) -> float | None:
-    """Outreach or radius [m] of a hook, of several that at which their chart rates least."""
+    """Outreach or radius [m] of a hook, of several that at which their charts rate least."""
     if "crane_radius" not in recording:
         return None
     reach = recording["crane_radius"]
     at_booms = recording.coordinates[reach.dims[1]]
-    radii = [float(reach.values[sample, at_booms.index(one)]) for one in hooks if one in at_booms]
-    if len(radii) < 2 or chart is None or chart.over == "angle":
-        return max(radii, default=None)
-    return radii[int(np.argmin(chart.rated_at(np.array(radii))))]
+    radii = {one: float(reach.values[sample, at_booms.index(one)]) for one in hooks if one in at_booms}
+    if len(radii) < 2 or chart is None or any(chart.of(one).over == "angle" for one in radii):
+        return max(radii.values(), default=None)
+    return radii[min(radii, key=lambda one: float(chart.of(one).rated_at(np.array(radii[one]))))]

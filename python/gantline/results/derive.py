@@ -16,7 +16,14 @@ from gantline.results.flows import rope_flows
 from gantline.results.hook_load import hook_loads
 from gantline.results.moorings import mooring_state
 from gantline.results.nodes import joined
-from gantline.results.rating import counted_load, counted_places, overloads, rated_at_places, rated_groups
+from gantline.results.rating import (
+    counted_load,
+    counted_places,
+    overloads,
+    place_of,
+    rated_at_places,
+    rated_groups,
+)
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.rotation import tilt
@@ -168,12 +175,12 @@ def _overloads(
     for chart in rig.rating_charts:
         for group in rated_groups(chart):
             load = counted_load(rig, chart, group.hooks, loads)
-            if chart.over == "angle":
-                places = found["boom_angle"].values[:, [labels["boom"].index(chart.crane)]]
-            else:
-                at_boom, reach = labels["boom_hook"], found["crane_radius"].values
-                radii = {hook: reach[:, at_boom.index(hook)] for hook in group.hooks}
-                places = counted_places(rig, chart, radii, loads)
+            where = {}
+            for hook in group.hooks:
+                variable, column = place_of(chart, hook)
+                of = labels["boom" if variable == "boom_angle" else "boom_hook"]
+                where[hook] = found[variable].values[:, of.index(column)]
+            places = counted_places(rig, chart, where, loads)
             rated = rated_at_places(rig, chart, group, places, loads)
             name = group.element if group.element in group.hooks else chart.crane
             events += [(at, "overload", name) for at in overloads(time, load, rated)]

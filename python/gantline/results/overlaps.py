@@ -91,7 +91,7 @@ _LOOKED_AT = {
     frozenset(pair)
     for pair in (
         *(("load", "crane"), ("load", "tracks"), ("load", "hull"), ("load", "frame"), ("load", "hook")),
-        ("load", "support"),
+        *(("load", "support"), ("hook",)),
         *(("frame",), ("frame", "crane"), ("frame", "tracks"), ("frame", "hull"), ("frame", "structure")),
         *(("crane",), ("crane", "tracks"), ("tracks",), ("crane", "structure")),
         *(("hull",), ("hull", "structure")),
@@ -113,7 +113,7 @@ def overlaps(recording: Recording) -> list[Overlap]:
     found = []
     for one, other in combinations(_bodies(recording, looks), 2):
         if (
-            one.of == other.of
+            not _is_apart(one, other)
             or frozenset({one.kind, other.kind}) not in _LOOKED_AT
             or _is_looked_after(recording, one, other)
         ):
@@ -128,6 +128,16 @@ def overlaps(recording: Recording) -> list[Overlap]:
             deep = float(depth.max())
             found.append(Overlap((one.name, other.name), since, deep, bool(is_past.any()), support))
     return found
+
+
+def _is_apart(one: _Body, other: _Body) -> bool:
+    """Whether two belong to different things: to a crane all of it, but for its hook blocks among each other.
+
+    Fixed hooks are no hook blocks: several may stand for one.
+    """
+    if one.kind == other.kind == "hook":
+        return one.of != one.name and other.of != other.name
+    return one.of != other.of
 
 
 def _is_looked_after(recording: Recording, one: _Body, other: _Body) -> bool:

@@ -24,9 +24,13 @@ __all__ = [
     "counted_places",
     "group_used",
     "overloads",
+    "place_of",
     "rated_at_places",
     "rated_groups",
+    "rated_if_raised",
     "rated_load",
+    "rows_at",
+    "within_rows",
 ]
 
 #: What may count.
@@ -59,17 +63,38 @@ def rated_groups(chart: RatingChart) -> list[RatedGroup]:
 
 
 def at_one_place(chart: RatingChart, hooks: Sequence[str]) -> list[tuple[str, ...]]:
-    """Hooks of a crane by where on its boom they hang, as far as its chart tells them apart."""
-    if chart.over == "angle":
-        return [tuple(hooks)]
-    apart = [tuple(one for one in hooks if one in others) for others in chart.apart or (hooks,)]
-    return [one for one in apart if one]
+    """Hooks of a crane by where on its boom they hang, as far as its chart tells them apart, and by chart."""
+    shared = [hook for hook in hooks if hook not in chart.own]
+    places = (shared,) if chart.over == "angle" or not chart.apart else chart.apart
+    apart = [tuple(one for one in shared if one in others) for others in places]
+    return [*(one for one in apart if one), *((hook,) for hook in hooks if hook in chart.own)]
+
+
+def rows_at(chart: RatingChart, hooks: Sequence[str], places: FloatArray) -> FloatArray:
+    """What the chart of each of some hooks rates where it is, like places of shape (time, hooks) [N]."""
+    return np.stack([chart.of(hook).rated_at(places[:, at]) for at, hook in enumerate(hooks)], axis=1)
+
+
+def within_rows(chart: RatingChart, hooks: Sequence[str], places: FloatArray) -> BoolArray:
+    """Where each of some hooks is within the rows of its chart, places and result of shape (time, hooks)."""
+    return np.stack([chart.of(hook).holds(places[:, at]) for at, hook in enumerate(hooks)], axis=1)
 
 
 def rated_load(recording: Recording, chart: RatingChart, group: RatedGroup) -> FloatArray:
     """What may hang where hooks are, shape (time,) [N]; 0 outside of the chart."""
+    return rated_if_raised(recording, chart, group, 1.0)
+
+
+def rated_if_raised(recording: Recording, chart: RatingChart, group: RatedGroup, by: float) -> FloatArray:
+    """The same if what hangs in each hook, without hook block and falls, were so many times as much.
+
+    Of hooks with rows of their own that is another number: their shares change.
+    """
     places = chart_places(recording, chart, group.hooks)
-    return rated_at_places(recording.rig, chart, group, places, _loads(recording, chart))
+    seen = _loads(recording, chart)
+    more = {hook: (by - 1.0) * load for hook, load in seen["hook_load"].items()}
+    raised = {name: {hook: load + more[hook] for hook, load in of.items()} for name, of in seen.items()}
+    return rated_at_places(recording.rig, chart, group, places, raised)
 
 
 def rated_at_places(
@@ -81,17 +106,17 @@ def rated_at_places(
 ) -> FloatArray:
     """The same of places as `chart_places` has them, and of loads as `counted_load` has them.
 
-    Of hooks at several places of a boom each uses up a share of the row where it is: what may hang in all
-    is what hangs over the sum of these shares.
+    Of hooks at several places of a boom, or with charts of their own, each uses up a share of the row where
+    it is: what may hang in all is what hangs over the sum of these shares.
     """
     several = at_one_place(chart, group.hooks)
-    least: FloatArray = group.share * chart.rated_at(places).min(axis=1)
+    rows = group.share * rows_at(chart, group.hooks, places)
+    least: FloatArray = rows.min(axis=1)
     if len(several) < 2:
         return least
     total, used = np.zeros(len(places)), np.zeros(len(places))
     for hooks in several:
-        own = places[:, [group.hooks.index(hook) for hook in hooks]]
-        rated = group.share * chart.rated_at(own).min(axis=1)
+        rated = rows[:, [group.hooks.index(hook) for hook in hooks]].min(axis=1)
         load = counted_load(rig, chart, hooks, loads)
         total += load
         used += _over(load, rated)
@@ -163,30 +188,33 @@ def _seen(rig: Rig, chart: RatingChart) -> str:
 
 
 def chart_places(recording: Recording, chart: RatingChart, hooks: Sequence[str]) -> FloatArray:
-    """Radii or outreaches of hooks [m], or the angle of the boom [rad], shape (time, hooks or 1)."""
-    if chart.over == "angle":
-        return recording.column("boom_angle", chart.crane)[:, None]
-    radii = {hook: recording.column("crane_radius", hook) for hook in hooks}
-    return counted_places(recording.rig, chart, radii, _loads(recording, chart))
+    """Radii or outreaches of hooks [m], or the angle of their boom [rad], shape (time, hooks)."""
+    places = {hook: recording.column(*place_of(chart, hook)) for hook in hooks}
+    return counted_places(recording.rig, chart, places, _loads(recording, chart))
+
+
+def place_of(chart: RatingChart, hook: str) -> tuple[str, str]:
+    """The variable that says where a hook is, as its chart counts it, and its column there."""
+    return ("boom_angle", chart.crane) if chart.of(hook).over == "angle" else ("crane_radius", hook)
 
 
 def counted_places(
     rig: Rig,
     chart: RatingChart,
-    radii: Mapping[str, FloatArray],
+    places: Mapping[str, FloatArray],
     loads: Mapping[str, Mapping[str, FloatArray]],
 ) -> FloatArray:
-    """Radii or outreaches by hook, as a chart counts them, shape (time, hooks) [m].
+    """Radii or outreaches [m], or angles [rad], by hook, as charts count them, shape (time, hooks).
 
-    An empty hook that hangs elsewhere on the boom than others may be outside of the chart: it counts at the
-    nearest row.
+    An empty hook that hangs elsewhere on the boom than others, or has another chart, may be outside of it: it
+    counts at the nearest row.
     """
-    if not chart.apart:
-        return np.stack(list(radii.values()), axis=1)
-    counted = [
-        np.where(_bears(rig, chart, hook, loads), radius, chart.nearest(radius))
-        for hook, radius in radii.items()
-    ]
+    counted = list(places.values())
+    if chart.apart or chart.own:
+        counted = [
+            np.where(_bears(rig, chart, hook, loads), place, chart.of(hook).nearest(place))
+            for hook, place in places.items()
+        ]
     return np.stack(counted, axis=1)
 
 

@@ -6,7 +6,8 @@ docs/concepts/rating.md says what is compared with what.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any, Self
 
 import numpy as np
 
@@ -21,7 +22,7 @@ _ROUNDING = 1e-9
 
 @dataclass(frozen=True)
 class RatingChart(FromJson):
-    """The rating chart of one crane.
+    """The rating chart of one crane, or of one of its hooks.
 
     Attributes:
         crane: The crane.
@@ -31,7 +32,9 @@ class RatingChart(FromJson):
         between: What may hang between two rows: on `lines` between them, or the `lower` of both.
         includes_hook_block: Whether that is the hoist load, else the hook load.
         hooks: The hooks of the crane.
-        apart: The same by the place of the boom at which they hang, where that is not one for all.
+        apart: Those that this chart is for by the place of the boom at which they hang, where that is not one
+            for all.
+        own: Charts of hooks that have one of their own, by hook; this one has no rows where all have.
         hook_shares: By hook the largest share of the row that it may carry alone [1].
         hooks_share: The same where the lift file says it; it holds of a hook that is alone there, too.
         heel: Largest heel for which the chart holds [rad]; None if not said, as the next three.
@@ -48,12 +51,28 @@ class RatingChart(FromJson):
     includes_hook_block: bool = False
     hooks: Sequence[str] = ()
     apart: Sequence[Sequence[str]] = ()
+    own: Mapping[str, RatingChart] = field(default_factory=dict)
     hook_shares: Mapping[str, float] | None = None
     hooks_share: float | None = None
     heel: float | None = None
     trim: float | None = None
     off_lead: float | None = None
     side_lead: float | None = None
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        own = {hook: RatingChart.from_json(one) for hook, one in document.get("own", {}).items()}
+        return super().from_json({**document, "own": own})
+
+    def of(self, hook: str) -> RatingChart:
+        """The chart that rates a hook."""
+        return self.own.get(hook, self)
+
+    @property
+    def shared(self) -> tuple[str, ...]:
+        """The hooks that this chart itself rates."""
+        return tuple(hook for hook in self.hooks if hook not in self.own)
 
     def holds(self, place: FloatArray) -> BoolArray:
         """Where a radius [m] or boom angle [rad] is within the rows, of any shape."""

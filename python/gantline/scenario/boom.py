@@ -120,6 +120,11 @@ class BoomHook(CarriedHook):
     above: Length = Field(
         0.0, description="Place square to the boom, from its middle line upwards; negative below it."
     )
+    rating: Rating | None = Field(
+        None,
+        description="Rating chart of this hook alone, in place of that of its crane: of an auxiliary hook, "
+        "say. What it does not say of 'between', attitudes and leads is as in that of the crane.",
+    )
 
 
 class FloatingCrane(Element):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from gantline.scenario.boom import FloatingCrane, PlacedBoom
+from gantline.scenario.charts import Chart, boom_charts
 from gantline.scenario.check_hooks import check_carried_hook
 from gantline.scenario.crawler import Crawler
 from gantline.scenario.errors import nearest
@@ -19,9 +20,12 @@ __all__ = ["check_booms", "check_luffing"]
 
 def check_booms(findings: Findings) -> None:
     """Note everything that is wrong with booms beyond the reeving of their hooks."""
+    for chart in boom_charts(findings.scenario):
+        _check_chart(findings, chart)
     for name, crane in (findings.scenario.cranes or {}).items():
+        if isinstance(crane, FloatingCrane | Crawler):
+            _check_own_charts(findings, name, crane)
         vessels = findings.scenario.vessels or {}
-        _check_chart(findings, ("cranes", name, "rating"), crane)
         if isinstance(crane, FloatingCrane) and crane.vessel is not None and crane.vessel not in vessels:
             sentence = f"'{crane.vessel}' is not a name of 'vessels'; {nearest(crane.vessel, vessels)}"
             findings.add(("cranes", name, "vessel"), sentence)
@@ -62,17 +66,38 @@ def check_luffing(findings: Findings) -> None:
                 findings.add(("plan", place, "by"), f"{sentence}; {right}")
 
 
-def _check_chart(findings: Findings, path: Path, crane: object) -> None:
+def _check_own_charts(findings: Findings, name: str, crane: FloatingCrane | Crawler) -> None:
+    """Every hook has one chart, that of its crane or its own."""
+    path: Path = ("cranes", name)
+    own = [hook for hook, one in crane.hooks.items() if one.rating is not None]
+    others = [hook for hook, one in crane.hooks.items() if one.rating is None]
+    for hook in others if own and crane.rating is None else ():
+        sentence = f"this hook has no rating chart, nor has {name}, and '{own[0]}' has one of its own"
+        right = f"give it a 'rating' too, or {name} one for all hooks without their own"
+        findings.add((*path, "hooks", hook), f"{sentence}; {right}")
+    if crane.rating is not None and not others:
+        sentence = f"each hook of {name} has a rating chart of its own, so that this one rates none"
+        right = "leave it out, or the 'rating' of the hook that it is for"
+        findings.add((*path, "rating"), f"{sentence}; {right}")
+    for hook in own:
+        rating = crane.hooks[hook].rating
+        if rating is not None and rating.hooks_share is not None:
+            sentence = f"this chart is for '{hook}' alone, which has the whole row"
+            where = (*path, "hooks", hook, "rating", "hooks_share")
+            findings.add(where, f"{sentence}; leave 'hooks_share' out")
+
+
+def _check_chart(findings: Findings, of: Chart) -> None:
     """A chart counts from where its crane does: read from elsewhere it would rate another load."""
-    if not isinstance(crane, FloatingCrane | Crawler) or crane.rating is None:
-        return
-    chart = crane.rating
+    crane, chart, path = (findings.scenario.cranes or {})[of.crane], of.rating, of.path
     if isinstance(crane, FloatingCrane) and crane.slewing_axis is None and chart.over == "radius":
         sentence = "this crane has no 'slewing_axis' from which a radius counts"
         counts = "the heel pins" if crane.vessel is None else "the bow"
         right = f"'outreach' is right, which counts from {counts}, or from another x as 'outreach_from' says"
         findings.add((*path, "radius"), f"{sentence}; {right}")
-    slews = isinstance(crane, Crawler) or crane.slewing_axis is not None
+    slews = isinstance(crane, Crawler) or (
+        isinstance(crane, FloatingCrane) and crane.slewing_axis is not None
+    )
     if slews and chart.over == "outreach":
         sentence = "a crane that slews has no bow from which an outreach counts"
         findings.add((*path, "outreach"), f"{sentence}; 'radius' is right, from its slewing axis")

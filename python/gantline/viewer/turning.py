@@ -61,7 +61,7 @@ def sheave_angles(
 def natural_lengths(recording: Recording, frames: Sequence[int]) -> list[float | None]:
     """Length of each rope without tension [m]; None where that is not known or varies.
 
-    Slings say it; of others it follows from length, tension and axial stiffness while they are taut.
+    Slings say it; of others it follows from length, tension and stiffness while they are taut.
 
     Args:
         recording: Any recording with drawn paths.
@@ -75,7 +75,7 @@ def natural_lengths(recording: Recording, frames: Sequence[int]) -> list[float |
             found.append(slings[name])
             continue
         known = recording.rig.rope(name)
-        if known is None or not known.axial_stiffness or known.nodes:
+        if known is None or not (known.axial_stiffness or known.curve) or known.nodes:
             found.append(None)
             continue
         tension = recording.column("rope_tension", name)[at]
@@ -86,7 +86,8 @@ def natural_lengths(recording: Recording, frames: Sequence[int]) -> list[float |
             continue
         length = _along(recording["rope_point"].values[np.ix_(at, places)])[:, -1]
         taut = tension > 0.0
-        own = length[taut] / (1.0 + tension[taut] / known.axial_stiffness)
+        strains = [known.strain(float(force)) for force in tension[taut]]
+        own = length[taut] / np.array([1.0 + strain[0] for strain in strains if strain is not None])
         constant = own.size and np.ptp(own) <= _CONSTANT * float(own.max())
         found.append(float(np.median(own)) if constant else None)
     return found
