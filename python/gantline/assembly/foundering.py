@@ -37,7 +37,7 @@ def foundered(scenario: Scenario, element: str, cause: str) -> str:
     if vessel is None:
         return ""
     tanks = (vessel.tanks or {}).values()
-    own: list[tuple[float, Sequence[float]]] = [(one.mass, one.at) for one in (vessel.masses or {}).values()]
+    own: list[tuple[float, Sequence[float]]] = [(one.mass, one.at) for one in vessel.masses.values()]
     own += [(tank.content, frozen(tank)[0]) for tank in tanks if tank.content]
     mass = sum(one for one, _ in own)
     weighs = f"its masses and tanks alone are {format_quantity(mass, 't', 0)}"

@@ -188,8 +188,8 @@ class Vessel(Afloat):
     wave_motion: WaveMotion | None = Field(
         None, description="How it moves in waves where that is known beforehand; nothing else moves it then."
     )
-    masses: Named[VesselMass] | None = Field(
-        None,
+    masses: Named[VesselMass] = Field(
+        {},
         description="What it weighs by itself, by name: without cranes, hooks and contents of tanks. "
         "Not needed beside 'wave_motion'.",
     )
@@ -206,7 +206,7 @@ class Vessel(Afloat):
 
     @model_validator(mode="after")
     def _one_inertia(self) -> Vessel:
-        if self.wave_motion is None and self.masses is None:
+        if self.wave_motion is None and not self.masses:
             raise refuse("'masses' is missing; a vessel needs it unless it has a 'wave_motion'")
         known = [one for one in (self.radii_of_gyration, self.inertia) if one is not None]
         if len(known) > 1 or (self.wave_motion is None and not known):
@@ -229,12 +229,12 @@ class Vessel(Afloat):
     @property
     def mass(self) -> float:
         """Mass of the vessel by itself [kg]; 0 where it is not given."""
-        return math.fsum(one.mass for one in (self.masses or {}).values())
+        return math.fsum(one.mass for one in self.masses.values())
 
     @property
     def centre_of_gravity(self) -> tuple[float, float, float]:
         """Centre of gravity of the vessel by itself, its axes [m]; without masses the point of its motion."""
-        if self.masses is None:
+        if not self.masses:
             assert self.wave_motion is not None  # validated
             return self.wave_motion.at
         parts = self.masses.values()

@@ -101,7 +101,7 @@ pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
         let pumped = (k == 1).then(|| PumpedSpec { content: "content".to_owned(), level: draw.number() });
         if pumped.is_some() {
             spec.bodies.push(content_of(&has_tank));
-            spec.drives.push(DriveSpec { name: "pump".to_owned(), ramps: Vec::new() });
+            spec.drives.push(DriveSpec { name: "pump".to_owned(), ramps: Vec::new(), waves: None });
         }
         let tank = ForceSpec::Tank {
             name: named("tank", k),
