@@ -145,12 +145,15 @@ impl Adaptive {
     /// Lets the step that has been computed, of length `h` [s], end where waves have the drives that they move; by how much
     /// its course missed them, at its end or half-way, in tolerances.
     pub(super) fn end_with_waves(&mut self, system: &System, state: &State, h: f64) -> f64 {
+        if system.drives.iter().all(|drive| !drive.by_waves) {
+            return 0.0;
+        }
+        self.rodas.course.at(0.5, &mut self.point);
         let mut missed = 0.0_f64;
-        let by_waves = |(_, timeline): &(_, &Timeline)| timeline.waves().is_some();
-        for (drive, timeline) in system.prescribed(&state.plan.timelines).filter(by_waves) {
+        let moved = system.prescribed(&state.plan.timelines);
+        for (drive, timeline) in moved.filter(|(drive, _)| drive.by_waves) {
             let (dof, from) = (drive.dof, state.q[system.tree.bodies[drive.body].first_position]);
             let ends = [0.5, 1.0].map(|theta| timeline.motion(state.time + theta * h));
-            self.rodas.course.at(0.5, &mut self.point);
             let ways = [self.point.phi[dof], self.rodas.course.end.phi[dof]];
             for (way, end) in ways.into_iter().zip(&ends) {
                 let miss = (from + way - end.position).abs() * self.weights.arm[dof];
