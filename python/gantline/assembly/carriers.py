@@ -7,12 +7,16 @@ pitch and roll, in this order. What the lift file says of heel and trim comes on
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import about_axis, quaternion_product, rotation_matrix
+from gantline.hydro.database import AXES
 from gantline.scenario.vessel import Vessel
 
-__all__ = ["add_carried_vessel", "carrier", "wave_drive"]
+__all__ = ["add_carried_vessel", "carried_motion", "carrier", "wave_drive"]
+
+Complex = npt.NDArray[np.complex128]
 
 #: Joints in the order in which they carry, by their axes.
 _JOINTS = {
@@ -33,6 +37,20 @@ def carrier(vessel: str, axis: str) -> str:
 def wave_drive(vessel: str, axis: str) -> str:
     """Name of the drive of one motion of a vessel."""
     return f"{vessel}.{axis}"
+
+
+def carried_motion(document: Json, vessel: str) -> Complex:
+    """Surge to yaw of a carried vessel by each wave of the sea, over exp -iωt, shape (n, 6) [m or rad].
+
+    Args:
+        document: what has been assembled of a lift with waves.
+        vessel: its name.
+    """
+    drives = {drive["name"]: drive for drive in document["drives"]}
+    columns = [drives[wave_drive(vessel, axis)]["waves"]["components"] for axis in AXES]
+    return np.array(
+        [[wave["amplitude"] * np.exp(1j * wave["phase"]) for wave in column] for column in columns]
+    ).T
 
 
 def add_carried_vessel(parts: Parts, name: str, vessel: Vessel, start: Json) -> None:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from gantline.assembly.carriers import carried_motion, carrier
 from gantline.assembly.spatial import rotation_matrix
 from gantline.results.recording import Recording
 from gantline.results.rotation import heading
@@ -91,7 +92,8 @@ def heave_demands(scenario: Scenario) -> list[HeaveDemand]:
     except (ScenarioError, NoEquilibriumError):
         return []
     document = statics.assembly.document
-    if not any(one["type"] == "wave" for one in document["forces"]):
+    pushed = any(one["type"] == "wave" for one in document["forces"])
+    if not pushed and not any("waves" in drive for drive in document["drives"]):
         return []
     compensators = {one["name"]: one for one in document["compensators"]}
     steps: dict[tuple[str, str | None], list[int]] = {}
@@ -136,6 +138,7 @@ class _Response:
         frequency: Of each wave of the sea (n,) [rad/s].
         motion: Of each degree of freedom by each wave, over exp -iωt (n, coordinate) [m or rad].
         centres: Centres of gravity of bodies, in their own axes [m].
+        carried: Surge to yaw of vessels that move by their RAOs, by each wave (n, 6) [m or rad].
     """
 
     recording: Recording
@@ -143,6 +146,7 @@ class _Response:
     frequency: Array
     motion: Complex
     centres: Mapping[str, Array]
+    carried: Mapping[str, Complex]
 
     @classmethod
     def at(cls, statics: Statics, time: float) -> _Response:
@@ -161,7 +165,7 @@ class _Response:
         model = statics.linear_model()
         # Of ropes, pins and sheaves that hold some may repeat others.
         free = null_space(model.held) if len(model.held) else np.eye(len(model.coordinates))
-        for place, wave in enumerate(document["sea"]["components"]):
+        for place, wave in enumerate(document["sea"]["components"] if forces else ()):
             omega = wave["frequency"]
             model = statics.linear_model(omega)
             push = sum(
@@ -172,7 +176,13 @@ class _Response:
             dynamic = model.stiffness - 1j * omega * model.damping - omega**2 * model.mass
             motion.append(free @ np.linalg.solve(free.T @ dynamic @ free, free.T @ push))
         frequency = np.array([wave["frequency"] for wave in document["sea"]["components"]])
-        return cls(recording, model, frequency, np.array(motion), centres)
+        answers = np.zeros((len(frequency), len(model.coordinates)), dtype=np.complex128)
+        if forces:
+            answers[:] = motion
+        carried = {
+            one.name: carried_motion(document, one.name) for one in recording.rig.vessels if one.is_carried
+        }
+        return cls(recording, model, frequency, answers, centres, carried)
 
     def heave(self, compensator: Mapping[str, Any], over: str | None) -> Complex:
         """How the place of the vessel at the boom head heaves, over the deck below it if any (n,) [m]."""
@@ -183,6 +193,15 @@ class _Response:
 
     def _rise(self, body: str, point: Array) -> Complex:
         """How a place of a body heaves that is plumb below or above a point of the world (n,) [m]."""
+        if body in self.carried:
+            about = carrier(body, "surge")
+            ahead = heading(self.recording.column("body_orientation", about)[-1])
+            x, y = (point - self.recording.column("body_position", about)[-1])[:2]
+            forward = math.cos(ahead) * x + math.sin(ahead) * y
+            port = math.cos(ahead) * y - math.sin(ahead) * x
+            own = self.carried[body]
+            level: Complex = own[:, 2] + own[:, 3] * port - own[:, 4] * forward
+            return level
         motion = self.motion @ self.model.body_motion[self.model.bodies.index(body)].T
         arm = point - self.recording.column("body_position", body)[-1]
         rise: Complex = motion[:, 2] + motion[:, 3] * arm[1] - motion[:, 4] * arm[0]
