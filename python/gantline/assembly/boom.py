@@ -114,8 +114,8 @@ def _add_tackles(parts: Parts, scenario: Scenario, placed: PlacedBoom, tackles: 
     parts.add_flow(drum, _DRIVEN, drive=luff_drive(placed.name))
     kind = (scenario.ropes or {})[tackles.rope]
     weight = rope_weight(kind, tackles.rope_weight, None)
-    for name, across in zip(placed.ropes, tackles.places, strict=True):
-        top = (placed.base, (tackles.from_[0], across, tackles.from_[2]))
+    for name, across in zip(placed.ropes, placed.tackles_across, strict=True):
+        top = (placed.base, (tackles.from_[0], placed.heel[1] + across, tackles.from_[2]))
         head = (placed.name, (placed.boom.length, across, 0.0))
         along = [head if part % 2 else top for part in range(tackles.parts, -1, -1)]
         (ends_on, at), (x, y, z) = along[0], top[1]
@@ -171,9 +171,10 @@ def _weight_moment(parts: Parts, scenario: Scenario, placed: PlacedBoom) -> floa
 def _levers(parts: Parts, placed: PlacedBoom, tackles: Tackles) -> float:
     """Moment of all parts of line for a tension of 1 N [m]."""
     total = 0.0
-    for across in tackles.places:
+    for across in placed.tackles_across:
         head = parts.place(placed.name, (placed.boom.length, across, 0.0))
-        way = parts.place(placed.base, (tackles.from_[0], across, tackles.from_[2])) - head
+        top = (tackles.from_[0], placed.heel[1] + across, tackles.from_[2])
+        way = parts.place(placed.base, top) - head
         total += tackles.parts * _about_heel(parts, placed, head, way / float(np.linalg.norm(way)))
     return total
 
@@ -228,10 +229,11 @@ def _a_frame(placed: PlacedBoom) -> list[Json]:
     """Two posts from the level of the heel pins to the top from which tackles pull, and what joins them."""
     if placed.tackles is None:
         return []
-    x, y, z = placed.tackles.from_
+    (x, y, z), middle = placed.tackles.from_, placed.heel[1]
     low = placed.heel[2] - (0.0 if placed.slew is None else _PIN / 2)  # down to the platform
-    posts = [_box((_PIN, _PIN, z - low), (x, side, (z + low) / 2)) for side in sorted({-y, y})]
-    return [*posts, _box((_PIN, 2 * abs(y) + _PIN, _PIN), (x, 0.0, z))]
+    sides = sorted({2 * middle - y, y})
+    posts = [_box((_PIN, _PIN, z - low), (x, side, (z + low) / 2)) for side in sides]
+    return [*posts, _box((_PIN, 2 * abs(y - middle) + _PIN, _PIN), (x, middle, z))]
 
 
 def _box(size: tuple[float, float, float], centre: tuple[float, float, float]) -> Json:

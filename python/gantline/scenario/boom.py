@@ -231,6 +231,14 @@ class PlacedBoom:
         return None if self.luffing is None else self.luffing.tackles
 
     @property
+    def tackles_across(self) -> list[float]:
+        """Place of each of them across the boom, from midway between the heel pins [m]."""
+        if self.tackles is None:
+            return []
+        side, count = self.tackles.from_[1] - self.heel[1], self.tackles.count
+        return [side * (1 - 2 * place / max(count - 1, 1)) for place in range(count)]
+
+    @property
     def ropes(self) -> list[str]:
         """Names of their ropes."""
         return [] if self.tackles is None else luffing_ropes(self.crane, self.tackles)

@@ -38,7 +38,9 @@ class Tackles(Element):
     what: ClassVar[str] = "a set of luffing tackles"
 
     count: Annotated[int, Number(least=1, most=16, whole=True)] = Field(
-        1, description="Tackles side by side, evenly from one side of 'from' to the other."
+        1,
+        description="Tackles side by side, evenly from 'from' to as far on the other side of the boom's "
+        "middle.",
     )
     parts: Annotated[int, Number(least=1, most=60, whole=True)] = Field(
         description="Parts of line of each between top and boom head. The dead end is at the top where they "
@@ -67,14 +69,6 @@ class Tackles(Element):
         "the level boom if not given.",
     )
     stop_damping_time: Time = Field(0.01, description="Damping over stiffness of the stops.")
-
-    @property
-    def places(self) -> tuple[float, ...]:
-        """Place of each across the boom [m]."""
-        side = self.from_[1]
-        if self.count == 1:
-            return (side,)
-        return tuple(side * (1 - 2 * place / (self.count - 1)) for place in range(self.count))
 
 
 class TurningDrive(Element):

@@ -60,6 +60,8 @@ const BIAS_ROUNDS: usize = 12;
 const BIAS_TOLERANCE: f64 = 1e-12;
 /// Change, relative to the largest generalised force at the old velocity, after which rounds come to no end.
 const RUNAWAY: f64 = 1e30;
+/// Beyond this a velocity [m/s, rad/s] is an error of the step: nothing is faster than light.
+const FASTEST: f64 = 3e8;
 
 /// The integrator with its work arrays.
 #[derive(Debug, Clone)]
@@ -132,7 +134,7 @@ impl Del {
     /// One step from `state`, which `frame` belongs to; both are moved on.
     ///
     /// # Errors
-    /// [`StepError`] where the matrix is singular or the motion is not finite; `state` is then as before
+    /// [`StepError`] where the matrix is singular or the motion faster than light; `state` is then as before
     /// but for the plan.
     pub fn step(
         &mut self,
@@ -248,10 +250,10 @@ impl Del {
             }
         }
         report.converged &= settled;
-        if let Some(dof) = self.v.iter().position(|velocity| !velocity.is_finite()) {
+        if let Some(dof) = self.v.iter().position(|velocity| velocity.is_nan() || velocity.abs() > FASTEST) {
             let element = system.tree.bodies[system.tree.owner[dof]].name.clone();
             let cause = format!(
-                "a velocity is not finite: the step of {h} s is too long, or forces or masses are out of any scale"
+                "a velocity is beyond that of light: the step of {h} s is too long, or forces or masses are out of any scale"
             );
             return Err(seats::explain(system, state, StepError { time: state.time, element, cause }));
         }

@@ -82,7 +82,7 @@ const AUDITED: f64 = 1e-3;
 const GAIN: f64 = 0.05;
 
 /// `del` runs to the end and its forces keep their laws. At 1 ms, or a shorter step, it does not feed the rig, and
-/// where a step is too long for that the audit says so.
+/// where a step is too long for that the audit, or the error that ends the run, says so.
 ///
 /// `del` takes mass matrix and directions from the start of a step. What that does to energy falls with the step, and
 /// is large where a light body spins under a heavy one. Rig 75 of seed 12, masses 0.12 kg and 13 t, gains five times
@@ -90,7 +90,12 @@ const GAIN: f64 = 0.05;
 pub fn del_stays_bounded(seeds: &[f64]) -> Result<(), TestCaseError> {
     let mut steps = 1000;
     loop {
-        let (gain, remainder) = del_runs(seeds, steps)?;
+        let (gain, remainder) = match del_runs(seeds, steps) {
+            Err(TestCaseError::Fail(reason)) if reason.message().contains("s is too long") => {
+                (f64::INFINITY, f64::INFINITY)
+            }
+            outcome => outcome?,
+        };
         if gain < GAIN {
             return Ok(());
         }
@@ -101,7 +106,7 @@ pub fn del_stays_bounded(seeds: &[f64]) -> Result<(), TestCaseError> {
 }
 
 /// Largest gain of energy, relative to the largest energy, and what the audit finds missing.
-fn del_runs(seeds: &[f64], steps: u32) -> Result<(f64, f64), TestCaseError> {
+pub fn del_runs(seeds: &[f64], steps: u32) -> Result<(f64, f64), TestCaseError> {
     let (system, mut state, mut frame) = start(seeds);
     // Several inextensible ropes may repeat one another in a step; `del` refuses that by name.
     prop_assume!(system.rigid.len() < 2);
