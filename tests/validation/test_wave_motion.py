@@ -52,16 +52,16 @@ def lifts(tmp_path_factory: pytest.TempPathFactory) -> tuple[Scenario, Scenario]
 
 
 def test_heave_compensation_is_asked_for_as_much(lifts: tuple[Scenario, Scenario]) -> None:
-    """Of the free barge by the linear model that the table was made with, at the draft of its rest: to 1 %."""
+    """Of the free barge by the linear model that the table was made with, where it rests: to 1 %."""
     (free,), (carried,) = (heave_demands(lift) for lift in lifts)
     for name in ("speed", "acceleration", "stroke", "deviation"):
         assert getattr(carried, name) == pytest.approx(getattr(free, name), rel=0.01)
 
 
 def test_what_hangs_from_it_feels_the_same(lifts: tuple[Scenario, Scenario]) -> None:
-    """Standard deviations over 100 s of one record: what the hook bears and trim to 1 %, as the free barge drifts
-    meanwhile; heel to 5 %, since the load, 1.5 % of what the barge displaces, swings across it as it has begun
-    with the waves, which the table does not know.
+    """Standard deviations over 100 s of one record: what the hook bears and trim to 1 %, as the free barge
+    drifts meanwhile; heel to 5 %, since the load, 1.5 % of what the barge displaces, swings across it as it
+    has begun with the waves, which the table does not know.
     """
     runs = [simulate(lift.changed({"plan.1": {"step": "hold", "hold": "until_end"}})) for lift in lifts]
     late = runs[0].time > 21.0  # when waves are whole
