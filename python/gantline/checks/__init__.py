@@ -15,6 +15,7 @@ from gantline.checks.check import (
 )
 from gantline.checks.ends import end_of_step
 from gantline.checks.limits import LIMITS
+from gantline.checks.lug_figures import LugFigures, lug_figures
 from gantline.checks.ratings import shown_places
 from gantline.checks.readings import HoldPoint, HookReading, hold_points, hook_readings
 from gantline.checks.run import NO_WARNINGS, check_recording, values_of
@@ -26,6 +27,7 @@ __all__ = [
     "Check",
     "HoldPoint",
     "HookReading",
+    "LugFigures",
     "Outcome",
     "Verdict",
     "check_recording",
@@ -36,6 +38,7 @@ __all__ = [
     "has_failed",
     "hold_points",
     "hook_readings",
+    "lug_figures",
     "outcome_of",
     "past_limits",
     "shown_places",

@@ -79,6 +79,13 @@ def _of_chart(recording: Recording, hook: str, key: str) -> list[float]:
     return [lead for chart in charts if (lead := getattr(chart, key)) is not None]
 
 
+def _rope_factor(recording: Recording, rope: str) -> float:
+    """Least factor that rules have for slings [1]; none for mooring lines that have a limit of their own."""
+    limited = "mooring_tension_of_breaking_force" in recording.rig.limits
+    moors = limited and any(line.rope == rope for line in recording.rig.mooring_lines)
+    return 0.0 if moors else 2.3
+
+
 def _of_all(value: float, source: str) -> Alarm:
     """An alarm that is the same for every element, SI."""
     return Alarm(lambda _recording, _element: value, source)
@@ -94,7 +101,7 @@ LUG_PLATE = _of_all(
     math.radians(45.0), "more pulls across the plate than in its plane; plausible, no document"
 )
 SLING_BENDING = _of_all(1.0, "0027/ND rev 11, 7.8.5, of the body of a sling")
-ROPE_FACTOR = _of_all(2.3, "least safety factor of 0027/ND rev 11, 7.3.1, straight and with sockets")
+ROPE_FACTOR = Alarm(_rope_factor, "least safety factor of 0027/ND rev 11, 7.3.1, straight and with sockets")
 HOOK_DYNAMICS = _of_all(1.3, "more comes of snatching a load; plausible, no document")
 SHEAVE_BENDING = _of_all(11.2, "drums of the lightest duty, group M1: ISO 4308-1:2003")
 SPREADER_TILT = _of_all(

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from gantline.checks.forces import Raised, factor, force_together, over, sling_forces
+from gantline.checks.forces import Force, Raised, factor, force_together, over, sling_forces
 from gantline.checks.measure import Caution, Finding, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
@@ -71,27 +72,63 @@ def ropes_that_bear(recording: Recording, load: Load, lack: str) -> Iterator[Mis
             yield Missing(rope, f"carries {load.name} as a rope of 'mechanics', which {lack}")
 
 
+@dataclass(frozen=True)
+class LugForce:
+    """What slings do to one lug.
+
+    Attributes:
+        of: The load or spreader that has it.
+        name: Its name there.
+        ends: The slings made fast to it, each with the number of its lower end, 0 at its upper one.
+        force: Their forces, added up as they are at one time.
+    """
+
+    of: str
+    name: str
+    ends: Sequence[tuple[Sling, int]]
+    force: Force
+
+    @property
+    def element(self) -> str:
+        """Its name among all lugs, `<load or spreader>.<lug>`."""
+        return f"{self.of}.{self.name}"
+
+    def is_above(self, sling: Sling) -> bool:
+        """Whether the sling hangs down from it."""
+        return (sling.from_body, sling.from_lug) == (self.of, self.name)
+
+
+def lug_forces(recording: Recording, during: BoolArray) -> Iterator[LugForce]:
+    """Forces of the lugs of loads and spreaders, by the order of the slings."""
+    forces = sling_forces(recording, during)
+    at: dict[tuple[str, str], list[tuple[Sling, int]]] = {}
+    for sling in recording.rig.slings:
+        for end, of, lug in sling.at_lugs():
+            at.setdefault((of, lug), []).append((sling, end))
+    for (of, lug), ends in at.items():
+        own = [sling for sling, _ in ends]
+        force = forces[own[0].name] if len(own) == 1 else force_together(recording, own, during)
+        yield LugForce(of, lug, ends, force)
+
+
+def consequence_of(recording: Recording) -> Raised:
+    """The rule's consequence factor on forces of lugs, 1 if it has none."""
+    found = factor(recording, _CONSEQUENCE)
+    return Raised() if found is None else Raised(found, f" x {found:.4g}", (_CONSEQUENCE,))
+
+
 def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Load of a lug of load or spreader over its capacity; forces of several slings at one lug add up."""
-    forces = sling_forces(recording, during)
-    slings: dict[tuple[str, str], list[Sling]] = {}
-    for sling in recording.rig.slings:
-        for _, of, lug_name in sling.at_lugs():
-            slings.setdefault((of, lug_name), []).append(sling)
-    consequence = factor(recording, _CONSEQUENCE)
-    raised = (
-        Raised() if consequence is None else Raised(consequence, f" x {consequence:.4g}", (_CONSEQUENCE,))
-    )
-    for (of, lug_name), own in slings.items():
-        force = forces[own[0].name] if len(own) == 1 else force_together(recording, own, during)
-        holder = recording.rig.with_lugs(of)
-        lug = holder.lugs.get(lug_name) if holder is not None else None
+    raised = consequence_of(recording)
+    for one in lug_forces(recording, during):
+        holder = recording.rig.with_lugs(one.of)
+        lug = holder.lugs.get(one.name) if holder is not None else None
         if lug is None or not lug.capacity:
-            yield Missing(f"{of}.{lug_name}", "lug capacity not known")
+            yield Missing(one.element, "lug capacity not known")
         else:
-            yield from over(force, lug.capacity, f"{of}.{lug_name}", raised)
-    for one in recording.rig.loads:
-        yield from ropes_that_bear(recording, one, "has no lug")
+            yield from over(one.force, lug.capacity, one.element, raised)
+    for load in recording.rig.loads:
+        yield from ropes_that_bear(recording, load, "has no lug")
         for line in recording.rig.tag_lines:
-            if series.rope_peak(recording, line.rope)[0] > BEARS * one.weight:
-                yield Missing(line.rope, f"carries {one.name} as a tag line, which has no lug")
+            if series.rope_peak(recording, line.rope)[0] > BEARS * load.weight:
+                yield Missing(line.rope, f"carries {load.name} as a tag line, which has no lug")

@@ -74,6 +74,7 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
     "export": (
         ("gantline export results/mylift lift.glb", "for Blender"),
         ("gantline export results/mylift t.csv --variable rope_tension", "for spreadsheets"),
+        ("gantline export results/mylift lugs.csv --lugs", "for who designs what the slings pull at"),
     ),
     "new": (
         ("gantline new mylift", "a module on four slings, with comments, to change"),

@@ -32,6 +32,10 @@ def export(
         list[str] | None,
         typer.Option("--variable", metavar="NAME", help="Variable of a table, several times for several."),
     ] = None,
+    lugs: Annotated[
+        bool,
+        typer.Option("--lugs", help="Table (.csv) of the force of each lug, in kN and t, for its designer."),
+    ] = False,
     time: Annotated[
         str | None,
         typer.Option("--time", metavar="TIME", help="Moment of a picture: '12 s'.  [default: the end]"),
@@ -57,15 +61,23 @@ def export(
     ):
         if given is not None and kind not in kinds:
             stop(f"{option} is about {what} ({', '.join(kinds)}); {output} is none")
+    if lugs and (variable is not None or kind != ".csv"):
+        beside = "has no --variable" if variable is not None else f"is a .csv, and {output} is none"
+        stop(f"--lugs: the table of lugs {beside}")
     moment = quantity_of("--time", time, "time")
     if speed is not None and not 0.0 < speed < math.inf:
         stop(f"--speed: {speed:g} is not a finite number above zero; 2 is twice as fast as the lift")
+    from gantline import export
+
     file = asked_for(recording)
     refuse_to_replace([file], [output], "FILE is another one")
     found = opened(file)
     try:
         with writing(output):
-            _write(found, output, kind, variable or [], moment, speed)
+            if lugs:
+                export.write_lugs(found, output)
+            else:
+                _write(found, output, kind, variable or [], moment, speed)
     except ValueError as problem:
         stop(f"{file}: {problem}")
     warn_of_gaps(found)

@@ -53,7 +53,7 @@ def _stops(found: SavedSeas, width: int) -> list[str]:
             sea = found.stopper(direction, period)
             if sea is None:
                 continue
-            why = " ".join(filter(None, (sea.check, sea.element)))
+            why = sea.by
             reason = sea.cause or ("" if sea.has_verdict else sea.verdict)
             if reason:
                 reasons += [] if reason in reasons else [reason]
@@ -108,6 +108,9 @@ def _notes(found: SavedSeas) -> Iterator[str]:
             "one lift in ten uses so much of the limit or more, by Gumbel's distribution of the records of "
             "the sea, ± a standard error; OVER: more than all of it, though none of the records does"
         )
+    past = [sea.by for sea in found.seas if sea.only_warns]
+    if past:
+        yield f"warns: past a limit that only warns, so the sea is allowed: {', '.join(dict.fromkeys(past))}"
     for warning in found.warnings[:_MOST_WARNINGS]:
         yield f"warning: {warning}"
     if len(found.warnings) > _MOST_WARNINGS:

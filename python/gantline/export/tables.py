@@ -60,6 +60,17 @@ def _points(recording: Recording) -> list[str]:
     return [named[at] for at in sorted(named)]
 
 
+def kept_as_text(cell: str) -> str:
+    """A cell that no spreadsheet takes for a formula; numbers stay as they are."""
+    if not cell.startswith(("=", "+", "-", "@")):
+        return cell
+    try:
+        float(cell)
+    except ValueError:
+        return f"'{cell}"
+    return cell
+
+
 def write_csv(recording: Recording, path: str | Path, variables: Sequence[str] = ()) -> None:
     """Write a table as CSV; numbers read back to the last digit.
 
@@ -77,7 +88,7 @@ def write_csv(recording: Recording, path: str | Path, variables: Sequence[str] =
     found = list(columns(recording, variables))
     with replaced(Path(path)) as trial, trial.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow([f"'{name}" if name.startswith(("=", "+", "-", "@")) else name for name, _ in found])
+        writer.writerow([kept_as_text(name) for name, _ in found])
         writer.writerows(zip(*(map(repr, map(float, values)) for _, values in found), strict=True))
 
 

@@ -25,7 +25,7 @@ _AROUND = (0.95, 0.75)
 _NARROWEST = 6.4
 #: Shades of what is used of a limit, from nothing to all of it; darker ones would swallow the letters.
 _SHADES = LinearSegmentedColormap.from_list("used", ["#F2F7FB", "#7DB4DC"])
-_FAILED, _UNKNOWN = COLOURS[1], "#F3E3B3"
+_FAILED, _WARNS, _UNKNOWN = COLOURS[1], "#F2C879", "#F3E3B3"
 
 
 def seas_picture(found: SavedSeas) -> Figure:
@@ -98,6 +98,8 @@ def _look(sea: SavedSea) -> tuple[str | tuple[float, ...], str, str, str]:
         return "white", "", INK, "normal"
     if not sea.is_run:
         return "#F4F4F4", "–", QUIET, "normal"
+    if sea.only_warns:
+        return _WARNS, sea.share, INK, "normal"
     if sea.is_allowed:
         return tuple(_SHADES(min(sea.used or 0.0, 1.0))), sea.share, INK, "normal"
     if sea.has_verdict and sea.starts:
@@ -109,6 +111,8 @@ def _legend(figure: Figure, found: SavedSeas) -> None:
     """What the shades say, of those that there are."""
     keys = [(Patch(facecolor=_SHADES(0.8)), "keeps its limits: share of the nearest that is used")]
     run = [sea for sea in found.seas if sea.is_run and not sea.is_allowed]
+    if any(sea.only_warns for sea in found.seas):
+        keys.append((Patch(facecolor=_WARNS), "is past one that only warns"))
     if any(sea.has_verdict and sea.starts for sea in run):
         keys.append((Patch(facecolor=_FAILED), "does not"))
     if any(not (sea.has_verdict and sea.starts) for sea in run):

@@ -129,7 +129,7 @@ def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
     kept = {one.name for one in sorted(slings, key=used, reverse=True)[:most]}
     return [
         {
-            **_sling(one),
+            **_sling(subject, one),
             "gone": ", ".join(told.get(one.sling.rope, ())),
             "is_parted": one.sling.rope in parted,
         }
@@ -137,10 +137,13 @@ def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
     ]
 
 
-def _sling(one: SlingFigures) -> dict[str, Any]:
+def _sling(subject: Subject, one: SlingFigures) -> dict[str, Any]:
+    # Lugs of one load are known by their own names; those of spreaders are called alike.
+    alone = [load.name for load in subject.rig.loads] if len(subject.rig.loads) == 1 else []
+    lugs = (lug if of in alone else f"{of}.{lug}" for _, of, lug in one.sling.at_lugs())
     return {
         "name": one.sling.name,
-        "lug": ", ".join(lug for _, _, lug in one.sling.at_lugs()) or ABSENT,
+        "lug": ", ".join(lugs) or ABSENT,
         "length": number(one.sling.length, "m", 2),
         "static": number(one.static, "kN", 0),
         "peak": number(one.peak, "kN", 0),

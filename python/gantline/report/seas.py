@@ -35,6 +35,7 @@ class Seas(Section):
                 for kind in kinds
                 if (sea := found.highest_allowed(*kind)) is not None and sea.extreme is not None
             ],
+            "past": list(dict.fromkeys(sea.by for sea in found.seas if sea.only_warns)),
             "reasons": list(dict.fromkeys(reason for sea in stoppers if (reason := _reason(sea)))),
         }
 
@@ -66,8 +67,10 @@ def _field(found: SavedSeas, direction: float) -> dict[str, Any]:
 
 
 def _cell(sea: SavedSea) -> dict[str, str]:
-    tone = "good" if sea.is_allowed else "bad" if sea.has_verdict and sea.starts else "warn"
     told = sea.told.lower()
+    if sea.only_warns:
+        return {"tone": "warn", "text": f"{sea.share} {told}"}
+    tone = "good" if sea.is_allowed else "bad" if sea.has_verdict and sea.starts else "warn"
     if not sea.is_run:
         return {"tone": "", "text": told}
     return {"tone": tone, "text": sea.share or told or "go"}
@@ -98,5 +101,5 @@ def _stop(sea: SavedSea) -> dict[str, str]:
         "height": f"{sea.height:g} m",
         "used": sea.share or ABSENT,
         "record": str(sea.record),
-        "by": " ".join(part for part in (sea.check, sea.element) if part),
+        "by": sea.by,
     }

@@ -86,20 +86,31 @@ class SavedSea:
         return self.record > 0
 
     @property
+    def by(self) -> str:
+        """The check that uses most of its limit, and what it is about; empty where there is none."""
+        return " ".join(part for part in (self.check, self.element) if part)
+
+    @property
+    def only_warns(self) -> bool:
+        """Whether the lift is a go in it, and yet past a limit that only warns."""
+        return self.is_allowed and self.used is not None and self.used > 1.0
+
+    @property
     def share(self) -> str:
         """Share of a limit that is used, as people read it; empty without one, or where it did not go on."""
         if self.used is None or self.cause:
             return ""
-        digits = 0 if self.is_allowed else telling_digits(self.used, 1.0, "%", 0)
+        within = self.is_allowed and not self.only_warns
+        digits = 0 if within else telling_digits(self.used, 1.0, "%", 0)
         return format_quantity(self.used, "%", digits)
 
     @property
     def told(self) -> str:
-        """What came of it, in a word or two beside the share; empty where it is a go."""
+        """What came of it, in a word or two beside the share; empty where it is a go within all limits."""
         if self.is_too_steep or not self.is_run:
             return "too steep" if self.is_too_steep else "not run"
         if self.is_allowed:
-            return ""
+            return "warns" if self.only_warns else ""
         if self.cause:
             return "STOPPED" if self.starts else "NO START"
         return "FAILED" if self.has_verdict else "no verdict"

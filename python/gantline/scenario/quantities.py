@@ -282,7 +282,7 @@ class ListOf(Reader):
         if self.scalar and isinstance(value, str):
             value = [value]
         if not isinstance(value, list):
-            raise refuse(f"found {found(value)}; {needed} is needed, such as {self._example()}")
+            raise refuse(f"found {found(value)}; {needed} is needed, such as {self._example(value)}")
         if self.count is not None and len(value) != self.count:
             right = self._with_points(value) or f"{needed} is needed, such as {self._example()}"
             raise refuse(f"found a list of {len(value)}; {right}")
@@ -307,8 +307,18 @@ class ListOf(Reader):
             return None
         return f"decimal commas? write [{shorten(joined)}]"
 
-    def _example(self) -> str:
-        if isinstance(self.item, Quantity):
+    def _is_item(self, given: object) -> bool:
+        """Whether something that is no list would do as one of its items."""
+        try:
+            self.item.read(given)
+        except PydanticCustomError:
+            return False
+        return isinstance(given, str)
+
+    def _example(self, given: object = None) -> str:
+        if isinstance(self.item, Quantity) and self._is_item(given):
+            one = str(given)
+        elif isinstance(self.item, Quantity):
             one = re.findall(r"'([^']*)'", example(self.item.dimension))[0]
         elif isinstance(self.item, Number):  # not zeros alone, which are no direction
             return "[" + ", ".join(["0"] * ((self.count or self.least) - 1) + ["1"]) + "]"

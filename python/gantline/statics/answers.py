@@ -223,8 +223,9 @@ class Sensitivity:
     """How the tensions of all ropes and the motion of all bodies answer to one quantity of the plan.
 
     Attributes:
-        kind: `length`, `stiffness` (EA) of a rope; `centre_x`, `centre_y`, `centre_z`, `mass` of a body;
-            `place_x`, `place_y`, `place_z` of its joint, along the axes of the world, such as of a hook.
+        kind: `length` (the weight of what is longer is left out), `stiffness` (EA) of a rope; `centre_x`,
+            `centre_y`, `centre_z`, `mass` of a body; `place_x`, `place_y`, `place_z` of its joint, along the
+            axes of the world, such as of a hook.
         name: The rope or body.
         tension: dT/dp of every rope and mooring line [N per m, N per N, N per kg], in the order of `ropes`.
         ropes: Their names.
