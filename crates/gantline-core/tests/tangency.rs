@@ -233,3 +233,38 @@ proptest! {
         prop_assert!((difference - exact).abs() < 1e-7, "{difference} {exact}");
     }
 }
+
+/// A rope that leaves for the rim of a sheave that is all but edge on to it: the way from the middle of the first sheave
+/// is within the circle of the second, seen along its axis, that from the rim is not. Tangency is what is asked for, to
+/// rounding; a millimetre on, the length goes on as the pull says.
+#[test]
+fn seen_along_the_axis_from_the_middle_and_not_from_the_rim() {
+    let at = |share: f64| {
+        let start = Circle {
+            centre: DVec3::new(36.557_103_9, 36.489_777_1, 23.962_531_6),
+            axis: DVec3::new(-0.928_368_445, 0.345_604_835, 0.136_708_918).normalize(),
+            radius: 0.140_521_664,
+        };
+        let end = Circle {
+            centre: DVec3::new(37.489_520_6, 34.990_353_7, 21.444_290_0)
+                + share * DVec3::new(-1.0, 6.9, 6.4) * 1e-5,
+            axis: DVec3::new(-0.567_547_048, 0.404_261_500, 0.717_260_753).normalize(),
+            radius: 0.946_971_288,
+        };
+        (start, end)
+    };
+    let mut lengths = Vec::new();
+    for share in [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0] {
+        let (start, end) = at(share);
+        let tangent = common_tangent(&start, &end).unwrap();
+        let span = tangent.to - tangent.from;
+        for radial in tangent.radial {
+            assert!(radial.dot(span).abs() < 1e-12 * span.length());
+        }
+        lengths.push(tangent.length);
+    }
+    // No jump to another tangent: third differences of a smooth length are nothing beside its steps.
+    for four in lengths.windows(4) {
+        assert!((four[3] - 3.0 * four[2] + 3.0 * four[1] - four[0]).abs() < 1e-9, "{lengths:?}");
+    }
+}

@@ -134,6 +134,11 @@ impl Circle {
         Some((flat * self.radius - across * (sense * along.sqrt())) / square)
     }
 
+    /// The same as a rope passes it that runs the other way.
+    fn reversed(&self) -> Self {
+        Self { axis: -self.axis, ..*self }
+    }
+
     fn at(&self, radial: DVec3) -> DVec3 {
         self.centre + radial * self.radius
     }
@@ -165,18 +170,35 @@ pub fn common_tangent(start: &Circle, end: &Circle) -> Result<Tangent, NoTangent
         }
     }
     let refused = refusal(start, end, found);
-    if refused == NoTangent::Grazing
-        && let Some(tangent) = look_around(start, end)
-    {
-        return Ok(tangent);
+    if may_be_missed(start, end, refused) {
+        // The same rope the other way round begins at the end: where the one circle all but holds what is looked at
+        // from the other, all of that is seen from there.
+        let behind = || look_around(&end.reversed(), &start.reversed()).map(|[last, first]| [first, last]);
+        if let Some(radial) = look_around(start, end).or_else(behind) {
+            return finish(start, end, radial);
+        }
     }
     Err(refused)
 }
 
-/// The tangent of two circles that are clear of each other, where going back and forth ended with another one: hardly
+/// Whether two circles that are refused so may have a tangent all the same, to which going back and forth does not lead:
+/// that passes places where the one circle holds the other's, seen along the axis, and it may end with another tangent.
+/// Circles that are in each other's way may have several, of which none is the right one.
+fn may_be_missed(start: &Circle, end: &Circle, refused: NoTangent) -> bool {
+    let are_clear = (end.centre - start.centre).length() > start.radius + end.radius;
+    match refused {
+        NoTangent::Grazing => true,
+        NoTangent::InsideStart | NoTangent::InsideEnd | NoTangent::Overlapping => {
+            are_clear && start.radius.min(end.radius) > 0.0
+        }
+        _ => false,
+    }
+}
+
+/// Radial vectors of the tangent of two circles, where going back and forth ended with another one, or none: hardly
 /// any angle to the axis of a sheave, seen from the other. Looks all around the start's circle for where the condition
 /// there changes sign, with the end's fulfilled.
-fn look_around(start: &Circle, end: &Circle) -> Option<Tangent> {
+fn look_around(start: &Circle, end: &Circle) -> Option<[DVec3; 2]> {
     let across = start.axis.any_orthonormal_vector();
     let along = start.axis.cross(across);
     let at = |angle: f64| {
@@ -197,7 +219,7 @@ fn look_around(start: &Circle, end: &Circle) -> Option<Tangent> {
         }
         let mut radial = at(low)?.0;
         polish(start, end, &mut radial);
-        finish(start, end, radial).ok()
+        finish(start, end, radial).ok().map(|_| radial)
     })
 }
 
