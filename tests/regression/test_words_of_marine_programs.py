@@ -43,7 +43,7 @@ plan:
 @pytest.mark.parametrize(
     ("old", "key", "said"),
     [
-        ("draft: 3 m", "raos: vessel.csv", "RAOs of displacement, cannot be given"),
+        ("draft: 3 m", "raos: vessel.csv", "RAOs of displacement stand in 'wave_motion: {raos: vessel.csv"),
         ("draft: 3 m", "motion: {heave: 1 m}", "'wave_forces' and 'radiation' name a hydrodynamic database"),
         ("type: fixed_hook", "vessel: barge", "a crane of 'type: floating_crane' is on a vessel"),
         ("rope: sling}", "EA: 100 MN", "it belongs to a kind of rope under 'ropes'"),
