@@ -16,6 +16,7 @@ from gantline.hydro.raos import DisplacementRaos
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation
 from hooked_lift import TWO_HOOKS, TWO_HOOKS_LUGS, TWO_HOOKS_SLINGS, hooked_lift
+from table_of_raos import goes_with_the_water
 
 AXES = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 UNITS = ("m/m",) * 3 + ("deg/m",) * 3
@@ -116,14 +117,7 @@ def test_what_is_wrong_is_said(tmp_path: Path, lines: list[str], said: str) -> N
 
 def long_table(folder: Path, pitch: float = 1.0, heave: float = 1.0, unit: str = "deg/m") -> None:
     """A vessel that goes with the water, in waves of 60 s and shorter ones, from following to head seas."""
-    frequencies, directions = (
-        2 * math.pi / np.array([60.0, 20.0, 10.0, 5.0]),
-        np.radians([0.0, 60.0, 120.0, 180.0]),
-    )
-    motion = np.zeros((4, 4, 6), dtype=complex)
-    motion[:, :, 2] = heave
-    motion[:, :, 4] = -1j * pitch * np.outer(frequencies**2 / 9.81, np.cos(directions))
-    write_raos(DisplacementRaos("any", frequencies, directions, motion), folder / "vessel.csv")
+    write_raos(goes_with_the_water(pitch=pitch, heave=heave), folder / "vessel.csv")
     path = folder / "vessel.csv"
     path.write_text(
         path.read_text(encoding="utf-8").replace("pitch [deg/m]", f"pitch [{unit}]"), encoding="utf-8"

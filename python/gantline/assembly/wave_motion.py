@@ -38,6 +38,8 @@ _LIGHT = 0.02
 _LONG = 0.6
 #: Heave in long waves over that of the water; pitch over the slope of the water.
 _HEAVES, _PITCHES = (0.7, 1.3), (0.3, 2.0)
+#: Heave of no vessel [m/m], and turns of none [rad/m].
+_MOST_HEAVE, _MOST_TURN = 5.0, 1.0
 #: Waves run along a vessel with at least this share of their way.
 _ALONG = 0.7
 
@@ -58,7 +60,7 @@ def move_by_waves(parts: Parts, scenario: Scenario, trains: dict[str, Train]) ->
             continue
         path = ("vessels", name, "wave_motion")
         table = _table(scenario, path, vessel.wave_motion)
-        for sentence in _of_table(scenario, name, vessel, table):
+        for sentence in list(_of_table(scenario, name, vessel, table)) or _large(table):
             parts.doubt(path, f"wave motion of {name}: {sentence}")
         parts.doubts += _heavy(scenario, name, vessel)
         for train_name, train in trains.items():
@@ -172,6 +174,17 @@ def _of_table(scenario: Scenario, name: str, vessel: Vessel, table: Displacement
         )
     elif not _PITCHES[0] <= follows <= _PITCHES[1]:
         yield f"{table.source}: {waves} it pitches by {follows:.2g} of their slope: see the unit of pitch"
+
+
+def _large(table: DisplacementRaos) -> Iterator[str]:
+    """A sentence on each motion that is so large that its unit is doubtful, however long the waves."""
+    for place, most in ((2, _MOST_HEAVE), (3, _MOST_TURN), (4, _MOST_TURN), (5, _MOST_TURN)):
+        size = np.abs(table.motion[:, :, place]).max(axis=1)
+        if size.max() > most:
+            period = 2 * math.pi / float(table.frequencies[size.argmax()])
+            largest = float(size.max())
+            shown = f"{largest:.3g} m/m" if place < 3 else f"{math.degrees(largest):.3g} deg/m"
+            yield f"{table.source}: in its waves of {period:.4g} s {AXES[place]} is {shown}: see its unit"
 
 
 def _heavy(scenario: Scenario, name: str, vessel: Vessel) -> Iterator[Doubt]:

@@ -48,9 +48,11 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     """Add the sea, and to each vessel what its waves do to it; warn of waves that do nothing.
 
     Raises:
-        ScenarioError: if waves break, or a database cannot be used.
+        ScenarioError: if waves break, or a database or a table of RAOs cannot be used.
     """
     if not scenario.waves:
+        # In still water too a vessel with 'wave_motion' does not feel what hangs from it.
+        move_by_waves(parts, scenario, {})
         return
     refuse_breaking(scenario)
     trains = {name: _train(scenario, name, waves) for name, waves in scenario.waves.items()}

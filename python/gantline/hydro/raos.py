@@ -46,6 +46,8 @@ _UNITS: Mapping[str, Mapping[str, float]] = {
 _TITLE = re.compile(r"\s*(.*?)\s*\[\s*(.*?)\s*\]\s*")
 #: Lines and bytes of a table that is read: 100 directions of 1000 periods, and no more.
 _MOST_ROWS, _LARGEST = 100_000, 50_000_000
+#: What no vessel does, and of which numbers have slipped [m/m or rad/m].
+_NO_MOTION = 1000.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +89,10 @@ class DisplacementRaos:
         if found is None:
             shown = ", ".join(f"{angle:.4g}" for angle in np.degrees(np.sort(self.directions))[:12])
             wanted = f"{math.degrees(direction) % 360.0:.4g} deg"
-            raise DatabaseError(f"{self.source}: no waves that run {wanted} from its bow; it has {shown} deg")
+            sentence = f"no waves that run {wanted} from its bow; it has {shown} deg"
+            raise DatabaseError(
+                f"{self.source}: {sentence}; between two that are at most 60 deg apart it is known"
+            )
         return found
 
 
@@ -96,7 +101,7 @@ def read_raos(path: str | Path, phases: Phases) -> DisplacementRaos:
 
     Its first line names the columns with their units, `direction [deg]`, `period [s]`, `surge [m/m]`,
     `surge phase [deg]` to `yaw [deg/m]`, `yaw phase [deg]`, in any order; every other line is one wave.
-    Columns are parted by commas, or by semicolons, where numbers may have decimal commas.
+    Columns are parted by commas, by tabs, or by semicolons, where numbers may have decimal commas.
 
     Args:
         path: of the file.
@@ -126,7 +131,9 @@ def read_raos(path: str | Path, phases: Phases) -> DisplacementRaos:
             raise DatabaseError(f"{place}:{number}: a period of {wave[1]:g} s; one above 0 s is right")
         if wave in values:
             again = f"waves of {wave[1]:g} s in {wave[0]:g} deg"
-            raise DatabaseError(f"{place}:{number}: {again} stand in line {values[wave][0]} already")
+            told = math.degrees(said["direction"])
+            same = f"; {told:g} deg is that direction" if abs(told - wave[0]) > 1.0 else ""
+            raise DatabaseError(f"{place}:{number}: {again} stand in line {values[wave][0]} already{same}")
         values[wave] = number, np.array([_phasor(place, number, said, axis, phases) for axis in AXES])
         if len(values) > _MOST_ROWS:
             raise DatabaseError(f"{place}:{number}: more than {_MOST_ROWS} waves; none needs that many")
@@ -184,8 +191,22 @@ def _numbers(place: Path, number: int, row: list[str], scale: Mapping[str, float
         except ValueError:
             value = math.nan
         if not math.isfinite(value):
-            raise DatabaseError(f"{place}:{number}: '{cell.strip()[:40]}' is no number; it is the {name}")
+            shown = f"'{cell.strip()[:40]}' is no number; it is the {name}"
+            raise DatabaseError(f"{place}:{number}: {shown}{_hint(cell, name)}")
         yield value * unit
+
+
+def _hint(cell: str, name: str) -> str:
+    """What is right in place of a cell that is no number, where that is known."""
+    if "inf" in cell.lower() and name == "period":
+        return "; leave waves of infinite period out, longer ones than those of a table move as its longest"
+    if not cell.strip():
+        return "; a motion that there is none of is 0, and so is its phase"
+    if "%" in cell:
+        return "; 30 % is 0.3"
+    if "," in cell:
+        return "; decimals take a point, or a comma where semicolons part the columns, thousands no mark"
+    return ""
 
 
 def _phasor(place: Path, number: int, said: Mapping[str, float], axis: str, phases: Phases) -> complex:
@@ -193,6 +214,9 @@ def _phasor(place: Path, number: int, said: Mapping[str, float], axis: str, phas
     size, lag = said[axis], said[f"{axis} phase"] * (1.0 if phases == "lag" else -1.0)
     if size < 0.0:
         raise DatabaseError(f"{place}:{number}: a {axis} below zero; its phase tells its direction")
+    if size > _NO_MOTION:
+        unit = "m/m" if AXES.index(axis) < 3 else "rad/m"
+        raise DatabaseError(f"{place}:{number}: a {axis} of {size:.3g} {unit}; see its number and its unit")
     return complex(size * math.cos(lag), size * math.sin(lag))
 
 

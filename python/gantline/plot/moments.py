@@ -114,9 +114,11 @@ def _turning(recording: Recording) -> list[Moment]:
 
 def _set_down(recording: Recording) -> float | None:
     """When loads that hang from the start on first stand [s]; None if they do not, or never do."""
-    return (
-        min((time for time, _, _ in recording.events("set_down")), default=None) if _hang(recording) else None
-    )
+    if not _hang(recording):
+        return None
+    # Fenders touch too, and from the start on.
+    names = {name for load in recording.rig.loads for name in (load.name, load.body, load.contact_group)}
+    return min((time for time, _, name in recording.events("set_down") if name in names), default=None)
 
 
 def _motions(recording: Recording) -> list[tuple[float, str]]:

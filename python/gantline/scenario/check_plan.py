@@ -260,7 +260,10 @@ def _check_floating(findings: Findings, path: Path, name: str) -> None:
     floating = {one: body for one, body in known.items() if body.floats_freely}
     if name in floating:
         return
-    if name in known:
+    if name in known and known[name].is_carried:
+        sentence = f"'{name}' moves by its 'wave_motion', and nothing that the plan does heels or trims it"
+        findings.add(path, sentence)
+    elif name in known:
         findings.add(path, f"'{name}' does not float freely; only what has a hull and six motions does")
     else:
         findings.add(path, f"'{name}' is not a vessel; {nearest(name, floating)}")

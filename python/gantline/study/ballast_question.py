@@ -42,7 +42,12 @@ def vessel_of(scenario: Scenario, name: str | None) -> str:
         QuestionError: If there is no such vessel with tanks, or not one alone; it says which there are.
         ValueError: If no vessel has tanks.
     """
-    fitting = [one for one, body in bodies_afloat(scenario).items() if body.floats_freely and body.tanks]
+    afloat = bodies_afloat(scenario)
+    fitting = [one for one, body in afloat.items() if body.floats_freely and body.tanks]
+    moved = [one for one, body in afloat.items() if body.is_carried and name in (one, None)]
+    if (moved and not fitting) or name in moved:
+        sentence = "moves by its 'wave_motion', whatever its tanks hold"
+        raise ValueError(f"{moved[0]} {sentence}; with 'masses' and 'tanks' in its place it floats")
     if name is not None:
         if name not in fitting:
             raise QuestionError("vessel", f"'{name}' is not a vessel with tanks; {nearest(name, fitting)}")

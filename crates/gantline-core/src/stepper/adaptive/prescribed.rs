@@ -18,6 +18,7 @@
 //! What waves do to a vessel whose motion is known is no polynomial. A step ends where they have it, and is as short as
 //! the course between asks, of which the middle is compared with them.
 
+use super::course::Course;
 use super::error::ROUNDING;
 use super::evaluation::Evaluation;
 use super::light::Laying;
@@ -143,7 +144,8 @@ pub fn wave_limit(state: &State) -> f64 {
 
 impl Adaptive {
     /// Lets the step that has been computed, of length `h` [s], end where waves have the drives that they move; by how much
-    /// its course missed them, at its end or half-way, in tolerances.
+    /// its course missed them, at its end or half-way, in tolerances of positions. As an error of their coordinates that
+    /// counts for tensions, too.
     pub(super) fn end_with_waves(&mut self, system: &System, state: &State, h: f64) -> f64 {
         if system.drives.iter().all(|drive| !drive.by_waves) {
             return 0.0;
@@ -155,11 +157,12 @@ impl Adaptive {
             let (dof, from) = (drive.dof, state.q[system.tree.bodies[drive.body].first_position]);
             let ends = [0.5, 1.0].map(|theta| timeline.motion(state.time + theta * h));
             let ways = [self.point.phi[dof], self.rodas.course.end.phi[dof]];
-            for (way, end) in ways.into_iter().zip(&ends) {
-                let miss = (from + way - end.position).abs() * self.weights.arm[dof];
-                missed = missed.max(miss / self.tolerance.position);
-            }
-            let end = &mut self.rodas.course.end;
+            let misses = ways.into_iter().zip(&ends).map(|(way, end)| (from + way - end.position).abs());
+            let most = misses.fold(0.0, f64::max);
+            missed = missed.max(most * self.weights.arm[dof] / self.tolerance.position);
+            // What hangs on it has followed the course: its end is taken from under it by so much.
+            let Course { end, error, .. } = &mut self.rodas.course;
+            error.phi[dof] = most;
             (end.phi[dof], end.v[dof], end.a[dof]) =
                 (ends[1].position - from, ends[1].velocity, ends[1].acceleration);
         }

@@ -1,0 +1,54 @@
+"""What a vessel with `wave_motion` cannot be asked for, and what was said of it.
+
+A step that waits for her trim was told that she "does not float freely; only what has a hull and six motions
+does", which she has; `gantline ballast` asked for 'tanks', which are refused beside 'wave_motion'.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from gantline.hydro.raos import write_raos
+from gantline.scenario import ScenarioError, parse_scenario
+from gantline.study.ballast_question import vessel_of
+from table_of_raos import goes_with_the_water
+
+VESSEL = """
+    draft: 4 m
+    hull: {box: [100 m, 30 m, 8 m]}
+    wave_motion: {raos: vessel.csv, phases: lag, at: [50 m, 0 m, 4 m]}
+"""
+LIFT = f"format: 1\nlift: {{title: A vessel}}\nduration: 9 s\nvessels:\n  vessel:{VESSEL}"
+TANKS = """
+  other:
+    position: [200 m, 0 m]
+    draft: 4 m
+    hull: {box: [100 m, 30 m, 8 m]}
+    masses: {all: {mass: 12200 t, at: [50 m, 0 m, 5 m]}}
+    radii_of_gyration: [11 m, 27 m, 27 m]
+    tanks: {mid: {box: [10 m, 10 m, 5 m], bottom: [50 m, 0 m, 0 m], content: 100 t}}
+"""
+
+
+@pytest.mark.parametrize("angle", ["heel", "trim"])
+def test_no_step_waits_for_its_lie(tmp_path: Path, angle: str) -> None:
+    write_raos(goes_with_the_water(), tmp_path / "vessel.csv")
+    step = f"{{step: wait, hold: until_met, until: {{{angle}: {{vessel: vessel, below: 1 deg}}}}}}"
+    with pytest.raises(ScenarioError) as problem:
+        parse_scenario(f"{LIFT}plan:\n  - {step}\n", str(tmp_path / "lift.yaml"))
+    assert "'vessel' moves by its 'wave_motion', and nothing that the plan does heels or trims it" in str(
+        problem.value
+    )
+
+
+@pytest.mark.parametrize(("others", "name"), [("", None), ("", "vessel"), (TANKS, "vessel")])
+def test_no_ballast_is_found_for_it(tmp_path: Path, others: str, name: str | None) -> None:
+    scenario = parse_scenario(LIFT + others, str(tmp_path / "lift.yaml"))
+    with pytest.raises(ValueError, match="vessel moves by its 'wave_motion', whatever its tanks hold"):
+        vessel_of(scenario, name)
+
+
+def test_another_vessel_still_is_asked(tmp_path: Path) -> None:
+    assert vessel_of(parse_scenario(LIFT + TANKS, str(tmp_path / "lift.yaml")), None) == "other"
