@@ -43,7 +43,7 @@ def test_it_is_held_against_its_own_limit_alone() -> None:
     found = checks(MOORED + "limits: {mooring_tension_of_breaking_force: 50 %}\n")
     tension, factor = found["mooring_tension_of_breaking_force"], found["rope_factor_on_breaking_force"]
     assert tension.value is not None
-    assert tension.value == pytest.approx(0.46, abs=0.01)
+    assert tension.value == pytest.approx(0.46)
     assert tension.verdict is Verdict.OK
     assert factor.value == pytest.approx(1.0 / tension.value)
     assert factor.verdict is Verdict.OK

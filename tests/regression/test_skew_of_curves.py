@@ -14,44 +14,14 @@ from gantline.results.gear import Rope
 from gantline.results.skew import perfect_forces_of, skew_loads
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
+from on_a_curve import on_a_curve
 
 CURVE = ((0.01, 40e3), (0.02, 150e3), (0.03, 380e3), (0.06, 1400e3))
-STRAINS = ", ".join(f"{100 * strain:g} %" for strain, _ in CURVE)
-TENSIONS = ", ".join(f"{force / 1e3:g} kN" for _, force in CURVE)
-LIFT = """\
-format: 1
-lift: {{title: Four round slings}}
-duration: 1 s
-start: rest
-ropes:
-  sling: {{curve: {{strain: [{strains}], tension: [{tensions}]}}, mass: none, damping_time: 10 ms}}
-load:
-  name: module
-  shape: {{box: [8 m, 6 m, 4 m]}}
-  position: [0 m, 0 m, 6 m]
-  weight: {{calculated: 60 t}}
-  centre_of_gravity: {{at: [0.6 m, 0.3 m, 1.8 m]}}
-  lugs:
-    A: {{at: [ 3 m,  2 m, 4 m]}}
-    B: {{at: [ 3 m, -2 m, 4 m]}}
-    C: {{at: [-3 m,  2 m, 4 m]}}
-    D: {{at: [-3 m, -2 m, 4 m]}}
-cranes:
-  crane: {{type: fixed_hook, at: [0 m, 0 m, 18.1 m], hoist: {{speed: 6 m/min, acceleration: 0.05 m/s^2}}}}
-sling_defaults: {{rope: sling}}
-slings:
-  A: {{from: crane, to: module.A, length: {length!r} m}}
-  B: {{from: crane, to: module.B, length: 9 m}}
-  C: {{from: crane, to: module.C, length: 9 m}}
-  D: {{from: crane, to: module.D, length: 9 m}}
-plan:
-  - {{step: hold, hold: until_end}}
-"""
 
 
 def hung(length: float) -> dict[str, tuple[float, float]]:
     """Forces as they are and with perfect lengths [N], of a lift with sling A this long [m]."""
-    text = LIFT.format(strains=STRAINS, tensions=TENSIONS, length=length)
+    text = on_a_curve(CURVE, mass=60e3, height=4.0, centre=(0.6, 0.3, 1.8), first=length)
     recording = Statics(parse_scenario(text)).equilibrium().recording
     return {one.sling: (one.force, one.perfect or 0.0) for one in skew_loads(recording)}
 
