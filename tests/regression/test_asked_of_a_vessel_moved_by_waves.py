@@ -1,7 +1,8 @@
 """What a vessel with `wave_motion` cannot be asked for, and what was said of it.
 
 A step that waits for her trim was told that she "does not float freely; only what has a hull and six motions
-does", which she has; `gantline ballast` asked for 'tanks', which are refused beside 'wave_motion'.
+does", which she has; `gantline ballast` asked for 'tanks', which are refused beside 'wave_motion'. Tables and
+the first page showed her heel and trim without a word that no load has a part in them.
 """
 
 from __future__ import annotations
@@ -10,8 +11,13 @@ from pathlib import Path
 
 import pytest
 
+from gantline.cli.vessels import vessels
 from gantline.hydro.raos import write_raos
+from gantline.report.afloat import vessel_tables
+from gantline.report.subject import Subject
+from gantline.results.vessels import AS_CARRIED
 from gantline.scenario import ScenarioError, parse_scenario
+from gantline.simulation import simulate
 from gantline.study.ballast_question import vessel_of
 from table_of_raos import goes_with_the_water
 
@@ -52,3 +58,12 @@ def test_no_ballast_is_found_for_it(tmp_path: Path, others: str, name: str | Non
 
 def test_another_vessel_still_is_asked(tmp_path: Path) -> None:
     assert vessel_of(parse_scenario(LIFT + TANKS, str(tmp_path / "lift.yaml")), None) == "other"
+
+
+def test_tables_say_what_has_no_part_in_its_lie(tmp_path: Path) -> None:
+    """Of the one that is carried, and not of the one that floats."""
+    write_raos(goes_with_the_water(), tmp_path / "vessel.csv")
+    recording = simulate(parse_scenario(LIFT + TANKS, str(tmp_path / "lift.yaml")))
+    assert [line for line in vessels(recording) if AS_CARRIED in line] == [f"  vessel: {AS_CARRIED}"]
+    told = {one["name"]: AS_CARRIED in one["when"] for one in vessel_tables(Subject(recording))}
+    assert told == {"vessel": True, "other": False}

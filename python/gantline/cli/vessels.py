@@ -12,6 +12,7 @@ from gantline.cli.table import table
 from gantline.results.recording import Recording
 from gantline.results.rotation import heading
 from gantline.results.series import mean_over
+from gantline.results.vessels import AS_CARRIED
 from gantline.units import format_quantity
 
 if TYPE_CHECKING:
@@ -53,7 +54,8 @@ def vessels(recording: Recording) -> list[str]:
     if not rows:
         return []
     of_waves = f"  means over the last {format_quantity(last, 's', 0)}; freeboard: the least of all"
-    return [*table(head, rows, "l" + "r" * (len(head) - 1)), *([of_waves] if last > 0.0 else [])]
+    carried = [f"  {one.name}: {AS_CARRIED}" for one in recording.rig.vessels if one.is_carried]
+    return [*table(head, rows, "l" + "r" * (len(head) - 1)), *([of_waves] if last > 0.0 else []), *carried]
 
 
 def vessels_at_rest(question: Statics, rest: Equilibrium) -> list[str]:

@@ -22,7 +22,7 @@ from gantline.results.progress import spans
 from gantline.results.rotation import axes
 from gantline.results.saved import SavedLostLoad, SavedSwing
 from gantline.results.variable import BoolArray
-from gantline.results.vessels import Vessel
+from gantline.results.vessels import AS_CARRIED, Vessel
 
 #: Rows of a vessel that the first page has.
 _MOST_ROWS = 5
@@ -83,7 +83,7 @@ def _vessel(subject: Subject, vessel: Vessel) -> dict[str, Any]:
     ]
     return {
         "name": vessel.name,
-        "when": _when(subject, moments),
+        "when": _when(subject, moments) + (f"; {AS_CARRIED}" if vessel.is_carried else ""),
         "rows": rows,
         "left_out": max(0, len(_moments(subject)) - len(moments)),
         "gm": _gm(subject, vessel),

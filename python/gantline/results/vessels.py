@@ -19,7 +19,11 @@ from gantline.results.sea import Sea
 from gantline.results.strength import FromJson
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
-__all__ = ["Vessel", "vessel_state", "vessel_warnings", "with_righting"]
+__all__ = ["AS_CARRIED", "Vessel", "vessel_state", "vessel_warnings", "with_righting"]
+
+
+#: What has to be known of heel and trim of a vessel that is carried.
+AS_CARRIED = "it moves by its RAOs, and what hangs from it neither heels nor trims it"
 
 
 @dataclass(frozen=True)
