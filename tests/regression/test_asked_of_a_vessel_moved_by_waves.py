@@ -2,7 +2,8 @@
 
 A step that waits for her trim was told that she "does not float freely; only what has a hull and six motions
 does", which she has; `gantline ballast` asked for 'tanks', which are refused beside 'wave_motion'. Tables and
-the first page showed her heel and trim without a word that no load has a part in them.
+the first page showed her heel and trim without a word that no load has a part in them, and sent to
+`gantline statics` for her GM and for what a lost load does.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import pytest
 
 from gantline.cli.vessels import vessels
 from gantline.hydro.raos import write_raos
-from gantline.report.afloat import vessel_tables
+from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.subject import Subject
 from gantline.results.vessels import AS_CARRIED
 from gantline.scenario import ScenarioError, parse_scenario
@@ -65,5 +66,18 @@ def test_tables_say_what_has_no_part_in_its_lie(tmp_path: Path) -> None:
     write_raos(goes_with_the_water(), tmp_path / "vessel.csv")
     recording = simulate(parse_scenario(LIFT + TANKS, str(tmp_path / "lift.yaml")))
     assert [line for line in vessels(recording) if AS_CARRIED in line] == [f"  vessel: {AS_CARRIED}"]
-    told = {one["name"]: AS_CARRIED in one["when"] for one in vessel_tables(Subject(recording))}
-    assert told == {"vessel": True, "other": False}
+    tables = {one["name"]: one for one in vessel_tables(Subject(recording))}
+    assert {name: AS_CARRIED in one["when"] for name, one in tables.items()} == {
+        "vessel": True,
+        "other": False,
+    }
+    assert {name: one["may_have_gm"] for name, one in tables.items()} == {"vessel": False, "other": True}
+
+
+@pytest.mark.parametrize(("others", "is_asked"), [("", False), (TANKS, True)])
+def test_nobody_is_sent_to_ask_what_has_no_answer(tmp_path: Path, others: str, is_asked: bool) -> None:
+    """A load that is lost moves vessels that float."""
+    write_raos(goes_with_the_water(), tmp_path / "vessel.csv")
+    recording = simulate(parse_scenario(LIFT + others, str(tmp_path / "lift.yaml")))
+    said = dict(afloat_facts(Subject(recording)))["sudden release of the load"]
+    assert said.startswith("not simulated") == is_asked

@@ -87,6 +87,7 @@ def _vessel(subject: Subject, vessel: Vessel) -> dict[str, Any]:
         "rows": rows,
         "left_out": max(0, len(_moments(subject)) - len(moments)),
         "gm": _gm(subject, vessel),
+        "may_have_gm": not vessel.is_carried,
         "pumped": _pumped(subject, vessel),
         "has_tanks": bool(tanks),
     }
@@ -241,6 +242,8 @@ def _release(subject: Subject) -> list[tuple[str, str]]:
     asked = [] if cases is None else [one for one in cases.cases if "release" in one.name.lower()]
     if asked:
         return [(f"case {one.name}", "; ".join(one.troubles) or "sound, at rest") for one in asked]
+    if all(vessel.is_carried for vessel in subject.rig.vessels):
+        return [("sudden release of the load", "not answered by vessels that move by their RAOs")]
     loads = [load.name for load in subject.rig.loads]
     ask = f"; 'gantline statics LIFT --lost {loads[0]} -o DIR' says what it does" if loads else ""
     return [("sudden release of the load", f"not simulated{ask}")]
