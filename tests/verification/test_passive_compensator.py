@@ -1,8 +1,8 @@
 """The passive compensator of docs/guides/mechanics_in_a_lift_file.md against an integration of its own.
 
-Upright, with the way of the hook as given: the cylinder (6 t) on its grommet, the rod (2 t), which slides out of it by
-x, and the load (70 t) on two slings from the rod. Between cylinder and rod the gas pulls by its curve, friction and
-damper act against ẋ, and stops push at both ends.
+Upright, with the way of the hook as given: the cylinder (6 t) on its grommet, the rod (2 t), which slides
+out of it by x, and the load (70 t) on two slings from the rod. Between cylinder and rod the gas pulls by its
+curve, friction and damper act against ẋ, and stops push at both ends.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
-
 
 from gantline.results.recording import Recording
 from gantline.simulation import simulate
@@ -30,7 +29,7 @@ STRAIN = np.array([0.0, 0.02, 0.1333, 0.2467, 0.36, 0.4733, 0.5867, 0.7])
 PULL = 1e3 * np.array([0.0, 600.0, 635.9, 676.0, 721.3, 772.8, 831.8, 900.0])
 SEALS, DAMPER = 20e3, 20e3
 SLOW = 1e-6
-"""Speed over which the friction of the integration turns round [m/s]: what is held creeps by microns in a second."""
+"""Speed over which the friction of the integration turns round [m/s]: what it holds creeps by microns."""
 
 
 @pytest.fixture
@@ -53,7 +52,10 @@ def pushed(stiffness: float, damping: float, over: float, rate: float) -> float:
 
 
 def upright(hook: CubicSpline, resting: float, times: Any) -> tuple[Any, Any]:
-    """Force of the grommet [N] and way out of the rod [m] at `times`, from where it is `resting`, by the equations of motion."""
+    """Force of the grommet [N] and way out of the rod [m] at `times`, by the equations of motion.
+
+    The rod starts at `resting`: its friction leaves that open.
+    """
 
     def forces(t: float, y: Any) -> tuple[float, float, float, float]:
         cylinder, x, load, v, u, w = y
@@ -83,8 +85,8 @@ def upright(hook: CubicSpline, resting: float, times: Any) -> tuple[Any, Any]:
 
 
 def test_a_lift_off_against_its_own_equations(lift: Path) -> None:
-    """Peak, way out of the rod, and all of the course; the page has the first two. The run is right to its tolerance,
-    0.1 % of what hangs there.
+    """Peak, way out of the rod, and all of the course; the page has the first two. The run is right to its
+    tolerance, 0.1 % of what hangs there.
     """
     run = simulate(lift, duration=14.0)
     hook = run.coordinates["body"].index("hook")
@@ -110,8 +112,8 @@ def test_the_same_with_the_rod_held_in(lift: Path) -> None:
 
 
 def test_its_rest_and_its_own_period(lift: Path) -> None:
-    """The rod has come out against its seals, which hold the rest. Load and rod rise and sink on the slope of the curve
-    between its second and third half metre, in a row with slings and grommet; the cylinder takes part by a thousandth.
+    """The rod has come out against its seals, which hold the rest. Load and rod rise and sink on the slope of
+    the curve between 1 m and 1.5 m, in a row with slings and grommet; the cylinder takes part by 1e-3.
     """
     statics = Statics(lift)
     assert statics.equilibrium().tension("gas") == pytest.approx((ROD + LOAD) * G - SEALS, rel=1e-9)
