@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import csv
 import math
-import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -19,6 +18,7 @@ import numpy.typing as npt
 
 from gantline.hydro.database import AXES, DatabaseError, ForcesAround
 from gantline.hydro.database.around import all_round
+from gantline.hydro.table_file import Titles, numbers_of, read_rows
 
 __all__ = ["DisplacementRaos", "Phases", "read_raos", "write_raos"]
 
@@ -42,10 +42,19 @@ _UNITS: Mapping[str, Mapping[str, float]] = {
         )
     },
 }
-#: A column of the first line: its name and its unit.
-_TITLE = re.compile(r"\s*(.*?)\s*\[\s*(.*?)\s*\]\s*")
-#: Lines and bytes of a table that is read: 100 directions of 1000 periods, and no more.
-_MOST_ROWS, _LARGEST = 100_000, 50_000_000
+_TITLES = Titles(
+    _UNITS,
+    tuple(_UNITS),
+    "RAOs",
+    "'direction [deg]', 'period [s]', 'heave [m/m]', 'heave phase [deg]'",
+    {
+        "period": {
+            "inf": "leave waves of infinite period out, longer ones than those of a table move as its longest"
+        }
+    },
+)
+#: Lines of a table that is read: 100 directions of 1000 periods, and no more.
+_MOST_ROWS = 100_000
 #: What no vessel does, and of which numbers have slipped [m/m or rad/m].
 _NO_MOTION = 1000.0
 
@@ -112,20 +121,11 @@ def read_raos(path: str | Path, phases: Phases) -> DisplacementRaos:
         DatabaseError: if it cannot be read, with the line, in one plain sentence.
     """
     place = Path(path)
-    try:
-        if place.stat().st_size > _LARGEST:
-            raise DatabaseError(f"{place}: larger than {_LARGEST // 1_000_000} MB, so it is not read")
-        text = place.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError:
-        raise DatabaseError(f"{place}: is no text in UTF-8; save it as CSV in UTF-8") from None
-    except OSError as problem:
-        reason = (problem.strerror or str(problem)).lower()
-        raise DatabaseError(f"{place}: cannot be read ({reason})") from None
-    rows = _rows(place, text)
-    scale = _columns(place, *next(rows, (1, [])))
+    rows = read_rows(place)
+    scale = _TITLES.of(place, *next(rows, (1, [])))
     values: dict[tuple[float, float], tuple[int, Complex]] = {}
     for number, row in rows:
-        said = dict(zip(scale, _numbers(place, number, row, scale), strict=True))
+        said = numbers_of(_TITLES, (place, number), row, scale)
         wave = round(math.degrees(said["direction"]) % 360.0, 6), said["period"]
         if not wave[1] > 0.0:
             raise DatabaseError(f"{place}:{number}: a period of {wave[1]:g} s; one above 0 s is right")
@@ -140,73 +140,6 @@ def read_raos(path: str | Path, phases: Phases) -> DisplacementRaos:
     if not values:
         raise DatabaseError(f"{place}: has no waves; below the names of its columns each line is one")
     return _table(place, {wave: motion for wave, (_, motion) in values.items()})
-
-
-def _rows(place: Path, text: str) -> Iterator[tuple[int, list[str]]]:
-    """Lines that are not empty and no remarks, with their numbers, in columns."""
-    lines = text.splitlines()
-    first = next((line for line in lines if line.strip() and not line.startswith("#")), "")
-    by = ";" if ";" in first else "\t" if "\t" in first else ","
-    for number, line in enumerate(lines, 1):
-        if not line.strip() or line.startswith("#"):
-            continue
-        row = next(csv.reader([line], delimiter=by))
-        yield number, [cell.replace(",", ".") for cell in row] if by == ";" else row
-
-
-def _columns(place: Path, number: int, titles: list[str]) -> dict[str, float]:
-    """What each column is, in its order, and what one of its unit is in SI."""
-    found: dict[str, float] = {}
-    for title in titles:
-        parts = _TITLE.fullmatch(title)
-        name, unit = (" ".join(title.split()).lower(), "") if parts is None else parts.groups()
-        name = " ".join(name.lower().split())
-        known = _UNITS.get(name)
-        if known is None:
-            right = "'direction [deg]', 'period [s]', 'heave [m/m]', 'heave phase [deg]' are right"
-            raise DatabaseError(f"{place}:{number}: '{title.strip()[:40]}' is no column of RAOs; {right}")
-        if unit not in known:
-            right = " or ".join(f"'{name} [{one}]'" for one in known)
-            raise DatabaseError(
-                f"{place}:{number}: '{title.strip()[:40]}' has no unit of it; {right} is right"
-            )
-        if name in found:
-            raise DatabaseError(f"{place}:{number}: there are two columns '{name}'")
-        found[name] = known[unit]
-    missing = [name for name in _UNITS if name not in found]
-    if missing:
-        more = f" and {len(missing) - 1} more" if len(missing) > 1 else ""
-        unit = next(iter(_UNITS[missing[0]]))
-        raise DatabaseError(f"{place}:{number}: there is no column '{missing[0]} [{unit}]'{more}")
-    return found
-
-
-def _numbers(place: Path, number: int, row: list[str], scale: Mapping[str, float]) -> Iterator[float]:
-    """The numbers of a line in SI."""
-    if len(row) != len(scale):
-        raise DatabaseError(f"{place}:{number}: {len(row)} numbers; there are {len(scale)} columns")
-    for cell, (name, unit) in zip(row, scale.items(), strict=True):
-        try:
-            value = float(cell)
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
-            shown = f"'{cell.strip()[:40]}' is no number; it is the {name}"
-            raise DatabaseError(f"{place}:{number}: {shown}{_hint(cell, name)}")
-        yield value * unit
-
-
-def _hint(cell: str, name: str) -> str:
-    """What is right in place of a cell that is no number, where that is known."""
-    if "inf" in cell.lower() and name == "period":
-        return "; leave waves of infinite period out, longer ones than those of a table move as its longest"
-    if not cell.strip():
-        return "; a motion that there is none of is 0, and so is its phase"
-    if "%" in cell:
-        return "; 30 % is 0.3"
-    if "," in cell:
-        return "; decimals take a point, or a comma where semicolons part the columns, thousands no mark"
-    return ""
 
 
 def _phasor(place: Path, number: int, said: Mapping[str, float], axis: str, phases: Phases) -> complex:
