@@ -1,4 +1,4 @@
-"""What waves do to vessels that move by their RAOs of displacement, and what is doubtful of these."""
+"""What moves vessels with `wave_motion`: waves by their RAOs, or a record; what is doubtful of it."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from gantline.assembly.carriers import carrier, wave_drive
 from gantline.assembly.parts import Parts
+from gantline.assembly.recorded_motion import move_by_record
 from gantline.assembly.stamp import stamp
 from gantline.assembly.trains import Train
 from gantline.assembly.vessels import upright_hydrostatics, vessel_hull
@@ -45,7 +46,7 @@ _ALONG = 0.7
 
 
 def move_by_waves(parts: Parts, scenario: Scenario, trains: dict[str, Train]) -> None:
-    """Let the waves of the lift move the drives of vessels by their RAOs; tell what is doubtful of them.
+    """Let waves of the lift, or records, move the drives of vessels; tell what is doubtful of them.
 
     Args:
         parts: the lift so far, with its sea.
@@ -53,16 +54,19 @@ def move_by_waves(parts: Parts, scenario: Scenario, trains: dict[str, Train]) ->
         trains: its waves by name.
 
     Raises:
-        ScenarioError: if a table cannot be used, or has none of the waves.
+        ScenarioError: if a table cannot be used, has none of the waves, or ends too early.
     """
     for name, vessel in (scenario.vessels or {}).items():
         if vessel.wave_motion is None:
+            continue
+        parts.doubts += _heavy(scenario, name, vessel)
+        if vessel.wave_motion.record is not None:
+            move_by_record(parts, scenario, name, vessel.wave_motion)
             continue
         path = ("vessels", name, "wave_motion")
         table = _table(scenario, path, vessel.wave_motion)
         for sentence in list(_of_table(scenario, name, vessel, table)) or _large(table):
             parts.doubt(path, f"wave motion of {name}: {sentence}")
-        parts.doubts += _heavy(scenario, name, vessel)
         for train_name, train in trains.items():
             answer = _answer(scenario, path, vessel, table, train)
             for sentence in _unknown(scenario, path, train_name, train, table):
@@ -71,6 +75,7 @@ def move_by_waves(parts: Parts, scenario: Scenario, trains: dict[str, Train]) ->
 
 
 def _table(scenario: Scenario, path: tuple[PathPart, ...], given: WaveMotion) -> DisplacementRaos:
+    assert given.raos is not None and given.phases is not None  # validated
     place = Path(scenario.source).parent / given.raos
     try:
         return _read(place, stamp(place), given.phases)

@@ -18,6 +18,7 @@ from gantline.hydro.hull import Closure, Hull
 from gantline.hydro.hydrostatics import Hydrostatics, hydrostatics
 from gantline.hydro.memory import Memory, Misfit, fit_memory
 from gantline.hydro.mesh_file import HullError, read_hull
+from gantline.hydro.motion_record import MotionRecord, read_motion_record, write_motion_record
 from gantline.hydro.raos import DisplacementRaos, read_raos, write_raos
 from gantline.hydro.righting import Heeled, Righting, RightingArms, righting_arms
 from gantline.hydro.shapes import box_hull, raked_barge, wigley_hull
@@ -38,6 +39,7 @@ __all__ = [
     "Hydrostatics",
     "Memory",
     "Misfit",
+    "MotionRecord",
     "Righting",
     "RightingArms",
     "Tank",
@@ -49,9 +51,11 @@ __all__ = [
     "raked_barge",
     "read_database",
     "read_hull",
+    "read_motion_record",
     "read_raos",
     "righting_arms",
     "wigley_hull",
     "write_database",
+    "write_motion_record",
     "write_raos",
 ]

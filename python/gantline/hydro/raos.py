@@ -47,6 +47,7 @@ _TITLES = Titles(
     tuple(_UNITS),
     "RAOs",
     "'direction [deg]', 'period [s]', 'heave [m/m]', 'heave phase [deg]'",
+    "a motion that there is none of is 0, and so is its phase",
     {
         "period": {
             "inf": "leave waves of infinite period out, longer ones than those of a table move as its longest"

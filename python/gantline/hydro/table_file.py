@@ -28,6 +28,7 @@ class Titles:
         needed: columns that no table does without.
         what: what they are columns of, such as `RAOs`.
         right: some that are right, for who has written others.
+        empty: what to say of a cell in which nothing stands.
         hints: of a column what to say of a cell that is no number, by what stands in it.
     """
 
@@ -35,6 +36,7 @@ class Titles:
     needed: tuple[str, ...]
     what: str
     right: str
+    empty: str
     hints: Mapping[str, Mapping[str, str]]
 
     def of(self, place: Path, number: int, titles: list[str]) -> dict[str, float]:
@@ -133,7 +135,7 @@ def _hint(titles: Titles, cell: str, name: str) -> str:
         if part in cell.lower():
             return f"; {hint}"
     if not cell.strip():
-        return "; a motion that there is none of is 0, and so is its phase"
+        return f"; {titles.empty}"
     if "%" in cell:
         return "; 30 % is 0.3"
     if "," in cell:

@@ -243,7 +243,7 @@ def _release(subject: Subject) -> list[tuple[str, str]]:
     if asked:
         return [(f"case {one.name}", "; ".join(one.troubles) or "sound, at rest") for one in asked]
     if all(vessel.is_carried for vessel in subject.rig.vessels):
-        return [("sudden release of the load", "not answered by vessels that move by their RAOs")]
+        return [("sudden release of the load", "not answered by vessels whose motion is given")]
     loads = [load.name for load in subject.rig.loads]
     ask = f"; 'gantline statics LIFT --lost {loads[0]} -o DIR' says what it does" if loads else ""
     return [("sudden release of the load", f"not simulated{ask}")]

@@ -23,7 +23,7 @@ __all__ = ["AS_CARRIED", "Vessel", "vessel_state", "vessel_warnings", "with_righ
 
 
 #: What has to be known of heel and trim of a vessel that is carried.
-AS_CARRIED = "it moves by its RAOs, and what hangs from it neither heels nor trims it"
+AS_CARRIED = "its motion is given, and what hangs from it neither heels nor trims it"
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Vessel(FromJson):
         marks: Points that should stay above the water, vessel axes [m], by what they belong to.
         righting: Moments [s] with its metacentric heights for heel and trim then [m], of a start at rest and
             of the end: where a lift sets a limit for them, or one is below zero.
-        is_carried: Whether it moves by its RAOs, so that nothing that hangs from it, or rights it, counts.
+        is_carried: Whether its motion is given, so that nothing that hangs from it, or rights it, counts.
     """
 
     name: str

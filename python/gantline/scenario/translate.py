@@ -125,8 +125,9 @@ _INSTEAD = {
         _OF_A_ROPE,
     ),
     "a vessel": dict.fromkeys(
-        ("displacement_raos", "motion", "motions", "rao", "raos"),
-        "RAOs of displacement stand in 'wave_motion: {raos: vessel.csv, phases: lag, at: [50 m, 0 m, 4 m]}'; "
+        ("displacement_raos", "motion", "motion_file", "motions", "rao", "raos", "record", "time_series"),
+        "RAOs of displacement stand in 'wave_motion: {raos: vessel.csv, phases: lag, at: [50 m, 0 m, 4 m]}', "
+        "a motion over time in 'wave_motion: {record: motion.csv, at: [50 m, 0 m, 4 m]}'; "
         "'wave_forces' and 'radiation' name a hydrodynamic database, by which it answers what hangs from it",
     ),
     "limits": {

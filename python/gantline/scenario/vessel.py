@@ -142,21 +142,36 @@ class VesselDamping(WaterDamping):
 
 
 class WaveMotion(Element):
-    """How a vessel moves in waves where that is known beforehand: by its RAOs, whatever hangs from it."""
+    """How a vessel moves where that is known beforehand, whatever hangs from it: by RAOs, or by a record."""
 
     what: ClassVar[str] = "a wave motion"
 
-    raos: Text = Field(description="Table of RAOs of displacement beside the lift file: .csv.")
-    phases: Literal["lag", "lead"] = Field(
+    raos: Text | None = Field(None, description="Table of RAOs of displacement beside the lift file: .csv.")
+    phases: Literal["lag", "lead"] | None = Field(
+        None,
         description="Whether phases of the table say how late a motion is after the crest at 'at', or how "
-        "early before it."
+        "early before it.",
+    )
+    record: Text | None = Field(
+        None,
+        description="In place of RAOs: how the point 'at' moved, over time, a .csv beside the lift file.",
     )
     at: Position = Field(
         description="Point of the vessel whose motion the table has and phases count from, vessel's axes."
     )
 
+    @model_validator(mode="after")
+    def _by_one_table(self) -> WaveMotion:
+        if (self.raos is None) == (self.record is None):
+            raise refuse("needs 'raos', a table of RAOs, or 'record', a motion over time, and not both")
+        if self.raos is not None and self.phases is None:
+            raise refuse("'phases' is missing; 'lag' or 'lead' says how the phases of the RAOs count")
+        if self.record is not None and self.phases is not None:
+            raise refuse("a record has no phases; leave this out", "phases")
+        return self
 
-#: Keys of what pushes a vessel, or is in it, which one that moves by its RAOs does not feel.
+
+#: Keys of what pushes a vessel, or is in it, which one with 'wave_motion' does not feel.
 _UNFELT = (
     "wave_forces",
     "radiation",
@@ -217,7 +232,7 @@ class Vessel(Afloat):
     def _moves_once(self) -> Vessel:
         for key in _UNFELT if self.wave_motion is not None else ():
             if getattr(self, key) is not None:
-                sentence = "a vessel with 'wave_motion' moves by its RAOs and by nothing else"
+                sentence = "a vessel with 'wave_motion' moves by that and by nothing else"
                 raise refuse(f"{sentence}: leave '{key}' or 'wave_motion' out", key)
         return self
 

@@ -81,9 +81,13 @@ def heave_demands(scenario: Scenario) -> list[HeaveDemand]:
     The lift is looked at at rest where the first and the last step begins that compensates so, with what
     friction holds; of two both are told where each of them asks for more of something. About there vessels,
     crane, load, moorings and water with memory move little, and so in proportion to the waves; drag does not
-    count. None of a lift without waves that push, or without statics.
+    count. None of a lift without waves that push, or without statics; none where a vessel moves by a record,
+    of which the sea tells nothing.
     """
     if not scenario.waves or not any(step.compensate_heave for step in scenario.plan):
+        return []
+    given = [vessel.wave_motion for vessel in (scenario.vessels or {}).values()]
+    if any(motion is not None and motion.record is not None for motion in given):
         return []
     try:
         statics = Statics(scenario)

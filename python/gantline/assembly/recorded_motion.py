@@ -1,0 +1,72 @@
+"""Vessels that move as a record of their motion has it."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from gantline.assembly.carriers import wave_drive
+from gantline.assembly.parts import Parts
+from gantline.assembly.stamp import stamp
+from gantline.hydro.database import AXES, DatabaseError
+from gantline.hydro.motion_record import Harmonics, MotionRecord, read_motion_record
+from gantline.scenario import Scenario
+from gantline.scenario.vessel import WaveMotion
+from gantline.units import format_quantity
+
+__all__ = ["move_by_record"]
+
+#: The motion grows over so many of its mean periods.
+_PERIODS_TO_GROW = 3.0
+
+
+def move_by_record(parts: Parts, scenario: Scenario, name: str, given: WaveMotion) -> None:
+    """Let the waves that add up to a record move the drives of a vessel.
+
+    Args:
+        parts: the lift so far.
+        scenario: the lift.
+        name: of the vessel.
+        given: how it moves, by a record.
+
+    Raises:
+        ScenarioError: if the record cannot be used, or is shorter than the lift.
+    """
+    assert given.record is not None
+    path = ("vessels", name, "wave_motion", "record")
+    place = Path(scenario.source).parent / given.record
+    try:
+        record, waves = _read(place, stamp(place))
+    except DatabaseError as problem:
+        raise scenario.error(path, str(problem).replace(str(place), given.record)) from None
+    if scenario.duration > record.duration:
+        lasts = f"{given.record}: lasts {format_quantity(record.duration, 's', 1)}"
+        longer = f"the lift {format_quantity(scenario.duration, 's', 1)}"
+        raise scenario.error(path, f"{lasts} and {longer}; a record at least as long is right")
+    if scenario.waves:
+        parts.doubt(
+            path,
+            f"wave motion of {name}: a record knows nothing of 'waves' of the lift; loads in water and "
+            "freeboard meet these, and other vessels move with them",
+        )
+    rise_time = _PERIODS_TO_GROW * waves.period
+    for axis, column in zip(AXES, waves.motion.T, strict=True):
+        parts.drives[wave_drive(name, axis)]["waves"] = {
+            "components": [
+                {"frequency": omega, "wave_number": [0.0, 0.0], "amplitude": size, "phase": phase}
+                for omega, size, phase in zip(
+                    waves.frequency.tolist(), np.abs(column).tolist(), np.angle(column).tolist(), strict=True
+                )
+                if column.any()
+            ],
+            "rise_time": rise_time,
+        }
+
+
+@lru_cache(maxsize=4)
+def _read(path: Path, _stamp: tuple[int, int]) -> tuple[MotionRecord, Harmonics]:
+    """A record and its waves, read once for all cases of a lift."""
+    record = read_motion_record(path)
+    return record, record.harmonics()

@@ -1,0 +1,175 @@
+"""Records of motion: what is read of them, what is wrong with some, and the waves that add up to them."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gantline.hydro import DatabaseError, MotionRecord, read_motion_record, write_motion_record
+from gantline.scenario import ScenarioError, parse_scenario
+from gantline.simulation import Simulation
+from hooked_lift import TWO_HOOKS, TWO_HOOKS_LUGS, TWO_HOOKS_SLINGS, hooked_lift
+
+EITHER = "needs 'raos', a table of RAOs, or 'record', a motion over time, and not both"
+PLACED = "{record: motion.csv, at: [50 m, 0 m, 4 m]}"
+RNG = np.random.default_rng(1)
+HEAD = "time [s],heave [m],roll [deg]"
+WAVES = [(0.5 * k, math.cos(0.4 * k), 2 * math.sin(0.4 * k)) for k in range(400)]
+LINES = [f"{time:g},{heave:.9g},{roll:.9g}" for time, heave, roll in WAVES]
+
+
+def written(folder: Path, *lines: str) -> Path:
+    path = folder / "motion.csv"
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return path
+
+
+def test_what_a_record_says(tmp_path: Path) -> None:
+    """From its mean; what has no column does not move."""
+    record = read_motion_record(written(tmp_path, "# of nobody", HEAD, *LINES))
+    want = np.zeros((400, 6))
+    want[:, 2] = [heave for _, heave, _ in WAVES]
+    want[:, 3] = np.radians([roll for *_, roll in WAVES])
+    assert (record.interval, record.duration) == (0.5, 199.5)
+    assert record.mean == pytest.approx(want.mean(axis=0), abs=1e-9)
+    assert record.motion == pytest.approx(want - want.mean(axis=0), abs=1e-8)
+
+
+def test_times_may_begin_anywhere_and_columns_stand_in_any_order(tmp_path: Path) -> None:
+    plain = read_motion_record(written(tmp_path, HEAD, *LINES))
+    other = [f"{roll:.9g};{1000 + time:g};{heave:.9g}".replace(".", ",") for time, heave, roll in WAVES]
+    again = read_motion_record(written(tmp_path, "roll [deg];time [s];heave [m]", *other))
+    assert again.interval == pytest.approx(plain.interval)
+    assert (again.motion == plain.motion).all()
+
+
+def test_a_record_that_is_written_is_read(tmp_path: Path) -> None:
+    record = read_motion_record(written(tmp_path, HEAD, *LINES))
+    write_motion_record(record, tmp_path / "again.csv")
+    again = read_motion_record(tmp_path / "again.csv")
+    assert again.motion == pytest.approx(record.motion, abs=1e-11)
+    assert again.mean == pytest.approx(record.mean, abs=1e-11)
+
+
+@given(
+    st.lists(
+        st.tuples(st.floats(0.3, 2.0), st.floats(0.1, 1.0), st.floats(0.0, 6.2)), min_size=1, max_size=8
+    ),
+    st.sampled_from([0.1, 0.25, 0.5]),
+)
+def test_its_waves_add_up_to_it(parts: list[tuple[float, float, float]], interval: float) -> None:
+    """What is left out is 0.1 % rms of it, over the record and its way back, at which nothing looks here."""
+    time: Any = interval * np.arange(int(240 / interval))
+    way = sum(size * np.cos(omega * time + phase) for omega, size, phase in parts)
+    motion = np.zeros((len(time), 6))
+    motion[:, 2] = way - np.mean(way)
+    found = MotionRecord("record", interval, motion, np.zeros(6)).harmonics()
+    missed = found.at(time) - motion
+    assert np.sqrt(np.mean(missed[:, 2] ** 2)) < 1.5e-3 * motion[:, 2].std()
+    assert not missed[:, [0, 1, 3, 4, 5]].any()
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        ([HEAD, *LINES[:15]], "has 15 samples; no fewer than 16 tell a motion"),
+        (["time [s]", "0", "1"], "there is no motion beside the time; 'time [s]', 'heave [m]'"),
+        (["heave [m]", "0", "1"], "1: there is no column 'time [s]'"),
+        (["time [s],heave [deg]", "0,1"], "1: 'heave [deg]' has no unit of it; 'heave [m]' is right"),
+        (["time [s],z [m]", "0,1"], "1: 'z [m]' is no column of a record of motion; 'time [s]'"),
+        ([HEAD, LINES[0], LINES[0]], "3: 0 s is not after the line before"),
+        ([HEAD, *LINES[:3], *LINES[4:]], "5: 1 s after the line before, and 0.5 s lie between the first two"),
+        (
+            [HEAD, *LINES[:9], "4.5,,1"],
+            "11: '' is no number; it is the heave; a motion that there is none of",
+        ),
+        (["time [s],roll [rad]", *(f"{k},{k}" for k in range(20))], "roll goes 9.5 rad from its mean"),
+    ],
+)
+def test_what_is_wrong_is_said(tmp_path: Path, lines: list[str], said: str) -> None:
+    with pytest.raises(DatabaseError) as problem:
+        read_motion_record(written(tmp_path, *lines))
+    assert said in str(problem.value)
+
+
+@pytest.mark.parametrize(
+    ("heave", "said"),
+    [
+        (np.zeros(500), "nothing moves in it"),
+        (
+            np.random.default_rng(1).normal(size=9000),
+            r"it takes \d{4} waves, down to 0\.2 s, to come as near",
+        ),
+    ],
+)
+def test_what_has_no_waves_is_said(tmp_path: Path, heave: Any, said: str) -> None:
+    lines = [f"{0.1 * k:.1f},{value:.6g}" for k, value in enumerate(heave)]
+    with pytest.raises(DatabaseError, match=said):
+        read_motion_record(written(tmp_path, "time [s],heave [m]", *lines)).harmonics()
+
+
+def lift(motion: str, waves: str = "") -> str:
+    """A vessel that moves so, beside a load on the ground."""
+    vessel = f"""vessels:
+  vessel:
+    position: [200 m, 0 m]
+    draft: 4 m
+    hull: {{box: [100 m, 30 m, 8 m]}}
+    wave_motion: {motion}
+{waves}"""
+    return hooked_lift(
+        TWO_HOOKS, TWO_HOOKS_LUGS, TWO_HOOKS_SLINGS, mass=200e3, position=(0, 0, 6.9), more=vessel
+    )
+
+
+@pytest.mark.parametrize(
+    ("motion", "said"),
+    [
+        (
+            "{at: [50 m, 0 m, 4 m]}",
+            EITHER,
+        ),
+        (
+            "{raos: vessel.csv, phases: lag, record: motion.csv, at: [50 m, 0 m, 4 m]}",
+            EITHER,
+        ),
+        ("{raos: vessel.csv, at: [50 m, 0 m, 4 m]}", "'phases' is missing; 'lag' or 'lead'"),
+        ("{record: motion.csv, phases: lag, at: [50 m, 0 m, 4 m]}", "phases: a record has no phases"),
+    ],
+)
+def test_a_motion_is_given_once(motion: str, said: str) -> None:
+    with pytest.raises(ScenarioError) as problem:
+        parse_scenario(lift(motion))
+    assert said in str(problem.value)
+
+
+def test_a_record_lasts_as_long_as_its_lift(tmp_path: Path) -> None:
+    written(tmp_path, HEAD, *LINES[:20])
+    scenario = parse_scenario(lift(PLACED), str(tmp_path / "lift.yaml"))
+    with pytest.raises(ScenarioError) as problem:
+        Simulation(scenario)
+    assert "wave_motion.record: motion.csv: lasts 9.5 s and the lift" in str(problem.value)
+
+
+def test_a_record_that_is_not_there_is_missed(tmp_path: Path) -> None:
+    scenario = parse_scenario(lift(PLACED), str(tmp_path / "lift.yaml"))
+    with pytest.raises(
+        ScenarioError, match=r"lift.yaml:\d+: vessels.vessel.wave_motion.record: motion.csv: cannot"
+    ):
+        Simulation(scenario)
+
+
+def test_waves_of_the_lift_are_none_of_the_record(tmp_path: Path) -> None:
+    written(tmp_path, HEAD, *LINES)
+    text = lift(
+        PLACED,
+        "waves: {swell: {height: 0.5 m, period: 8 s, direction: 180 deg}}\n",
+    )
+    told = Simulation(parse_scenario(text, str(tmp_path / "lift.yaml"))).assembly.warnings
+    assert any("a record knows nothing of 'waves' of the lift" in one for one in told)
