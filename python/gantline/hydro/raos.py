@@ -121,11 +121,14 @@ def read_raos(path: str | Path, phases: Phases) -> DisplacementRaos:
     except OSError as problem:
         reason = (problem.strerror or str(problem)).lower()
         raise DatabaseError(f"{place}: cannot be read ({reason})") from None
-    rows = _rows(place, text)
+    by = _parted_by(text)
+    rows = _rows(text, by)
     scale = _columns(place, *next(rows, (1, [])))
+    marks: dict[str, tuple[int, str]] = {}
     values: dict[tuple[float, float], tuple[int, Complex]] = {}
     for number, row in rows:
-        said = dict(zip(scale, _numbers(place, number, row, scale), strict=True))
+        plain = _with_points(place, number, row, marks) if by == ";" else row
+        said = dict(zip(scale, _numbers(place, number, plain, row, scale), strict=True))
         wave = round(math.degrees(said["direction"]) % 360.0, 6), said["period"]
         if not wave[1] > 0.0:
             raise DatabaseError(f"{place}:{number}: a period of {wave[1]:g} s; one above 0 s is right")
@@ -142,16 +145,35 @@ def read_raos(path: str | Path, phases: Phases) -> DisplacementRaos:
     return _table(place, {wave: motion for wave, (_, motion) in values.items()})
 
 
-def _rows(place: Path, text: str) -> Iterator[tuple[int, list[str]]]:
+def _parted_by(text: str) -> str:
+    """What parts the columns of the line that names them."""
+    first = next((line for line in text.splitlines() if line.strip() and not line.startswith("#")), "")
+    return ";" if ";" in first else "\t" if "\t" in first else ","
+
+
+def _rows(text: str, by: str) -> Iterator[tuple[int, list[str]]]:
     """Lines that are not empty and no remarks, with their numbers, in columns."""
-    lines = text.splitlines()
-    first = next((line for line in lines if line.strip() and not line.startswith("#")), "")
-    by = ";" if ";" in first else "\t" if "\t" in first else ","
-    for number, line in enumerate(lines, 1):
-        if not line.strip() or line.startswith("#"):
-            continue
-        row = next(csv.reader([line], delimiter=by))
-        yield number, [cell.replace(",", ".") for cell in row] if by == ";" else row
+    for number, line in enumerate(text.splitlines(), 1):
+        if line.strip() and not line.startswith("#"):
+            yield number, next(csv.reader([line], delimiter=by))
+
+
+def _with_points(place: Path, number: int, row: list[str], marks: dict[str, tuple[int, str]]) -> list[str]:
+    """A line with decimal points; `marks` has of both marks the first number and its line, and grows.
+
+    Where a table has both, one of them may part thousands: 1,004 beside 0.97 is 1004 as well as 1.004.
+    """
+    for cell in row:
+        for mark in ",.":
+            if mark in cell:
+                marks.setdefault(mark, (number, cell.strip()[:40]))
+    if len(marks) > 1:
+        (line, comma), (other, point) = marks[","], marks["."]
+        if comma != point:
+            both = f"'{comma}' in line {line} has a comma, '{point}' in line {other} a point"
+            right = "decimals take one of them throughout, thousands no mark"
+            raise DatabaseError(f"{place}:{number}: {both}; {right}")
+    return [cell.replace(",", ".") for cell in row]
 
 
 def _columns(place: Path, number: int, titles: list[str]) -> dict[str, float]:
@@ -181,13 +203,15 @@ def _columns(place: Path, number: int, titles: list[str]) -> dict[str, float]:
     return found
 
 
-def _numbers(place: Path, number: int, row: list[str], scale: Mapping[str, float]) -> Iterator[float]:
-    """The numbers of a line in SI."""
+def _numbers(
+    place: Path, number: int, row: list[str], written: list[str], scale: Mapping[str, float]
+) -> Iterator[float]:
+    """The numbers of a line in SI; `row` has them with decimal points, `written` as they stand."""
     if len(row) != len(scale):
         raise DatabaseError(f"{place}:{number}: {len(row)} numbers; there are {len(scale)} columns")
-    for cell, (name, unit) in zip(row, scale.items(), strict=True):
+    for plain, cell, (name, unit) in zip(row, written, scale.items(), strict=True):
         try:
-            value = float(cell)
+            value = float(plain)
         except ValueError:
             value = math.nan
         if not math.isfinite(value):
