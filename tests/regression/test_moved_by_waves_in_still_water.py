@@ -1,6 +1,6 @@
 """A vessel with `wave_motion` in a lift without `waves`, of which nothing was looked at.
 
-A load of 3 % of what she displaces hung from a crane aboard, and heel and trim of 0.00 deg were in order,
+A load of 3 % of what she displaces came aboard, and heel and trim of 0.00 deg were in order,
 without the warning that they have in waves. A table that was not there at all was "in order" too.
 """
 
@@ -15,7 +15,7 @@ from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation
 from gantline.statics import Statics
 from hooked_lift import TWO_HOOKS, TWO_HOOKS_LUGS, TWO_HOOKS_SLINGS, hooked_lift
-from table_of_raos import goes_with_the_water
+from table_of_raos import ON_DECK, goes_with_the_water
 
 VESSEL = """vessels:
   vessel:
@@ -27,10 +27,10 @@ VESSEL = """vessels:
 
 
 def lift(folder: Path, mass: float) -> str:
-    """A load of this mass [kg] beside a vessel of 12 300 t, in still water."""
+    """A load of this mass [kg] beside a vessel of 12 300 t that may bear it, in still water."""
     write_raos(goes_with_the_water(), folder / "vessel.csv")
     return hooked_lift(
-        TWO_HOOKS, TWO_HOOKS_LUGS, TWO_HOOKS_SLINGS, mass=mass, position=(0, 0, 6.9), more=VESSEL
+        TWO_HOOKS, TWO_HOOKS_LUGS, TWO_HOOKS_SLINGS, mass=mass, position=(0, 0, 6.9), more=VESSEL + ON_DECK
     )
 
 

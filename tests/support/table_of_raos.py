@@ -6,7 +6,21 @@ import numpy as np
 
 from gantline.hydro.raos import DisplacementRaos
 
-__all__ = ["goes_with_the_water"]
+__all__ = ["ON_DECK", "goes_with_the_water"]
+
+#: A deckhouse of the vessel `vessel`, on which the load `load` may be set down, as a section of a lift file.
+ON_DECK = """\
+mechanics:
+  bodies:
+    house:
+      parent: vessel
+      at: [50 m, 0 m, 8 m]
+      joint: {type: fixed}
+      mass: 1 t
+      shape: {box: [12 m, 8 m, 1 m]}
+  body_contacts:
+    on_deck: {between: [load, house], stiffness: 100 MN/m, damping: 1 MN s/m, friction: 0.3}
+"""
 
 
 def goes_with_the_water(*, pitch: float = 1.0, heave: float = 1.0) -> DisplacementRaos:

@@ -16,7 +16,7 @@ from gantline.hydro.raos import DisplacementRaos
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation
 from hooked_lift import TWO_HOOKS, TWO_HOOKS_LUGS, TWO_HOOKS_SLINGS, hooked_lift
-from table_of_raos import goes_with_the_water
+from table_of_raos import ON_DECK, goes_with_the_water
 
 AXES = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 UNITS = ("m/m",) * 3 + ("deg/m",) * 3
@@ -184,7 +184,7 @@ def test_a_heavy_load_is_told(tmp_path: Path, mass: float, is_told: bool) -> Non
     long_table(tmp_path)
     vessel = LIFT[LIFT.index("waves:") :].replace("    draft", "    position: [200 m, 0 m]\n    draft")
     text = hooked_lift(
-        TWO_HOOKS, TWO_HOOKS_LUGS, TWO_HOOKS_SLINGS, mass=mass, position=(0, 0, 6.9), more=vessel
+        TWO_HOOKS, TWO_HOOKS_LUGS, TWO_HOOKS_SLINGS, mass=mass, position=(0, 0, 6.9), more=vessel + ON_DECK
     )
     told = [one for one in doubts(tmp_path, text) if "of what vessel displaces" in one]
     assert bool(told) == is_told

@@ -4,7 +4,7 @@
 mod rigs;
 
 use gantline_core::build::build;
-use gantline_core::event::{EventKind, EventLog};
+use gantline_core::event::{Event, EventKind, EventLog};
 use gantline_core::solver::complementarity::Mode;
 use gantline_core::spec::{JointSpec, StopsSpec, SystemSpec};
 use gantline_core::state::State;
@@ -14,7 +14,7 @@ use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
 use gantline_core::tree::kinematics::Kinematics;
 use proptest::prelude::*;
-use rigs::runs::{SEED, drawing};
+use rigs::runs::{SEED, drawing, drawn};
 use rigs::{seeds, torture};
 
 const DURATION: f64 = 1.0;
@@ -51,6 +51,12 @@ fn start(seeds: &[f64]) -> (System, State, Frame) {
     (system, state, frame)
 }
 
+/// Whether tensions may jump as a step ends: those of inextensible ropes do with what acts, and as one goes taut or is
+/// held to its length, velocities change and with them what the dampers of all others add.
+fn jumps(system: &System, state: &State) -> bool {
+    system.rigid.iter().any(|&row| state.modes[row] == Mode::Acting)
+}
+
 /// Ropes that have parted are those of which an event says so, once, and they carry nothing.
 fn check_parted(system: &System, state: &State, log: &EventLog) -> Result<(), TestCaseError> {
     for rope in 0..system.rope_count {
@@ -67,31 +73,57 @@ fn check_parted(system: &System, state: &State, log: &EventLog) -> Result<(), Te
     Ok(())
 }
 
+/// `adaptive` runs to the end, what reaches its breaking force breaks at that moment, and the balance closes.
+fn adaptive_breaks(seeds: &[f64]) -> Result<(), TestCaseError> {
+    let (system, mut state, mut frame) = start(seeds);
+    let mut method = Adaptive::new(&system, &frame, Tolerance::default_of(&system));
+    let mut log = EventLog::new();
+    let mut kinematics = Kinematics::new(&system.tree);
+    let mut over = Vec::new();
+    while state.time < DURATION {
+        let begin = state.time;
+        let step = method.step(&system, &mut state, &mut frame, &mut log, DURATION);
+        step.map_err(|error| TestCaseError::fail(error.to_string()))?;
+        prop_assert!(state.steps < MOST_STEPS, "stalls at t = {}", state.time);
+        for rope in over.drain(..) {
+            let is_now = |event: &Event| event.kind == EventKind::Broken && event.time == begin;
+            prop_assert!(log.events.iter().any(|event| is_now(event) && event.subject == rope));
+        }
+        kinematics.update(&system.tree, &state.q, 0.0);
+        for &(rope, force) in &system.fragile {
+            let row = system.rows.first[rope];
+            let tension = system.rope_tension(row, state.tension[row], &state.q, &kinematics);
+            let tolerance = if jumps(&system, &state) { f64::INFINITY } else { 1e-6 * force };
+            prop_assert!(tension <= force + tolerance, "{rope}: {tension} at t = {}", state.time);
+            if tension > force {
+                over.push(rope);
+            }
+        }
+    }
+    check_parted(&system, &state, &log)?;
+    let remainder = state.ledger.relative_remainder();
+    prop_assert!(remainder < 1e-3, "{remainder} {:?}", state.ledger);
+    Ok(())
+}
+
+/// Two rigs of these seeds have an elastic rope that holds while an inextensible one beside it goes taut, and by what that
+/// does to velocities its damper is at 1.7 times and 60 times its breaking force; in one of 621 bringing an inextensible rope
+/// to its length adds 1e-6. No rope may outlast the moment.
+#[test]
+fn a_rope_breaks_at_once_when_another_goes_taut() {
+    for seed in [621, 629, 630] {
+        for seeds in drawn(seed, 40) {
+            adaptive_breaks(&seeds).unwrap_or_else(|error| panic!("{seed}: {error}"));
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(drawing(SEED, 40))]
 
     #[test]
     fn adaptive_runs_to_the_end(seeds in seeds()) {
-        let (system, mut state, mut frame) = start(&seeds);
-        let mut method = Adaptive::new(&system, &frame, Tolerance::default_of(&system));
-        let mut log = EventLog::new();
-        let mut kinematics = Kinematics::new(&system.tree);
-        while state.time < DURATION {
-            let step = method.step(&system, &mut state, &mut frame, &mut log, DURATION);
-            step.map_err(|error| TestCaseError::fail(error.to_string()))?;
-            prop_assert!(state.steps < MOST_STEPS, "stalls at t = {}", state.time);
-            for &(rope, force) in &system.fragile {
-                let row = system.rows.first[rope];
-                // The force of an inextensible rope may jump; it then breaks as the next step begins.
-                let elastic = system.rows.laws[row].compliance() > 0.0;
-                kinematics.update(&system.tree, &state.q, 0.0);
-                let tension = system.rope_tension(row, state.tension[row], &state.q, &kinematics);
-                prop_assert!(!elastic || tension <= force * (1.0 + 1e-6));
-            }
-        }
-        check_parted(&system, &state, &log)?;
-        let remainder = state.ledger.relative_remainder();
-        prop_assert!(remainder < 1e-3, "{remainder} {:?}", state.ledger);
+        adaptive_breaks(&seeds)?;
     }
 
     #[test]

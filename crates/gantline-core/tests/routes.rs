@@ -124,6 +124,8 @@ fn check_part(part: &Part, frame: &Frame) -> f64 {
     assert!((straight.direction * straight.length - way).length() < 1e-12 * (1.0 + way.length()));
     let rate = 2.0 + 2.0 * TURN * (way.length() + 2.0);
     let mut pace = way.length() / rate;
+    let mut along = [DVec3::ZERO; 2];
+    let mut radii = [0.0; 2];
     for (k, anchor) in [part.from, part.to].into_iter().enumerate() {
         let Some((axis, radius)) = anchor.sheave else { continue };
         let axis = frame.kinematics.turn(anchor.at.body, axis);
@@ -134,11 +136,16 @@ fn check_part(part: &Part, frame: &Frame) -> f64 {
         assert!(radial.dot(way).abs() < 1e-12 * size, "radial part {:e}", radial.dot(way) / size);
         assert!(radial.dot(axis).abs() < 1e-12 && (radial.length() - 1.0).abs() < 1e-12);
         assert!(straight.direction.dot(axis.cross(radial)) > 0.0, "it runs against the sheave's sense");
+        (along[k], radii[k]) = (axis.cross(radial), radius);
         // In the sheave's plane √(|w|² − r²) is what changes fastest.
         let flat = axis.cross([straight.to, straight.from][k] - centre).length();
         pace = pace.min((flat * flat - radius * radius) / (2.0 * flat * rate));
     }
-    pace
+    // Where det A of `tangency` is small beside the product of the diagonal, each end turns the other, and both turn faster.
+    let own = way.dot(along[0]) * way.dot(along[1]);
+    let turned = straight.radial[0].dot(along[1]) * straight.radial[1].dot(along[0]);
+    let det = own + radii[0] * radii[1] * turned;
+    if own > 0.0 { pace * (det / own).clamp(0.0, 1.0) } else { pace }
 }
 
 /// g of the rope after every coordinate has moved by `share` of `direction`.
@@ -151,7 +158,7 @@ fn length_at(system: &System, state: &State, direction: &[f64], share: f64, fram
 }
 
 /// Central difference of order 6. With h = s/200, s the time in which tangents change by their own size, it leaves
-/// h⁶ g⁽⁷⁾/140 ≈ 7! (h/s)⁶/140 = 6e-13 of what moves at 1 m/s, which leaves room for two ends that sharpen each
+/// h⁶ g⁽⁷⁾/140 ≈ 7! (h/s)⁶/140 = 6e-13 of what moves at 1 m/s, which leaves room for how two ends sharpen each
 /// other's tangents; rounding of a rope of ℓ m in n parts adds some 1e-16 √n ℓ/h.
 fn sixth_order(h: f64, at: impl FnMut(f64) -> f64) -> f64 {
     let [a, b, c, d, e, f] = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0].map(|share| share * h).map(at);

@@ -15,6 +15,7 @@ from gantline.assembly.doubtful import doubtful_cranes
 from gantline.assembly.doubtful_baskets import doubtful_baskets
 from gantline.assembly.doubtful_beside import doubtful_beside
 from gantline.assembly.doubtful_booms import doubtful_booms
+from gantline.assembly.doubtful_carried import doubtful_carried
 from gantline.assembly.doubtful_drums import doubtful_drums
 from gantline.assembly.doubtful_empty import doubtful_empty, doubtful_pins
 from gantline.assembly.doubtful_fenders import doubtful_fenders
@@ -197,6 +198,7 @@ def _doubts(
         *doubtful_vessels(parts, scenario),
         *doubtful_fenders(parts, scenario),
         *doubtful_lee(parts, scenario),
+        *doubtful_carried(parts, scenario),
         *doubtful_heights(scenario),
         *doubtful_stops(scenario),
         *doubtful_rails(scenario),

@@ -15,15 +15,14 @@ from gantline.assembly.parts import Parts
 from gantline.assembly.recorded_motion import move_by_record
 from gantline.assembly.stamp import stamp
 from gantline.assembly.trains import Train
-from gantline.assembly.vessels import upright_hydrostatics, vessel_hull
+from gantline.assembly.vessels import vessel_hull
 from gantline.hydro.database import AXES, DatabaseError
 from gantline.hydro.raos import DisplacementRaos, Phases, read_raos
 from gantline.hydro.waves import wave_number
 from gantline.scenario import Scenario
-from gantline.scenario.errors import Doubt, PathPart
+from gantline.scenario.errors import PathPart
 from gantline.scenario.vessel import Vessel, WaveMotion
 from gantline.scenario.water import Water
-from gantline.units import format_quantity
 
 __all__ = ["move_by_waves"]
 
@@ -33,8 +32,6 @@ Complex = npt.NDArray[np.complex128]
 #: Share of the energy of a sea in waves shorter or longer than a table has, from which on it is told, and of
 #: shorter ones refused.
 _SILENT, _MOST_UNKNOWN = 0.05, 0.2
-#: What hangs over what a vessel displaces, from which on it changes how she lies and moves.
-_LIGHT = 0.02
 #: Waves are long beside a vessel of the length L up to this κL: she goes up and down with them.
 _LONG = 0.6
 #: Heave in long waves over that of the water; pitch over the slope of the water.
@@ -59,7 +56,6 @@ def move_by_waves(parts: Parts, scenario: Scenario, trains: dict[str, Train]) ->
     for name, vessel in (scenario.vessels or {}).items():
         if vessel.wave_motion is None:
             continue
-        parts.doubts += _heavy(scenario, name, vessel)
         if vessel.wave_motion.record is not None:
             move_by_record(parts, scenario, name, vessel.wave_motion)
             continue
@@ -190,16 +186,3 @@ def _large(table: DisplacementRaos) -> Iterator[str]:
             largest = float(size.max())
             shown = f"{largest:.3g} m/m" if place < 3 else f"{math.degrees(largest):.3g} deg/m"
             yield f"{table.source}: in its waves of {period:.4g} s {AXES[place]} is {shown}: see its unit"
-
-
-def _heavy(scenario: Scenario, name: str, vessel: Vessel) -> Iterator[Doubt]:
-    """A load that is no little thing beside the vessel that lifts it, or on which it stands."""
-    if scenario.load is None:
-        return
-    share = scenario.load.weight.simulated / upright_hydrostatics(scenario, name, vessel).mass
-    if share > _LIGHT:
-        weighs = f"the load weighs {format_quantity(share, '%', 1)} of what {name} displaces"
-        yield Doubt(
-            ("vessels", name, "wave_motion"),
-            f"{weighs}: it changes how she lies and moves, and by 'wave_motion' she does neither",
-        )

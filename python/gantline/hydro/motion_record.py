@@ -17,7 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.hydro.database import AXES, DatabaseError
-from gantline.hydro.table_file import Titles, numbers_of, read_rows
+from gantline.hydro.table_file import Titles, read_table
 
 __all__ = ["Harmonics", "MotionRecord", "read_motion_record", "write_motion_record"]
 
@@ -136,14 +136,12 @@ def read_motion_record(path: str | Path) -> MotionRecord:
         DatabaseError: if it cannot be read, with the line, in one plain sentence.
     """
     place = Path(path)
-    rows = read_rows(place)
-    scale = _TITLES.of(place, *next(rows, (1, [])))
-    if len(scale) < 2:
+    columns, lines = read_table(place, _TITLES)
+    if len(columns) < 2:
         raise DatabaseError(f"{place}:1: there is no motion beside the time; {_TITLES.right} are right")
     times: list[float] = []
     samples: list[list[float]] = []
-    for number, row in rows:
-        said = numbers_of(_TITLES, (place, number), row, scale)
+    for number, said in lines:
         times.append(said["time"])
         if wrong := _uneven(times):
             raise DatabaseError(f"{place}:{number}: {wrong}")

@@ -18,7 +18,7 @@ import numpy.typing as npt
 
 from gantline.hydro.database import AXES, DatabaseError, ForcesAround
 from gantline.hydro.database.around import all_round
-from gantline.hydro.table_file import Titles, numbers_of, read_rows
+from gantline.hydro.table_file import Titles, read_table
 
 __all__ = ["DisplacementRaos", "Phases", "read_raos", "write_raos"]
 
@@ -122,11 +122,9 @@ def read_raos(path: str | Path, phases: Phases) -> DisplacementRaos:
         DatabaseError: if it cannot be read, with the line, in one plain sentence.
     """
     place = Path(path)
-    rows = read_rows(place)
-    scale = _TITLES.of(place, *next(rows, (1, [])))
+    _, lines = read_table(place, _TITLES)
     values: dict[tuple[float, float], tuple[int, Complex]] = {}
-    for number, row in rows:
-        said = numbers_of(_TITLES, (place, number), row, scale)
+    for number, said in lines:
         wave = round(math.degrees(said["direction"]) % 360.0, 6), said["period"]
         if not wave[1] > 0.0:
             raise DatabaseError(f"{place}:{number}: a period of {wave[1]:g} s; one above 0 s is right")

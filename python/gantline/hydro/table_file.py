@@ -11,7 +11,7 @@ from pathlib import Path
 
 from gantline.hydro.database import DatabaseError
 
-__all__ = ["Titles", "numbers_of", "read_rows"]
+__all__ = ["Titles", "read_table"]
 
 #: A column of the first line: its name and its unit.
 _TITLE = re.compile(r"\s*(.*?)\s*\[\s*(.*?)\s*\]\s*")
@@ -68,13 +68,19 @@ class Titles:
         return found
 
 
-def read_rows(place: Path) -> Iterator[tuple[int, list[str]]]:
-    """Lines of a table that are not empty and no remarks, with their numbers, in columns.
+def read_table(place: Path, titles: Titles) -> tuple[tuple[str, ...], Iterator[tuple[int, dict[str, float]]]]:
+    """Columns of a table, and its other lines with their numbers, by column in SI.
 
     Columns are parted by commas, by tabs, or by semicolons, where numbers may have decimal commas.
+    Lines that are empty or begin with # are none.
+
+    Args:
+        place: of the file.
+        titles: what columns it may have.
 
     Raises:
-        DatabaseError: if the file cannot be read, in one plain sentence.
+        DatabaseError: if the file or a line of it cannot be read, in one plain sentence; of lines as they are
+            asked for.
     """
     try:
         if place.stat().st_size > _LARGEST:
@@ -85,48 +91,63 @@ def read_rows(place: Path) -> Iterator[tuple[int, list[str]]]:
     except OSError as problem:
         reason = (problem.strerror or str(problem)).lower()
         raise DatabaseError(f"{place}: cannot be read ({reason})") from None
-    return _rows(text)
+    by = _parted_by(text)
+    rows = _rows(text, by)
+    scale = titles.of(place, *next(rows, (1, [])))
+    return tuple(scale), _lines(rows, (place, titles), scale, by)
 
 
-def _rows(text: str) -> Iterator[tuple[int, list[str]]]:
-    lines = text.splitlines()
-    first = next((line for line in lines if line.strip() and not line.startswith("#")), "")
-    by = ";" if ";" in first else "\t" if "\t" in first else ","
-    for number, line in enumerate(lines, 1):
-        if not line.strip() or line.startswith("#"):
-            continue
-        row = next(csv.reader([line], delimiter=by))
-        yield number, [cell.replace(",", ".") for cell in row] if by == ";" else row
+def _parted_by(text: str) -> str:
+    """What parts the columns of the line that names them."""
+    first = next((line for line in text.splitlines() if line.strip() and not line.startswith("#")), "")
+    return ";" if ";" in first else "\t" if "\t" in first else ","
 
 
-def numbers_of(
-    titles: Titles, at: tuple[Path, int], row: list[str], scale: Mapping[str, float]
-) -> dict[str, float]:
-    """The numbers of a line by column, in SI.
+def _rows(text: str, by: str) -> Iterator[tuple[int, list[str]]]:
+    """Lines that are not empty and no remarks, with their numbers, in columns."""
+    for number, line in enumerate(text.splitlines(), 1):
+        if line.strip() and not line.startswith("#"):
+            yield number, next(csv.reader([line], delimiter=by))
 
-    Args:
-        titles: of the table.
-        at: its file, and the number of the line.
-        row: its cells.
-        scale: what one of the unit of each column is in SI, in the order of the cells.
 
-    Raises:
-        DatabaseError: if one is none, or there are too few or too many.
+def _lines(
+    rows: Iterator[tuple[int, list[str]]], of: tuple[Path, Titles], scale: Mapping[str, float], by: str
+) -> Iterator[tuple[int, dict[str, float]]]:
+    place, titles = of
+    marks: dict[str, tuple[int, str]] = {}
+    for number, row in rows:
+        plain = _with_points(place, number, row, marks) if by == ";" else row
+        if len(row) != len(scale):
+            raise DatabaseError(f"{place}:{number}: {len(row)} numbers; there are {len(scale)} columns")
+        found = {}
+        for cell, written, (name, unit) in zip(plain, row, scale.items(), strict=True):
+            try:
+                value = float(cell)
+            except ValueError:
+                value = math.nan
+            if not math.isfinite(value):
+                shown = f"'{written.strip()[:40]}' is no number; it is the {name}"
+                raise DatabaseError(f"{place}:{number}: {shown}{_hint(titles, written, name)}")
+            found[name] = value * unit
+        yield number, found
+
+
+def _with_points(place: Path, number: int, row: list[str], marks: dict[str, tuple[int, str]]) -> list[str]:
+    """A line with decimal points; `marks` has of both marks the first number and its line, and grows.
+
+    Where a table has both, one of them may part thousands: 1,004 beside 0.97 is 1004 as well as 1.004.
     """
-    place, number = at
-    if len(row) != len(scale):
-        raise DatabaseError(f"{place}:{number}: {len(row)} numbers; there are {len(scale)} columns")
-    found = {}
-    for cell, (name, unit) in zip(row, scale.items(), strict=True):
-        try:
-            value = float(cell)
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
-            shown = f"'{cell.strip()[:40]}' is no number; it is the {name}"
-            raise DatabaseError(f"{place}:{number}: {shown}{_hint(titles, cell, name)}")
-        found[name] = value * unit
-    return found
+    for cell in row:
+        for mark in ",.":
+            if mark in cell:
+                marks.setdefault(mark, (number, cell.strip()[:40]))
+    if len(marks) > 1:
+        (line, comma), (other, point) = marks[","], marks["."]
+        if comma != point:
+            both = f"'{comma}' in line {line} has a comma, '{point}' in line {other} a point"
+            right = "decimals take one of them throughout, thousands no mark"
+            raise DatabaseError(f"{place}:{number}: {both}; {right}")
+    return [cell.replace(",", ".") for cell in row]
 
 
 def _hint(titles: Titles, cell: str, name: str) -> str:
