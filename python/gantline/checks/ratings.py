@@ -146,9 +146,10 @@ def _by_rule(
     if not windows and hook_force(recording, hooks, variable, during).lacks_static:
         yield Caution(UNRAISED)
     for whole in windows:
-        window = whole & during
+        window = _to_its_end(whole) & during
         # A hook in which nothing hangs but its own slings lifts nothing, as for its radius and leads.
-        if not (chart_load(recording, chart, hooks)[window] > 0.0).any():
+        load = chart_load(recording, chart, hooks)
+        if not (load[whole] > 0.0).any() or not (load[window | hangs] > 0.0).any():
             continue
         force: Force = hook_force(recording, hooks, variable, during, whole)
         still = force.rule if force.rule is not None else force.static
@@ -168,6 +169,15 @@ def _by_rule(
         yield Found(
             kept * still / least, element, None, f"({text}){raised} / {kilonewton(least)}{where}", names
         )
+
+
+def _to_its_end(window: BoolArray) -> BoolArray:
+    """A time that the loads hung still, with the sample at which it ends, shape (time,).
+
+    That is the last sample of a hold, for which its requirements are: the next step begins to move there.
+    """
+    ended: BoolArray = window | np.append(False, window[:-1])
+    return ended
 
 
 def _raised_by(
