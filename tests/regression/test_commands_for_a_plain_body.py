@@ -35,6 +35,6 @@ def test_a_body_of_mechanics_is_told_what_takes_commands() -> None:
     with pytest.raises(CommandError) as refused:
         run.command("trolley", speed=0.2)
     assert str(refused.value) == (
-        "'trolley' is a body of 'mechanics', and moves as its joint lets it; commands are for hooks, trolleys, "
-        "cranes, booms, drums and winches; this lift has none"
+        "'trolley' is a body of 'mechanics', and moves as its joint lets it; commands are for hooks, "
+        "trolleys, cranes, booms, drums and winches; this lift has none"
     )
