@@ -92,6 +92,11 @@ def commanded(scenario: Scenario, text: str, motion: str | None) -> Commanded:
     fitting = [(verb, name) for verb, name in found.items() if name is not None]
     if not fitting:
         names = dict.fromkeys(name for of in known.values() for name in of)
+        if scenario.mechanics is not None and text in scenario.mechanics.bodies:
+            takes = "commands are for hooks, trolleys, cranes, booms, drums and winches"
+            which = f"known here: {', '.join(map(repr, names))}" if names else "this lift has none"
+            sentence = f"'{text}' is a body of 'mechanics', and moves as its joint lets it"
+            raise CommandError(f"{sentence}; {takes}; {which}")
         can = "can move" if motion is None else f"can {motion}"
         raise CommandError(f"'{text}' is nothing in this lift that {can}; {nearest(str(text), names)}")
     if len(fitting) > 1:

@@ -32,6 +32,8 @@ __all__ = ["LiftedLoad", "add_load", "lifted_load"]
 _MOST_NAMED = 5
 #: A load may sink into ground and supports by this share of its height.
 _DEEPEST = 0.05
+#: Supports that are less beside a line than this stand in it [m].
+_IN_A_LINE = 0.05
 
 
 @dataclass(frozen=True)
@@ -182,8 +184,22 @@ def _on_supports(
     try:
         resting = rest_on_ground(bottom, weight, stiffness)
     except TipsOver:
+        if _stand_in_a_line(bottom):
+            raise _balances(scenario, load.stands_on) from None
         raise _tips_over(scenario, lifted, "supports") from None
     return foot + highest + resting.height, rotation_vector(resting.turn)
+
+
+def _stand_in_a_line(places: Array) -> bool:
+    """Whether places, shape (places, 3), lie in one line as seen from above, or are but one."""
+    level = places[:, :2] - places[:, :2].mean(axis=0)
+    return bool(np.linalg.matrix_rank(level, tol=_IN_A_LINE) < 2)
+
+
+def _balances(scenario: Scenario, supports: str) -> StartError:
+    sentence = "the load would tip over: its supports stand in one line, and each carries at one point"
+    right = "place some to either side of that line, as under both edges of the load"
+    return scenario.start_error(("supports", supports), f"{sentence}; {right}")
 
 
 def _tips_over(scenario: Scenario, lifted: LiftedLoad, what: str) -> StartError:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from gantline.hydro.waves import wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.water import Water
+from gantline.scenario.waves import WaveTrain
 
 __all__ = ["doubts_of_steepness", "highest_sea", "refuse_breaking"]
 
@@ -18,6 +20,11 @@ _BREAKS = 0.142
 #: A sea is no steeper, height over length in deep water by the peak, linear between these peaks [s]:
 #: DNV-RP-C205, 3.5.4.
 _STEEPEST = ((8.0, 15.0), (1.0 / 15.0, 1.0 / 25.0))
+#: Longest peak of a sea and longest regular waves that anyone lifts in [s]; beyond are surges and tides.
+_LONGEST, _LONGEST_REGULAR = 30.0, 60.0
+#: A sea that is lower than this share of its length is no sea.
+_LOWEST = 1.0 / 20000.0
+_SLIPPED = "a unit or digit has slipped"
 
 
 def refuse_breaking(scenario: Scenario) -> None:
@@ -38,9 +45,10 @@ def refuse_breaking(scenario: Scenario) -> None:
 
 
 def doubts_of_steepness(scenario: Scenario) -> list[Doubt]:
-    """Seas that are steeper than seas are."""
+    """Seas that are steeper than seas are, and waves that are longer or lower."""
     found = list[Doubt]()
     for name, train in (scenario.waves or {}).items():
+        found += _longer_or_lower(scenario, name, train)
         if train.is_regular or train.main_height <= _steepest(train.main_period, scenario):
             continue
         share = float(np.interp(train.main_period, *_STEEPEST))
@@ -50,6 +58,19 @@ def doubts_of_steepness(scenario: Scenario) -> list[Doubt]:
         )
         found.append(Doubt(("waves", name, "significant_height"), sentence))
     return found
+
+
+def _longer_or_lower(scenario: Scenario, name: str, train: WaveTrain) -> Iterator[Doubt]:
+    """Waves that nothing follows or feels, so that everything passes: 80 s for 8 s, 1.5 mm for 1.5 m."""
+    period, is_regular = train.main_period, train.is_regular
+    if period > (_LONGEST_REGULAR if is_regular else _LONGEST):
+        key = "period" if is_regular else "peak_period"
+        found = f"{name} has a {key.replace('_', ' ')} of {period:g} s"
+        yield Doubt(("waves", name, key), f"{found}, longer than waves of wind and swell; {_SLIPPED}")
+    length = scenario.simulation.gravity * period**2 / (2 * math.pi)
+    if not is_regular and 0.0 < train.main_height < _LOWEST * length:
+        sentence = f"{name} is {train.main_height:g} m high at a peak of {period:g} s: no sea is as low"
+        yield Doubt(("waves", name, "significant_height"), f"{sentence}; {_SLIPPED}")
 
 
 def highest_sea(scenario: Scenario, name: str, period: float) -> float:

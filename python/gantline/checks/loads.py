@@ -83,10 +83,9 @@ def on_their_tip(recording: Recording) -> list[Check]:
         checks += _resting(one, meaning)
     unknown = {} if recording.is_equilibrium else unknown_whether_upright(recording)
     for load, ropes in unknown.items():
-        borne = f"borne by ropes of 'mechanics', {named(ropes)}: no equilibrium tells it"
-        checks.append(
-            Check("hangs_stably", Verdict.WARNING, meaning, element=load, remark=f"{borne}: {load}")
-        )
+        none = f"no equilibrium was found in which {load} hangs clear in {named(ropes)}"
+        remark = f"{none}: whether a push rolls it over is not known; 'gantline statics' shows where it rests"
+        checks.append(Check("hangs_stably", Verdict.WARNING, meaning, element=load, remark=remark))
     return checks
 
 

@@ -146,9 +146,10 @@ def _by_rule(
     if not windows and hook_force(recording, hooks, variable, during).lacks_static:
         yield Caution(UNRAISED)
     for whole in windows:
-        window = whole & during
+        window = _to_its_end(whole) & during
         # A hook in which nothing hangs but its own slings lifts nothing, as for its radius and leads.
-        if not (chart_load(recording, chart, hooks)[window] > 0.0).any():
+        load = chart_load(recording, chart, hooks)
+        if not (load[whole] > 0.0).any() or not (load[window | hangs] > 0.0).any():
             continue
         force: Force = hook_force(recording, hooks, variable, during, whole)
         still = force.rule if force.rule is not None else force.static
@@ -168,6 +169,15 @@ def _by_rule(
         yield Found(
             kept * still / least, element, None, f"({text}){raised} / {kilonewton(least)}{where}", names
         )
+
+
+def _to_its_end(window: BoolArray) -> BoolArray:
+    """A time that the loads hung still, with the sample at which it ends, shape (time,).
+
+    That is the last sample of a hold, for which its requirements are: the next step begins to move there.
+    """
+    ended: BoolArray = window | np.append(False, window[:-1])
+    return ended
 
 
 def _raised_by(
@@ -222,8 +232,23 @@ def _outside(
     rows = f"{_shown(of, of.at[0])} to {_shown(of, of.at[-1])}"
     when = f"at {recording.time[at]:.2f} s"
     whose = f"the chart of {hooks[beyond]}" if hooks[beyond] in chart.own else "the chart"
-    place = _shown(of, float(places[at][beyond]))
-    return f"{of.over} of {place} {when} is outside of {whose}, {rows}: no lift"
+    column = places[:, beyond]
+    first = _shown_outside(of, float(column[at]))
+    by = np.where(outside, np.maximum(of.at[0] - column, column - of.at[-1]), -np.inf)
+    last = int(np.argmax(by))
+    farthest = _shown_outside(of, float(column[last]))
+    and_then = f" ({farthest} at {recording.time[last]:.2f} s)" if farthest != first else ""
+    return f"{of.over} of {first} {when}{and_then} is outside of {whose}, {rows}: no lift"
+
+
+def _shown_outside(chart: RatingChart, place: float) -> str:
+    """A place with as many digits as it takes to tell it from both ends of a chart."""
+    ends = (chart.at[0], chart.at[-1])
+    for digits in range(2, 6):
+        shown = _shown(chart, place, digits)
+        if all(shown != _shown(chart, end, digits) for end in ends):
+            return shown
+    return shown
 
 
 def _shown(chart: RatingChart, place: float, digits: int = 2) -> str:

@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.forces import HUNG_OTHERWISE, NO_STATIC, kilonewton
+from gantline.checks.forces import HUNG_OTHERWISE, NO_STATIC, SKEW, kilonewton
 from gantline.checks.lugs import ropes_that_bear
-from gantline.checks.measure import Finding, Found, Missing, carrying, extreme, named
+from gantline.checks.measure import Caution, Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
 from gantline.results.parting import DETACHED, partings
 from gantline.results.recording import Recording
-from gantline.results.skew import skew_loads
+from gantline.results.skew import Skew, skew_loads
 from gantline.results.variable import BoolArray
+from gantline.rule_data import FOUR_SLINGS
 from gantline.units import format_quantity
 
 #: Share of the largest peak of all slings below which one never carried.
 _NOTHING = 0.01
+_CALCULATE = (
+    "calculate it, as 'gantline cases' does of 'slings.tolerance', and write 'skew_load_factor' under 'rules'"
+)
 
 
 def idle(recording: Recording) -> list[Check]:
@@ -113,6 +118,20 @@ def skew_load_factor(recording: Recording, during: BoolArray) -> Iterator[Findin
         else:
             text = f"static {kilonewton(skew.force)} / {kilonewton(skew.perfect)} with perfect lengths"
             yield Found(skew.factor, skew.sling, formula=text)
+    yield from _of_more_than_four(recording, skews)
+
+
+def _of_more_than_four(recording: Recording, skews: Sequence[Skew]) -> Iterator[Caution]:
+    """A factor that a rule has for four slings, where more below one hook or spreader share by lengths."""
+    rule = recording.rig.factors.get(SKEW)
+    if rule is None or FOUR_SLINGS not in rule.source:
+        return
+    decide = {skew.sling for skew in skews if skew.lengths_decide}
+    above = Counter(one.from_body for one in recording.rig.slings if one.name in decide and one.over is None)
+    for body, count in above.items():
+        if count > 4:
+            share = f"{count} share by their lengths below {body}"
+            yield Caution(f"the rule has {rule.value:g} for {FOUR_SLINGS}, and {share}: {_CALCULATE}")
 
 
 def sling_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:

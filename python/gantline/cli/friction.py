@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -39,6 +40,24 @@ def slid_loads(question: Statics, rest: Equilibrium) -> list[str]:
         for name, way in ways.items()
         if way > _SLID
     ]
+
+
+def stands_loosely(rests: Sequence[Equilibrium]) -> list[str]:
+    """Loads that stand in an unstable equilibrium without friction, which may be all that is amiss.
+
+    A load on a deck that leans slides down it until its slings hold it, and may turn round there.
+    """
+    from gantline.results import series
+
+    names: dict[str, None] = {}
+    for rest in rests:
+        if rest.is_stable or rest.losses == "held":
+            continue
+        for load in rest.recording.rig.loads:
+            if not series.load_is_clear(rest.recording, load)[-1]:
+                names[load.name] = None
+    said = "stands where it is unstable, free to slide; --held has friction hold what it can"
+    return [f"  {name} {said}" for name in names]
 
 
 def contact_forces(rest: Equilibrium) -> list[str]:

@@ -8,7 +8,7 @@ from typing import Any
 
 from gantline.checks import Check, check_recording, outcome_of, verdict_of
 from gantline.cli.check_table import check_table, width_of_terminal
-from gantline.cli.friction import slid_loads
+from gantline.cli.friction import slid_loads, stands_loosely
 from gantline.cli.summary import heading, weights
 from gantline.cli.table import ABSENT, show, table, wrapped
 from gantline.results import series
@@ -30,7 +30,8 @@ def heading_of(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[
         for moment, name in rest.slides
     ]
     bounds = "; bounds: all slip along the rope, all against"
-    return [*lines, *friction_of(rest, bounds=bounds), *slid_loads(question, rest)]
+    loose = slid_loads(question, rest) or stands_loosely([rest])
+    return [*lines, *friction_of(rest, bounds=bounds), *loose]
 
 
 def friction_of(rest: Equilibrium, *, bounds: str = "") -> list[str]:

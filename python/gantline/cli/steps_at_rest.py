@@ -49,22 +49,28 @@ def steps(question: Statics, *, held: bool, as_json: bool) -> NoReturn:
 
 def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[str]:
     from gantline.cli.cases_table import notes
-    from gantline.cli.friction import slid_loads
+    from gantline.cli.friction import slid_loads, stands_loosely
     from gantline.cli.rest_table import friction_of
     from gantline.cli.summary import heading
 
     states = [one.state for one in found]
     rest = next((state.rest for state in states if state.rest is not None), None)
+    slides = [] if rest is None else slid_loads(question, rest)
+    loose = [] if slides else stands_loosely([state.rest for state in states if state.rest is not None])
     parts = [
         [
             *(*heading(question.rig), *question.scenario.left_out_at_rest),
             "At rest where each step ends",
-            *(() if rest is None else (*friction_of(rest), *slid_loads(question, rest))),
+            *(() if rest is None else friction_of(rest)),
+            *slides,
         ],
         *_loads(question, found, width),
         *_vessels(question, found, width),
         _held_ashore(found),
-        list(notes(states, lambda places: ", ".join(found[place].name for place in places), width)),
+        [
+            *notes(states, lambda places: ", ".join(found[place].name for place in places), width),
+            *loose,
+        ],
     ]
     return [line for part in parts if part for line in (*part, "")]
 

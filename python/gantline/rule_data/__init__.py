@@ -2,6 +2,7 @@
 
 from gantline.rule_data.presets import (
     FACTORS,
+    FOUR_SLINGS,
     LIFT_FILE,
     PRESETS,
     SEVERAL_CRANES,
@@ -16,6 +17,7 @@ from gantline.rule_data.presets import (
 
 __all__ = [
     "FACTORS",
+    "FOUR_SLINGS",
     "LIFT_FILE",
     "PRESETS",
     "SEVERAL_CRANES",

@@ -14,6 +14,7 @@ from typing import Final
 
 __all__ = [
     "FACTORS",
+    "FOUR_SLINGS",
     "LIFT_FILE",
     "PRESETS",
     "SEVERAL_CRANES",
@@ -48,6 +49,8 @@ LIFT_FILE: Final = "lift file"
 _PLAUSIBLE: Final = "plausible, no document"
 #: Superseded by DNV-ST-N001: confirm there. Sections as in revision 11.2 of 8 July 2016.
 _ND: Final = "0027/ND rev 11"
+#: What its skew load factor is for; for others 5.6.13 asks to calculate.
+FOUR_SLINGS: Final = "four slings in matched pairs"
 
 #: What remains of a shackle's working load limit, of its side load up to an angle [rad]: screw pin and bolt
 #: type shackles. Angles between two rows of the chart (10 to 11 deg) belong to the worse one.
@@ -160,7 +163,7 @@ def _nd(place: str, column: Sequence[tuple[float, float, float]]) -> Preset:
     return Preset(
         title=f"0027/ND, marine lifting, {place}",
         factors={
-            "skew_load_factor": Sourced(1.25, f"{_ND}, 5.6.12: four slings in matched pairs, made to 2 d"),
+            "skew_load_factor": Sourced(1.25, f"{_ND}, 5.6.12: {FOUR_SLINGS}, made to 2 d"),
             "load_factor": Sourced(1.3, f"{_ND}, 7.4.1"),
             "consequence_factor": Sourced(1.3, f"{_ND}, 7.5.1"),
             "material_factor": Sourced(1.5, f"{_ND}, 7.10.1: steel rope, certified"),
@@ -184,7 +187,7 @@ def _example() -> Preset:
         title="A yard's own rule, for example",
         factors={
             "dynamic_amplification_factor": plausible(1.05),
-            "skew_load_factor": Sourced(1.25, f"{_ND}, 5.6.12: four slings in matched pairs, made to 2 d"),
+            "skew_load_factor": Sourced(1.25, f"{_ND}, 5.6.12: {FOUR_SLINGS}, made to 2 d"),
         },
         limits={
             "hook_dynamic_factor": plausible(1.10),
