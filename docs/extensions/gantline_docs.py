@@ -10,8 +10,10 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Iterator
+from functools import cached_property
 from importlib import import_module
 from itertools import filterfalse
+from operator import attrgetter
 from typing import Any
 
 from docutils import nodes
@@ -179,9 +181,20 @@ def keep_formulas_whole(_app: Sphinx, doctree: nodes.document, _page: str) -> No
         formula.children = [nodes.Text(f"\\[{formula.astext()}\\]")]
 
 
+def where_written(_app: Sphinx, module: str, name: str) -> str | None:
+    """The module with the source of a cached property, which itself says `functools`; None of all else."""
+    try:
+        value = attrgetter(name)(import_module(module))
+    except AttributeError:  # of a field without a default
+        return None
+    return value.func.__module__ if isinstance(value, cached_property) else None
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
-    """Register the directives."""
+    """Register the directives, and what changes formulas and links to the source."""
     app.connect("doctree-resolved", keep_formulas_whole)
+    app.setup_extension("sphinx.ext.viewcode")  # has the event
+    app.connect("viewcode-follow-imported", where_written)
     app.add_directive("lift-keys", LiftKeys)
     app.add_directive("rope-classes", RopeClasses)
     app.add_directive("module-text", ModuleText)

@@ -11,13 +11,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gantline.checks import Check, check_recording, foremost, governing
+from gantline.checks import Check, foremost, governing
 from gantline.checks.check import Verdict
 from gantline.results import series
 from gantline.results.comparison import peak_sling
 from gantline.results.recording import Recording
 from gantline.results.tilting import LooseTilt
 from gantline.statics.motion import in_words
+from of_recording import checks_of
 from sample_lift import WEIGHT, Array, sample_recording, sample_rig
 
 TIME = np.linspace(0.0, 1.0, 11)
@@ -40,7 +41,7 @@ def lift(rounding: tuple[float, float], later: float = 0.0) -> Recording:
 
 def of(recording: Recording, name: str) -> Check:
     """The check of one name."""
-    (check,) = (one for one in check_recording(recording) if one.name == name)
+    (check,) = checks_of(recording, name)
     return check
 
 

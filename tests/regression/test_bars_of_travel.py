@@ -10,11 +10,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.report.first_page import stop_if
 from gantline.report.subject import Subject
 from gantline.report.tables import Equalizers
 from gantline.results.recording import Recording
+from of_recording import checks_of
 from sample_lift import sample_recording, sample_rig
 
 TONES = {Verdict.OK: "good", Verdict.WARNING: "warn", Verdict.FAILED: "bad"}
@@ -40,7 +41,7 @@ def recording(used: float, **given: float) -> Recording:
 @pytest.mark.parametrize("limit", [0.8, 0.9, 0.95])
 def test_a_bar_warns_where_its_check_does(used: float, limit: float) -> None:
     lift = recording(used, equalizer_travel_used=limit)
-    (check,) = (one for one in check_recording(lift) if one.name == "equalizer_travel_used")
+    (check,) = checks_of(lift, "equalizer_travel_used")
     content = Equalizers().content(Subject(lift))
     assert content is not None
     bar = content["equalizers"][0]["sheaves"][1]["down_used"]

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import pytest
 
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from gantline.statics import Statics
 from lift_text import spoiled
+from of_recording import checks_of
 
 G = 9.7
 HUNG, HOOK_BLOCK, PER_METRE = 60e3, 2e3, 50.0
@@ -89,7 +90,7 @@ def test_a_rope_that_runs_over_a_hook_is_hook_load(text: str, guide: str) -> Non
     assert recording.column("hook_load", "hook")[-1] == pytest.approx(hangs, rel=1e-8)
     hook_block = HOOK_BLOCK * G if text is REEVED else 0.0
     assert recording.column("hoist_load", "hook")[-1] == pytest.approx(hangs + hook_block, rel=1e-8)
-    [found] = [one for one in check_recording(recording) if one.name == "hoist_load_of_rated_capacity"]
+    [found] = checks_of(recording, "hoist_load_of_rated_capacity")
     assert found.verdict is Verdict.FAILED  # 61 t on 60 t
     assert found.value == pytest.approx(hangs / (60e3 * G), rel=1e-8)
 

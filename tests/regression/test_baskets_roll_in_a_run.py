@@ -17,6 +17,7 @@ import gantline
 from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.results.recording import Recording
 from gantline.scenario import Scenario, parse_scenario
+from of_recording import checks_of
 from pipe_in_baskets import pipe_in_baskets
 
 PLAN = """\
@@ -55,7 +56,7 @@ def run(high: float, plan: str = PLAN) -> Recording:
 
 
 def stability(recording: Recording) -> list[Check]:
-    return [check for check in check_recording(recording) if check.name == "hangs_stably"]
+    return checks_of(recording, "hangs_stably")
 
 
 @pytest.mark.parametrize(("high", "plan"), [(0.03, PLAN), (0.047, PLAN), (0.03, SET_DOWN)])

@@ -24,7 +24,7 @@ STRONG = LIFT.replace("capacity: 13.2 t", "capacity: 40 t").replace(
 FACTOR = "limits: {rule: yard, sling_factor_on_breaking_force: 5}\n"
 
 
-def checks_of(text: str) -> list[Check]:
+def checked(text: str) -> list[Check]:
     return check_recording(gantline.simulate(parse_scenario(text)))
 
 
@@ -33,7 +33,7 @@ def breaking(checks: list[Check]) -> Check:
 
 
 def test_a_sling_beyond_its_breaking_force_is_no_go() -> None:
-    checks = checks_of(STRONG.replace("diameter: 44 mm", "diameter: 10 mm"))
+    checks = checked(STRONG.replace("diameter: 44 mm", "diameter: 10 mm"))
     found = breaking(checks)
     # 0.356 x 10 mm x 10 mm x 1960 N/mm^2 (EN 12385-4, 6x36 with steel core) over 40 t on four slings of 8.6 m
     # to lugs 2.5 m and 1.5 m beside the hook; they stretch by 1.4 %, and ring by as much at lift-off.
@@ -46,10 +46,10 @@ def test_a_sling_beyond_its_breaking_force_is_no_go() -> None:
 
 def test_a_sling_that_nobody_asks_a_factor_of_is_a_warning() -> None:
     """Below the breaking force, but how far below nothing says: no plain GO."""
-    checks = checks_of(STRONG)
+    checks = checked(STRONG)
     found = breaking(checks)
     assert found.verdict is Verdict.WARNING
     assert "sling_factor_on_breaking_force" in found.remark
     assert verdict_of(checks).startswith("GO WITH WARNINGS")
-    asked = breaking(checks_of(STRONG + FACTOR))
+    asked = breaking(checked(STRONG + FACTOR))
     assert (asked.verdict, asked.remark) == (Verdict.OK, "")

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import pytest
 
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
+from of_recording import checks_of
 
 #: Wall from the module's side, where it hangs with its line on [m].
 GAP = 1.2
@@ -59,7 +60,7 @@ def simulated(plan: str, wind: float = 20.0, gap: float = GAP) -> Recording:
 
 
 def told(recording: Recording) -> list[Check]:
-    return [one for one in check_recording(recording) if one.name == "stays_clear"]
+    return checks_of(recording, "stays_clear")
 
 
 def test_a_load_that_is_let_go_of_before_a_wall() -> None:

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import pytest
 
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
+from of_recording import checks_of
 
 #: Room between load and ledge as it hangs plumb; it swings to 13.2 kN / (588.6 kN / 13.5 m) = 0.3 m [m].
 GAP = 0.2
@@ -61,7 +62,7 @@ def simulated(plan: str = DOWN, gap: float = GAP, pull: float = 13.2) -> Recordi
 
 
 def told(recording: Recording) -> list[Check]:
-    return [one for one in check_recording(recording) if one.name == "stays_clear"]
+    return checks_of(recording, "stays_clear")
 
 
 @pytest.mark.parametrize("held", ["6 s", "4 s"], ids=["edge", "side"])

@@ -7,10 +7,11 @@ its chart, a hold point before was ok without a word; and `gantline cases` said 
 
 from __future__ import annotations
 
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.cli.cases_table import cases_table
 from gantline.scenario import load_scenario, parse_scenario
 from gantline.study import run_cases
+from of_recording import checks_of
 from rated_lift import recording
 
 CAUTION = (
@@ -27,7 +28,7 @@ def checked(beyond: float) -> list[Check]:
     """Two cranes of one hook each with 40 t at 16 m at the ends of both steps, and at `beyond` [m] then."""
     radius = [[16.0, 16.0], [16.0, 16.0], [beyond, beyond]]
     of = recording(radius, [[40.0, 40.0]] * 3, cranes=("c1", "c2"), plan=STEPS)
-    return [one for one in check_recording(of) if one.name == "hoist_load_of_rating"]
+    return checks_of(of, "hoist_load_of_rating")
 
 
 def test_a_step_says_what_the_whole_lift_does_not() -> None:

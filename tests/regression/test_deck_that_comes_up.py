@@ -10,10 +10,10 @@ from __future__ import annotations
 import pytest
 
 from gantline import simulate
-from gantline.checks import check_recording
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from lift_text import changed
+from of_recording import checks_of
 
 LIFT = """\
 format: 1
@@ -56,7 +56,7 @@ def run(ramp: str, step: str, height: float = 1.0) -> Recording:
 
 def told(recording: Recording) -> list[float]:
     """Speeds of which the check tells [m/min]."""
-    found = [one for one in check_recording(recording) if one.name == "set_down_softly"]
+    found = checks_of(recording, "set_down_softly")
     return [float(one.remark.split(" at ")[1].split(" m/min")[0]) for one in found]
 
 

@@ -14,8 +14,9 @@ import pytest
 
 import gantline
 from box_on_a_hook import box_on_a_hook
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.results.recording import Recording
+from of_recording import checks_of
 from verbs import gantline as command
 
 PLAN = """\
@@ -39,7 +40,7 @@ def lift(tmp_path: Path) -> Path:
 
 
 def margin(recording: Recording) -> Check:
-    [check] = [one for one in check_recording(recording) if one.name == "clearance_margin"]
+    [check] = checks_of(recording, "clearance_margin")
     return check
 
 

@@ -17,6 +17,7 @@ from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.results.recording import Recording
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.statics import Statics
+from of_recording import checks_of
 
 PARTS, DIAMETER, DOWN = 4, 1.0, 3.0
 #: Turns that leave the drum on the way down: rope over its circumference.
@@ -53,7 +54,7 @@ plan:
 
 
 def checked(recording: Recording) -> list[Check]:
-    return [check for check in check_recording(recording) if check.name == "turns_on_drum"]
+    return checks_of(recording, "turns_on_drum")
 
 
 def run(drum: str) -> Recording:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.cli.check_table import check_table
 from gantline.report.attitude import attitude
 from gantline.report.subject import Subject
@@ -16,6 +16,7 @@ from gantline.results.clearances import contact_warnings
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.variable import Variable
+from of_recording import checks_of
 
 APART = np.array([[0.6], [0.4978], [0.7]])
 RIG = {
@@ -34,7 +35,7 @@ def recording() -> Recording:
 
 def test_a_clearance_that_is_short_by_millimetres() -> None:
     given = recording()
-    (check,) = [one for one in check_recording(given) if one.name == "clearance_margin"]
+    (check,) = checks_of(given, "clearance_margin")
     assert check.verdict is Verdict.FAILED
     assert (check.shown(check.value), check.shown(check.limit)) == ("-0.002 m", "0.000 m")  # 0.4978 - 0.5
     table = check_table([check], "", style=str, width=100, full=False)

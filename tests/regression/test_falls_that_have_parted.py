@@ -12,13 +12,14 @@ import numpy as np
 import pytest
 
 import gantline
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.checks.hooks import falls_margin
 from gantline.checks.measure import Found, Missing
 from gantline.results.parting import while_there
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, Variable
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 FILE = Path(__file__).resolve().parents[2] / "scenarios" / "reeved_hoist" / "scenario.yaml"
 ROPES = ["hoist.hook.1", "hoist.hook.2"]
@@ -37,7 +38,7 @@ def broken() -> Recording:
 
 def margin(recording: Recording) -> Check:
     """The check of it."""
-    (found,) = (one for one in check_recording(recording) if one.name == "hook_falls_margin")
+    (found,) = checks_of(recording, "hook_falls_margin")
     return found
 
 

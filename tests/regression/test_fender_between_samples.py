@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import Any
 
 from afloat import LENGTH, barge, lift_of, written
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.results.recording import Recording
 from gantline.simulation import simulate
+from of_recording import checks_of
 
 
 def run_of(folder: Path, apart: str, stiffness: str = "20 MN/m") -> Recording:
@@ -53,7 +54,7 @@ def test_a_bump_that_samples_miss_is_told(tmp_path: Path) -> None:
     (said,) = told(coarse)
     assert said.startswith("samples 1.00 s apart miss the peaks of fenders: aft has ")
     assert said.endswith("a shorter 'sample_interval' has more of them")
-    (check,) = [one for one in check_recording(fine) if one.name == "fender_force_of_capacity"]
+    (check,) = checks_of(fine, "fender_force_of_capacity")
     assert check.verdict is Verdict.FAILED
 
 

@@ -17,6 +17,7 @@ from gantline.results.recording import Recording
 from gantline.scenario import load_scenario, parse_scenario
 from gantline.statics import Statics
 from hooked_lift import hooked_lift
+from of_recording import checks_of
 
 MASS, ASIDE, LENGTH, EA, G = 40e3, 2.5, 6.7, 200e6, 9.81
 RUN = """\
@@ -53,7 +54,7 @@ def at_rest(aside: float, hook_block: float = 0.0) -> float:
 
 
 def checked(recording: Recording, name: str = "falls_out_of_plumb") -> list[Check]:
-    return [check for check in check_recording(recording) if check.name == name]
+    return checks_of(recording, name)
 
 
 def rest(text: str) -> Recording:

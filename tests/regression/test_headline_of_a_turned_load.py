@@ -24,6 +24,7 @@ from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from hooked_lift import hooked_lift
 from mechanics import G
+from of_recording import checks_of
 
 #: Two hooks, each plumb over its lug at half a load's height; the centre of gravity is in the middle between.
 APART, MASS = 8.0, 200e3
@@ -78,7 +79,7 @@ def test_a_load_that_hangs_level_drifts_as_before() -> None:
 @pytest.mark.parametrize("is_meant", [True, False])
 def test_a_plan_that_asks_for_the_tilt_is_not_warned_of_it(is_meant: bool) -> None:
     recording = turned(5.0, ", require: {load_tilt: above 30 deg}" if is_meant else "")
-    whole, *_ = (one for one in check_recording(recording) if one.name == "load_tilt")
+    whole, *_ = checks_of(recording, "load_tilt")
     assert whole.value is not None and whole.value > math.radians(30.0)
     assert whole.verdict is (Verdict.NOT_CHECKED if is_meant else Verdict.WARNING)
     assert ("says that the load is turned on purpose" in whole.remark) is not is_meant

@@ -12,8 +12,9 @@ import pytest
 
 import gantline
 from afloat import BREADTH, DEPTH, DRAFT, KG, LENGTH, MASS, barge, lift_of, written
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.scenario import load_scenario
+from of_recording import checks_of
 
 #: Of a box: BM = B^2/12T, GM = T/2 + BM - KG [m].
 BM = BREADTH**2 / (12 * DRAFT)
@@ -27,7 +28,7 @@ def heeled(folder: Path, degrees: float, **changes: object) -> Check:
     masses = {"hull": {"mass": f"{MASS} kg", "at": [f"{LENGTH / 2} m", f"{-aside} m", f"{KG} m"]}}
     given = lift_of(barge(masses=masses), **changes)
     recording = gantline.Statics(load_scenario(written(folder, given))).equilibrium(time=0.0).recording
-    [check] = [one for one in check_recording(recording) if one.name == "heel"]
+    [check] = checks_of(recording, "heel")
     assert check.value == pytest.approx(math.radians(degrees), rel=1e-3)
     return check
 

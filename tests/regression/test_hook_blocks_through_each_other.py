@@ -10,8 +10,9 @@ import pytest
 
 import gantline
 from crawler_lift import crawler_lift
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 
 def hoisted_past(along: float) -> list[Check]:
@@ -21,7 +22,7 @@ def hoisted_past(along: float) -> list[Check]:
     text = crawler_lift(60e3, plan, duration=100.0)
     main = "      H: {type: H, height: 30 m}\n"
     recording = gantline.simulate(parse_scenario(text.replace(main, main + hooks)))
-    return [one for one in check_recording(recording) if one.name == "no_overlap"]
+    return checks_of(recording, "no_overlap")
 
 
 def test_hook_blocks_of_one_crane_that_go_through_each_other_are_told() -> None:

@@ -10,8 +10,9 @@ import pytest
 
 import gantline
 from box_on_a_hook import box_on_a_hook
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 PLAN = """\
   - {step: hold, hold: 6 s}
@@ -24,7 +25,7 @@ def lowered(by: float) -> tuple[float, list[Check]]:
     """How high the hook ends [m], and what the run says of it."""
     text = box_on_a_hook(PLAN.replace("BY", repr(by)), duration=40.0, speed=12.0)
     recording = gantline.simulate(parse_scenario(text))
-    found = [one for one in check_recording(recording) if one.name == "no_overlap"]
+    found = checks_of(recording, "no_overlap")
     return float(recording.column("body_position", "hook")[-1, 2]), found
 
 

@@ -14,6 +14,7 @@ from gantline.scenario import parse_scenario
 from gantline.statics import Statics
 from hung_by_mechanics import LIFT
 from lift_text import spoiled
+from of_recording import checks_of
 
 G = 9.81
 MODULE, BAR, HOOK_BLOCK = 60e3, 3e3, 2e3
@@ -52,7 +53,7 @@ def test_what_holds_the_load_without_a_lug_is_not_checked_in_silence() -> None:
     text = spoiled("  ropes:\n    up_1", f"{weight}{tail}{{type: end, body: weight}}]}}\n    up_1", LIFT)
     rest = Statics(parse_scenario(text)).equilibrium()
     assert rest.tension("tail") == pytest.approx(200 * G, rel=1e-9)
-    [found] = [one for one in check_recording(rest.recording) if one.name == "lug_load_of_capacity"]
+    [found] = checks_of(rest.recording, "lug_load_of_capacity")
     assert (found.verdict, found.value) == (Verdict.NOT_CHECKED, None)
     assert found.remark == "carries module as a rope of 'mechanics', which has no lug: down_1, down_2"
 

@@ -16,11 +16,11 @@ import pytest
 
 import gantline
 from four_slings import HANDED_OVER
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.checks.readings import hook_readings
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
-from of_recording import check_of
+from of_recording import check_of, checks_of
 from rated_lift import T, recording
 from sample_lift import WEIGHT, ringing_lift, sample_rig
 
@@ -52,7 +52,7 @@ def test_slings_that_hang_in_a_hook_are_no_lift() -> None:
 @pytest.mark.parametrize(("more", "verdict"), [(0.001, Verdict.FAILED), (0.0, None)])
 def test_such_a_hook_may_swing(more: float, verdict: Verdict | None) -> None:
     of = with_slings_on_it([14.0, 14.0], [FALLS + OWN + more] * 2, lead=math.radians(1.1))
-    found = [check for check in check_recording(of) if check.name == "attitude_of_rating"]
+    found = checks_of(of, "attitude_of_rating")
     assert [check.verdict for check in found] == ([] if verdict is None else [verdict])
 
 

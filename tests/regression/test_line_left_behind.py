@@ -11,14 +11,14 @@ import math
 import numpy as np
 import pytest
 
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.checks.check import Check
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from mechanics import G
-from of_recording import step_end
+from of_recording import checks_of, step_end
 
 PULL, EA = 1500.0, 150e3
 #: Where the line is made fast, from below the hook, and where the tugger stands [m].
@@ -64,7 +64,7 @@ def run(speed: str, cut: str = "") -> Recording:
 
 
 def told(recording: Recording) -> list[Check]:
-    return [one for one in check_recording(recording) if one.name == "tag_lines_pull"]
+    return checks_of(recording, "tag_lines_pull")
 
 
 def chord(down: float) -> float:

@@ -15,6 +15,7 @@ from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.results.recording import Recording
 from gantline.results.upright import top_heavy
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 from spreader_lifts import frame, one_bar, two_below_one, two_hooks
 
 CENTRE = 1.5  # of the load over its bottom [m]
@@ -35,7 +36,7 @@ def run(text: str) -> Recording:
 
 
 def checked(recording: Recording) -> list[Check]:
-    return [check for check in check_recording(recording) if check.name == "hangs_stably"]
+    return checks_of(recording, "hangs_stably")
 
 
 @pytest.mark.parametrize("above", [0.05, 0.1])

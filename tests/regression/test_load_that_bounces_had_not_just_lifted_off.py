@@ -9,12 +9,12 @@ from __future__ import annotations
 import pytest
 
 import gantline
-from gantline.checks import check_recording
+from of_recording import checks_of
 
 
 def test_it_bounces_since_it_came_down() -> None:
     recording = gantline.simulate(gantline.load_scenario("equalizer_sling_cut"))
-    [check] = [one for one in check_recording(recording) if one.name == "set_down_softly"]
+    [check] = checks_of(recording, "set_down_softly")
     events = [(time, kind) for time, kind, name in recording.events() if name == "block"]
     came_off, came_down = events[0][0], events[1][0]
     assert came_off < 20.0 and came_down == pytest.approx(40.6, abs=0.05)  # the story's digit

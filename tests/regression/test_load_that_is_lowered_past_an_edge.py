@@ -7,8 +7,8 @@ go in the step that lowers it, so that it hangs lower from then on, picks nothin
 from __future__ import annotations
 
 from gantline import simulate
-from gantline.checks import check_recording
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 from onto_a_deck import onto_a_deck
 
 #: The load hangs 0.3 m above a deck, meets it 6 s after it begins to go down, at 12 s, and goes on to 0.6 m
@@ -24,4 +24,4 @@ def test_it_has_not_been_picked_up() -> None:
     recording = simulate(parse_scenario(LIFT))
     kinds = [kind for _, kind, name in recording.events() if name == "box"]
     assert kinds[0] == "set_down" and kinds[-1] == "lift_off"  # it stood, and hangs in the end
-    assert [one for one in check_recording(recording) if one.name == "stays_set_down"] == []
+    assert checks_of(recording, "stays_set_down") == []

@@ -18,6 +18,7 @@ import gantline
 from gantline.checks import Check, Outcome, Verdict, check_recording, outcome_of
 from gantline.results.recording import Recording
 from gantline.results.variable import Variable
+from of_recording import checks_of
 from sample_lift import ringing_lift, sample_rig
 
 
@@ -29,7 +30,7 @@ def turned(by: float, rig: dict[str, Any] | None = None, slew: float | None = No
         angle = Variable(("time", "crawler"), math.radians(slew) * clock[:, None], "rad", "")
         variables, names = {**recording.variables, "slew_angle": angle}, {"crawler": ("c1",)}
         recording = Recording(variables, {**recording.coordinates, **names}, recording.attributes)
-    return [check for check in check_recording(recording) if check.name == "load_yaw"]
+    return checks_of(recording, "load_yaw")
 
 
 def test_the_load_of_a_yard_turns_round() -> None:

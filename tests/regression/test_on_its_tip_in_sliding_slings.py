@@ -22,6 +22,7 @@ from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.results.recording import Recording
 from gantline.results.upright import top_heavy
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 HALF, SLING = 3.0, 16.0  # c, and the length of the sling over the sheave [m]
 HEAD = """\
@@ -99,7 +100,7 @@ def run(text: str) -> Recording:
 
 
 def checked(recording: Recording) -> list[Check]:
-    return [check for check in check_recording(recording) if check.name == "hangs_stably"]
+    return checks_of(recording, "hangs_stably")
 
 
 @pytest.mark.parametrize("depth", [0.4, 1.1, 1.2])

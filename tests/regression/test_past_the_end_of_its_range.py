@@ -17,13 +17,14 @@ from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from gantline.statics import Statics
 from goliath_lift import goliath_lift
+from of_recording import checks_of
 
 END = "{step: end, hold: 1 s}"
 
 
 def told(text: str) -> list[Check]:
     recording = Simulation(parse_scenario(text)).run()
-    return [one for one in check_recording(recording) if one.name == "stays_in_range"]
+    return checks_of(recording, "stays_in_range")
 
 
 def goliath(step: str, end: str, most: float) -> str:

@@ -17,6 +17,7 @@ from crawler_lift import crawler_lift, tipping_mass
 from four_slings import LIFT
 from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 #: Radius [m], gravity [m/s^2], density of air [kg/m3].
 RADIUS, G, AIR = 16.0, 9.81, 1.225
@@ -168,7 +169,7 @@ def test_a_load_that_is_set_down_hard(speed: str, is_told: bool) -> None:
     down = f"  - {{step: down, lower: crane, speed: {speed}, until: {{supports: touched}}}}\nrules:"
     text = FAST.replace("by: 0.2 m", "by: 1 m").replace("rules:", down)
     recording = gantline.simulate(parse_scenario(text))
-    found = [one for one in check_recording(recording) if one.name == "set_down_softly"]
+    found = checks_of(recording, "set_down_softly")
     assert bool(found) is is_told
     for one in found:
         met = float(one.remark.split(" at ")[1].split(" m/min")[0])

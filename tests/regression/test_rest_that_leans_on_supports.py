@@ -8,9 +8,9 @@ its saddles, which bear 24 kN and 33 kN. Whether it would have stayed where it h
 from __future__ import annotations
 
 from gantline import simulate
-from gantline.checks import check_recording
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
+from of_recording import checks_of
 
 LIFT = """\
 format: 1
@@ -67,7 +67,7 @@ def test_what_leans_tells_nothing() -> None:
     saddles = [name for name in rest.coordinates["contact"] if name.startswith("support.")]
     assert any(rest.column("contact_force", name)[-1] > 1e3 for name in saddles)
     recording = simulate(scenario)
-    [check] = [one for one in check_recording(recording) if one.name == "hangs_stably"]
+    [check] = checks_of(recording, "hangs_stably")
     assert check.remark == (
         "no equilibrium was found in which tank hangs clear in west, east: whether a push rolls it over is "
         "not known; 'gantline statics' shows where it rests"

@@ -15,9 +15,10 @@ from pathlib import Path
 import pytest
 
 import waves
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.results.recording import Recording
 from gantline.simulation import simulate
+from of_recording import checks_of
 
 PERIOD = 6.0
 SWELL = {"height": "2.4 m", "period": f"{PERIOD} s", "direction": "90 deg"}
@@ -46,13 +47,13 @@ def test_a_deck_under_water_between_samples_fails(tmp_path: Path) -> None:
         time for time, kind, name in run.events() if (kind, name) == ("flooding", "barge.deck_edge")
     ]
     assert least > 0.3
-    (check,) = [one for one in check_recording(run) if one.name == "freeboard"]
+    (check,) = checks_of(run, "freeboard")
     assert check.verdict is Verdict.FAILED
     assert (check.value, check.element) == (0.0, "barge")
     assert check.time == pytest.approx(first)
     assert check.remark == "its deck_edge goes under water between two samples: barge"
     # With samples that see it, it is their least.
-    (check,) = [one for one in check_recording(run_of(tmp_path, 0.1)) if one.name == "freeboard"]
+    (check,) = checks_of(run_of(tmp_path, 0.1), "freeboard")
     assert check.verdict is Verdict.FAILED
     assert check.value == pytest.approx(-0.99, abs=5e-3)  # as the story has it, to a hundredth
 

@@ -10,9 +10,10 @@ from __future__ import annotations
 import pytest
 
 import gantline
-from gantline.checks import Check, check_recording
+from gantline.checks import Check
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 LOAD, LENGTH, PER_METRE, LIMIT, GRAVITY = 10e3, 60.0, 33.0, 12e3, 9.81
 LIFT = f"""\
@@ -42,7 +43,7 @@ limits: {{rule: yard, load_tilt: 5 deg}}
 
 
 def checked(recording: Recording, name: str) -> Check:
-    [check] = [one for one in check_recording(recording) if one.name == name]
+    [check] = checks_of(recording, name)
     return check
 
 

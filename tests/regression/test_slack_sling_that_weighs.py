@@ -14,12 +14,13 @@ from functools import cache
 import numpy as np
 import pytest
 
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from mechanics import G
+from of_recording import checks_of
 
 PER_LENGTH, LENGTH, NODES, STRENGTH = 120.0, 20.0, 5, 400e3
 LIFT = f"""
@@ -75,7 +76,7 @@ def test_its_own_weight_may_hang_in_it() -> None:
 
     The last segment is slack: that is m g (1 - 7/16/6) = 21.83 kN, and 1 % of the largest is 1.5 kN.
     """
-    (check,) = (one for one in check_recording(run()) if one.name == "detached_slack")
+    (check,) = checks_of(run(), "detached_slack")
     assert check.verdict is Verdict.OK
     carried = run().metrics()["detaching_tension.sling.M"]
     weight = PER_LENGTH * LENGTH * G
@@ -85,7 +86,7 @@ def test_its_own_weight_may_hang_in_it() -> None:
 
 def test_one_that_carries_fails() -> None:
     """It bears the load as it did from the start: more than its weight and 1 % of that."""
-    (check,) = (one for one in check_recording(run("")) if one.name == "detached_slack")
+    (check,) = checks_of(run(""), "detached_slack")
     assert check.verdict is Verdict.FAILED
     assert check.remark.endswith(
         "and weighs 23.5 kN; let its hook down until it is slack, and some decimetres more"
@@ -103,5 +104,5 @@ def test_what_whips_in_it_afterwards_is_no_tension() -> None:
     assert peak == pytest.approx(tension[0], rel=1e-3)
     whips = recording.column("segment_tension", "sling.M/4")[recording.time > when]
     assert whips.max() > peak
-    (factor,) = (one for one in check_recording(recording) if one.name == "rope_factor_on_breaking_force")
+    (factor,) = checks_of(recording, "rope_factor_on_breaking_force")
     assert factor.value == pytest.approx(STRENGTH / peak, rel=1e-3)

@@ -29,7 +29,7 @@ def with_lug_at(height: float) -> str:
     return lowered.replace(SLING, f"module.A, length: {length!r} m").replace("13.2 t", "40 t")
 
 
-def checks_of(text: str) -> list[Check]:
+def checked(text: str) -> list[Check]:
     return check_recording(gantline.simulate(parse_scenario(text.replace("46 t", "90 t"))))
 
 
@@ -38,7 +38,7 @@ def told(checks: list[Check]) -> Check | None:
 
 
 def test_a_sling_from_the_bottom_through_the_top_is_told() -> None:
-    checks = checks_of(with_lug_at(0.0))
+    checks = checked(with_lug_at(0.0))
     found = told(checks)
     assert found is not None and (found.verdict, found.element) == (Verdict.WARNING, "A")
     # It leaves the top 3 m above its lug, along a sling that hangs 11 m and a little over 2.9 m askew.
@@ -48,16 +48,16 @@ def test_a_sling_from_the_bottom_through_the_top_is_told() -> None:
 
 @pytest.mark.parametrize("height", [3.0, 2.2], ids=["on top", "in a recess"])
 def test_a_sling_from_the_top_is_not(height: float) -> None:
-    assert told(checks_of(with_lug_at(height))) is None
+    assert told(checked(with_lug_at(height))) is None
 
 
 def test_slings_from_inside_of_the_load_are_told() -> None:
     """A box of 30 m in place of 3: nothing goes through its skin, hook and slings are all inside."""
-    found = told(checks_of(LIFT.replace("box: [6 m, 4 m, 3 m]", "box: [6 m, 4 m, 30 m]")))
+    found = told(checked(LIFT.replace("box: [6 m, 4 m, 3 m]", "box: [6 m, 4 m, 30 m]")))
     assert found is not None and found.remark == "A, B, C and 1 more hung from within or below 'module'"
 
 
 def test_whoever_watches_slings_and_load_has_said_what_may_be() -> None:
-    checks = checks_of(with_lug_at(0.0).replace("plan:", WATCHED))
+    checks = checked(with_lug_at(0.0).replace("plan:", WATCHED))
     assert told(checks) is None
     assert next(one for one in checks if one.name == "clearance_margin").verdict is Verdict.OK

@@ -13,11 +13,12 @@ import math
 import pytest
 
 from gantline.assembly import assemble
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.results.recording import Recording
 from gantline.results.spreaders import thrust
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
+from of_recording import checks_of
 from spreader_lifts import BAR, LOAD, frame, one_bar
 
 G = 9.81
@@ -41,7 +42,7 @@ def test_thrust_is_that_of_the_slings() -> None:
     sine = 4.0 / (8.0 * (1.0 + upper / 100e6))
     by_hand = (LOAD + BAR) * G / 2 * sine / math.sqrt(1.0 - sine**2)
     assert thrust(recording, recording.rig.spreaders[0])[-1] == pytest.approx(by_hand, rel=1e-5)
-    [check] = [one for one in check_recording(recording) if one.name == "spreader_thrust"]
+    [check] = checks_of(recording, "spreader_thrust")
     assert check.verdict is Verdict.FAILED
 
 

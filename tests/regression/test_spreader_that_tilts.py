@@ -17,6 +17,7 @@ from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
+from of_recording import checks_of
 
 HALF = 4.0  # from the middle of the bar to its upper lugs [m]
 
@@ -77,7 +78,7 @@ def by_hand(lengths: tuple[float, float]) -> float:
 
 
 def checked(recording: Recording) -> Check:
-    [check] = [check for check in check_recording(recording) if check.name == "spreader_tilt"]
+    [check] = checks_of(recording, "spreader_tilt")
     return check
 
 

@@ -17,6 +17,7 @@ from gantline.checks import Check, Verdict, check_recording
 from gantline.results.series import greatest_static
 from gantline.scenario import parse_scenario
 from lift_text import changed
+from of_recording import checks_of
 
 PULL, SPEED = 0.5e3, 0.4  # N, m/s
 LINES = f"""\
@@ -44,7 +45,7 @@ def test_a_load_between_tuggers_hangs_still_at_its_hold_point() -> None:
 
 def test_a_line_that_the_plan_lets_go_of_has_not_failed() -> None:
     recording = gantline.simulate(parse_scenario(changed(LIFT, ("load:\n", LINES), ("rules:", SET_DOWN))))
-    assert not [one for one in check_recording(recording) if one.name == "rope_parted"]
+    assert not checks_of(recording, "rope_parted")
     assert "parted_ropes" not in recording.metrics()
 
 

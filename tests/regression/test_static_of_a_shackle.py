@@ -11,9 +11,9 @@ import pytest
 
 from four_slings import CONTINGENCY, DYNAMIC, LIFT
 from gantline import Simulation
-from gantline.checks import check_recording
 from gantline.results import series
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 G = 9.81
 PROOF = 14e3 * G  # N
@@ -29,7 +29,7 @@ def test_the_design_weight_hangs_in_shackles_too() -> None:
     static = max(series.greatest_static(recording, one)[0] or 0.0 for one in tension.values())
     peak = max(series.rope_peak(recording, rope)[0] for rope in tension)
     assert CONTINGENCY * static > 1.05 * peak  # N: otherwise nothing is tested
-    (found,) = [one for one in check_recording(recording) if one.name == "shackle_dynamic_load_of_strength"]
+    (found,) = checks_of(recording, "shackle_dynamic_load_of_strength")
     # max(static x contingency + half of the sling's weight (RW4), peak) / min(working load limit, proof load)
     worst = max(tension, key=lambda rope: series.greatest_static(recording, tension[rope])[0] or 0.0)
     upper, lower = series.rope_ends(recording, worst)

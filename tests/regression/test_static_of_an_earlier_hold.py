@@ -19,17 +19,18 @@ import gantline
 from four_slings import DYNAMIC, HANDED_OVER, LIFT
 from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 SET_DOWN = "  - {step: set down, lower: crane, speed: 1 m/min, by: 0.4 m}\nrules:"
 
 
-def checks_of(text: str) -> dict[str, Check]:
+def checked(text: str) -> dict[str, Check]:
     return {one.name: one for one in check_recording(gantline.simulate(parse_scenario(text)))}
 
 
 def test_a_load_that_is_set_down_is_judged_as_it_hung() -> None:
-    hanging = checks_of(LIFT)
-    landed = checks_of(LIFT.replace("rules:", SET_DOWN))
+    hanging = checked(LIFT)
+    landed = checked(LIFT.replace("rules:", SET_DOWN))
     for name in ("lug_load_of_capacity", "hoist_load_of_rated_capacity"):
         before, after = hanging[name], landed[name]
         assert before.verdict is after.verdict is Verdict.FAILED
@@ -43,7 +44,7 @@ def test_a_load_that_is_set_down_is_judged_as_it_hung() -> None:
 
 
 def test_a_hook_that_has_handed_its_load_over_is_judged_as_it_held_it() -> None:
-    alone, handed = checks_of(LIFT), checks_of(HANDED_OVER)
+    alone, handed = checked(LIFT), checked(HANDED_OVER)
     used = handed["hoist_load_of_rated_capacity"]
     assert (used.element, used.verdict) == ("crane", Verdict.FAILED)
     # The slings of the other hook, 0.3 t, hang on it with their lower halves: 0.4 %.
@@ -60,7 +61,7 @@ def test_slings_that_have_handed_their_load_over_keep_the_factor_for_skew() -> N
     for text, lengths in ((LIFT, 8.6), (HANDED_OVER, 8.6 + 8.7)):
         text = text[: text.index("rules:")] + rules
         recording = gantline.simulate(parse_scenario(text.replace("capacity: 13.2 t", "capacity: 30 t")))
-        (worst,) = [one for one in check_recording(recording) if one.name == "lug_load_of_capacity"]
+        (worst,) = checks_of(recording, "lug_load_of_capacity")
         assert worst.element.split(".")[1] in "ABCD" and "x 1.25" in worst.formula
         # The lower half of each sling hangs in its lug; ropes stretch, and hang a little less upright: 4e-4.
         carries = (40.0 + 4 * lengths / 2 * rope) / 4 / cosine

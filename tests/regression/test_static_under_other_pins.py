@@ -10,11 +10,12 @@ from __future__ import annotations
 import pytest
 
 import gantline
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.checks.forces import UNRAISED_UNDER_PINS, sling_forces
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 from pinned_lift import LIFT, WEIGHT
 
 FACTOR = 1.3
@@ -33,7 +34,7 @@ def run(lasts: float, rules: str = RULES) -> Recording:
 
 
 def lug(recording: Recording) -> Check:
-    [check] = [one for one in check_recording(recording) if one.name == "lug_load_of_capacity"]
+    [check] = checks_of(recording, "lug_load_of_capacity")
     return check
 
 

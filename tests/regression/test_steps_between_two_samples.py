@@ -6,10 +6,11 @@ No sample lay within the step: the distance was never held against what it has t
 
 from __future__ import annotations
 
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
+from of_recording import checks_of
 
 #: The load's side is 3 m from the middle, the wall 6 m: they are 3 m apart all the time.
 LIFT = """
@@ -49,7 +50,7 @@ def test_it_is_held_against_its_distance() -> None:
     """3 m less the 4 m that are asked for, and less the 2 m."""
     for smallest, margin, verdict in (("4 m", -1.0, Verdict.FAILED), ("2 m", 1.0, Verdict.OK)):
         recording = run(smallest)
-        (check,) = (one for one in check_recording(recording) if one.name == "clearance_margin")
+        (check,) = checks_of(recording, "clearance_margin")
         assert check.verdict is verdict and check.element == PAIR
         assert check.value is not None and abs(check.value - margin) < 1e-6
         assert abs(recording.metrics()[f"smallest_clearance.{PAIR}"] - 3.0) < 1e-6
@@ -68,5 +69,5 @@ def test_a_step_that_a_run_does_not_come_to_has_nothing_to_check() -> None:
             LIFT.replace("SMALLEST", "4 m").replace("STEP", "end").replace("duration: 20 s", "duration: 8 s")
         )
     ).run()
-    (check,) = (one for one in check_recording(recording) if one.name == "clearance_margin")
+    (check,) = checks_of(recording, "clearance_margin")
     assert check.verdict is not Verdict.FAILED and check.value is None

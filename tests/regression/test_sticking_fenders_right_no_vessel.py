@@ -13,8 +13,9 @@ from pathlib import Path
 import pytest
 
 import gantline
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.scenario import load_scenario
+from of_recording import checks_of
 
 SCENARIO = Path(__file__).parents[2] / "scenarios" / "off_a_barge" / "scenario.yaml"
 #: Cargo barge without its load: mass, height of its centre of gravity; sides of its waterplane [t, m].
@@ -34,5 +35,5 @@ def test_friction_of_fenders_is_no_stability() -> None:
     for vessel in rest.rig.vessels:
         assert ended[vessel.name][1] == pytest.approx(vessel.righting[-1][1], rel=1e-3)
     for found in (run, rest):
-        [check] = [one for one in check_recording(found) if one.name == "metacentric_height"]
+        [check] = checks_of(found, "metacentric_height")
         assert check.verdict is Verdict.FAILED

@@ -7,7 +7,8 @@ the load had been set down and its slings were slack, where moving sheaves may w
 import numpy as np
 import pytest
 
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
+from of_recording import checks_of
 from sample_lift import sample_recording, sample_rig
 
 #: Contact at each sample, one a second: set down, lifted, set down, lifted, set down.
@@ -24,7 +25,7 @@ def travel_used(stop_met: float) -> Check:
         events=[(stop_met, "stop_hit", "e1.2")],
         rig=sample_rig(equalizer_travel_used=0.9),
     )
-    (check,) = [one for one in check_recording(recording) if one.name == "equalizer_travel_used"]
+    (check,) = checks_of(recording, "equalizer_travel_used")
     return check
 
 

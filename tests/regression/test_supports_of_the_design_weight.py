@@ -5,11 +5,12 @@ Hooks, slings and lugs are held against the design weight; supports were held ag
 
 import pytest
 
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
 from hooked_lift import hooked_lift
 from mechanics import G
+from of_recording import checks_of
 
 LUGS = {"1": (3.0, 0.0, 4.0), "2": (-3.0, 0.0, 4.0)}
 MASS, SHARE = 200e3, 0.97
@@ -41,7 +42,7 @@ def lift(weight: str) -> str:
 def test_supports_bear_the_design_weight(weight: str, used: float, verdict: Verdict) -> None:
     """m g/4 on each, over its capacity."""
     rest = Statics(parse_scenario(lift(weight))).equilibrium(0.0)
-    (check,) = [one for one in check_recording(rest.recording) if one.name == "support_force_of_capacity"]
+    (check,) = checks_of(rest.recording, "support_force_of_capacity")
     assert check.value == pytest.approx(used, rel=1e-6)
     assert check.verdict is verdict
     assert check.formula == (

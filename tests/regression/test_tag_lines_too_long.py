@@ -6,10 +6,11 @@ told where it passed 45°, that the lines were slack from beginning to end was n
 
 from __future__ import annotations
 
-from gantline.checks import Check, check_recording
+from gantline.checks import Check
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from lift_text import changed
+from of_recording import checks_of
 from tugged_load import LIFT
 
 #: From 5 m along the load to 60 m, 4 m up: hypot(55, 4) = 55.15 m; the load rises by 3 m or so.
@@ -27,7 +28,7 @@ def told(held: str, across: str = ACROSS) -> list[Check]:
         ("tag_lines:\n", across),
     )
     recording = Simulation(parse_scenario(text)).run()
-    found = [one for one in check_recording(recording) if one.name == "tag_lines_pull"]
+    found = checks_of(recording, "tag_lines_pull")
     return [one for one in found if one.element == "line"]
 
 

@@ -13,13 +13,13 @@ import pytest
 
 import gantline
 from crawler_lift import HEEL, crawler_lift
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.results.overlaps import overlaps
 from gantline.results.recording import Recording
 from gantline.results.solids import box_faces
 from gantline.scenario import parse_scenario
 from module_lift import module_lift
-from of_recording import check_of
+from of_recording import check_of, checks_of
 
 DECK, UNDERSIDE = 2.0, 12.0
 OVER_THE_DECK = (20.0, UNDERSIDE)
@@ -28,7 +28,7 @@ LOWERED = 1.0
 
 
 def told(recording: Recording) -> list[Check]:
-    return [one for one in check_recording(recording) if one.name == "no_overlap"]
+    return checks_of(recording, "no_overlap")
 
 
 def lowered(by: float, more: str = "") -> Recording:

@@ -11,10 +11,11 @@ from __future__ import annotations
 
 import pytest
 
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
+from of_recording import checks_of
 from upending import between_trolleys
 
 #: Where the underside of the column hangs at the start [m]; see `upending`.
@@ -30,7 +31,7 @@ def away(by: float) -> str:
 
 
 def told(recording: Recording) -> list[Check]:
-    return [one for one in check_recording(recording) if one.name == "no_overlap"]
+    return checks_of(recording, "no_overlap")
 
 
 def beside(

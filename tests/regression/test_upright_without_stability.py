@@ -16,6 +16,7 @@ import gantline
 from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 LENGTH, BREADTH, DENSITY, MASS = 80.0, 24.0, 1025.0, 5.7e6
 #: A tank over the whole breadth, so that what is pumped into it has a free surface [m].
@@ -50,7 +51,7 @@ def metacentre(mass: float = MASS) -> float:
 
 
 def checked(recording: Recording) -> list[Check]:
-    return [check for check in check_recording(recording) if check.name == "floats_stably"]
+    return checks_of(recording, "floats_stably")
 
 
 @pytest.mark.parametrize("above", [0.1, 2.0])

@@ -11,10 +11,11 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import gantline
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 _LIFT = """\
 format: 1
@@ -46,7 +47,7 @@ def told(capacity: str, **overrides: float) -> tuple[list[Check], Recording]:
     """What is said of winches, and the run."""
     lift = parse_scenario(_LIFT.replace(", CAPACITY", capacity))
     recording = gantline.simulate(lift, on_progress=None, **overrides)
-    return [check for check in check_recording(recording) if check.name == "winch_follows"], recording
+    return checks_of(recording, "winch_follows"), recording
 
 
 def hauled(recording: Recording) -> FloatArray:

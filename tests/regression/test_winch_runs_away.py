@@ -9,14 +9,15 @@ from __future__ import annotations
 import pytest
 
 import gantline
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 from winch_lift import winch_lift
 
 
 def told(brake: str) -> list[Check]:
     recording = gantline.simulate(parse_scenario(winch_lift(brake)))
-    return [check for check in check_recording(recording) if check.name == "winch_follows"]
+    return checks_of(recording, "winch_follows")
 
 
 def test_a_load_that_runs_away_is_told() -> None:

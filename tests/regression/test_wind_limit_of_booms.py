@@ -11,7 +11,7 @@ import pytest
 
 from crawler_lift import crawler_lift
 from gantline.assembly import assemble
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.checks.limits import LIMITS
 from gantline.checks.measure import Found, Missing
 from gantline.results.recording import Recording
@@ -19,6 +19,7 @@ from gantline.results.rig import Rig
 from gantline.results.variable import Variable
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
+from of_recording import checks_of
 
 #: A mean of 8 m/s with gusts of 11 m/s.
 WIND = "wind: {speed: 8 m/s, direction: 90 deg, gusts: {speed: 11 m/s}}\n"
@@ -29,7 +30,7 @@ LIMIT = "    wind_limit: {} m/s\n"
 def test_gusts_are_held_against_the_chart(limit: str, verdict: Verdict) -> None:
     text = crawler_lift(60e3, crane=LIMIT.format(limit), more=WIND)
     recording = Simulation(parse_scenario(text)).run()
-    (check,) = [one for one in check_recording(recording) if one.name == "wind_of_limit"]
+    (check,) = checks_of(recording, "wind_of_limit")
     assert check.verdict is verdict and check.value == pytest.approx(11.0 / float(limit))
 
 

@@ -13,9 +13,10 @@ import math
 import pytest
 
 import gantline
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 DIAMETER, WAY = 0.8, 12.0
 TURNS = WAY / (math.pi * DIAMETER)
@@ -50,7 +51,7 @@ plan:
 
 
 def turns_on_drum(recording: Recording) -> list[Check]:
-    return [check for check in check_recording(recording) if check.name == "turns_on_drum"]
+    return checks_of(recording, "turns_on_drum")
 
 
 def test_rope_wound_against_runs_off_as_the_drum_hauls_in() -> None:

@@ -16,6 +16,7 @@ from gantline.checks import Check, Verdict, check_recording, has_failed, values_
 from gantline.checks.forces import hook_force, sling_forces
 from gantline.checks.slings import bending_factor
 from gantline.results.recording import Recording
+from of_recording import checks_of
 from sample_lift import ALONG, HOOK, LUGS, SLINGS, ringing_lift, sample_recording, sample_rig
 
 G = 9.81
@@ -32,7 +33,7 @@ def factors(**values: float) -> dict[str, Any]:
 
 
 def check(recording: Recording, name: str) -> Check:
-    (found,) = [one for one in check_recording(recording) if one.name == name]
+    (found,) = checks_of(recording, name)
     return found
 
 

@@ -7,6 +7,7 @@ import pytest
 import gantline
 from gantline.checks import Verdict, check_recording
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 from weak_hoist import standing
 
 HOIST = "{step: hoist, hoist: crane, speed: 1 m/min, by: 0.5 m}"
@@ -17,7 +18,7 @@ def test_a_motor_that_cannot_lift_is_told(mass: float, is_too_weak: bool) -> Non
     """Two parts of 12 kN hold 2.45 t, hook block and load together."""
     text = standing(HOIST, mass, "capacity: 12 kN", 60.0)
     recording = gantline.simulate(parse_scenario(text))
-    found = [check for check in check_recording(recording) if check.name == "hoist_follows"]
+    found = checks_of(recording, "hoist_follows")
     assert bool(found) is is_too_weak, found
     for check in found:
         assert check.verdict is Verdict.WARNING

@@ -13,6 +13,7 @@ from gantline.cli.summary import summary
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import simulate
 from lift_text import BASE
+from of_recording import checks_of
 
 ADAPTIVE = BASE.replace("simulation: {integrator: del, step: 1 ms, ", "simulation: {")
 #: Plumb slings, the centre of gravity 0.1 m towards the second lug; the pins are pulled when the load hangs.
@@ -116,7 +117,7 @@ def test_pins_are_held_against_their_capacity(capacity: float | None, verdict: s
     said = "" if capacity is None else f", pin_capacity: {capacity} t"
     text = UNEVEN.replace("travel: {locked: true", f"travel: {{locked: true{said}")
     run = simulate(parse_scenario(text), duration=50.0)
-    (check,) = (one for one in check_recording(run) if one.name == "pin_force_of_capacity")
+    (check,) = checks_of(run, "pin_force_of_capacity")
     assert check.verdict == verdict
     if capacity is None:
         assert (check.value, check.remark) == (None, "no capacity: pins of e1")

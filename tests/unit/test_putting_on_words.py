@@ -22,6 +22,7 @@ from gantline.simulation import Simulation
 from gantline.study.state import State, values_of
 from hooked_lift import hooked_lift
 from lift_text import BASE, changed
+from of_recording import checks_of
 
 HOOKS = {"A": (-4.0, 0.0, 13.0), "B": (4.0, 0.0, 13.0)}
 LUGS = {"1": (-4.0, 0.0, 4.0), "2": (4.0, 0.0, 4.0)}
@@ -139,7 +140,7 @@ def test_summary_first_page_and_sketch() -> None:
     first = Simulation(parse_scenario(lift()))
     early = Subject(first.run(until=0.5))
     assert not any(mark.style in ("sk-sling", "sk-lug") for mark in sketches(early)[0].marks)
-    assert not [one for one in check_recording(early.recording) if one.name == "slings_carry"]
+    assert not checks_of(early.recording, "slings_carry")
 
 
 def test_slings_that_cannot_be_put_on() -> None:

@@ -10,14 +10,24 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from gantline.assembly import assemble
+from gantline.assembly import assemble, rope_rig
 from gantline.assembly.joints import start_of
 from gantline.assembly.spatial import rotation_matrix
 from gantline.checks import LIMITS
 from gantline.results import metrics
-from gantline.scenario import json_schema, mechanics, parse_scenario, shipped
+from gantline.scenario import (
+    Rigging,
+    Scenario,
+    json_schema,
+    load_scenario,
+    mechanics,
+    parse_scenario,
+    shipped,
+)
 from gantline.scenario.bounds import Require
+from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.limits import Limits
+from gantline.scenario.rope_weight import RopeWeight
 from gantline.simulation import simulate
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -114,6 +124,21 @@ def test_every_key_of_a_lift_file_is_read() -> None:
                 read.add(node.value)
     assert len(keys) > 400
     assert sorted(keys - read) == []
+
+
+def test_a_rope_that_results_do_not_know_is_not_simulated(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It would be held against no breaking force, and no check would say so."""
+    whole = rope_rig.rope_kinds
+
+    def without_slings(scenario: Scenario, rigging: Rigging) -> dict[str, tuple[RopeMaterial, RopeWeight]]:
+        kinds = whole(scenario, rigging).items()
+        return {name: kind for name, kind in kinds if not name.startswith("sling.")}
+
+    lift = load_scenario(ROOT / "scenarios/equalizer")
+    assemble(lift)
+    monkeypatch.setattr(rope_rig, "rope_kinds", without_slings)
+    with pytest.raises(AssertionError):
+        assemble(lift)
 
 
 def pattern_of(name: ast.expr) -> str:

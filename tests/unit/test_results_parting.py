@@ -9,6 +9,7 @@ from gantline.checks import Verdict, check_recording, has_failed
 from gantline.cli.summary import summary
 from gantline.results.parting import Met, partings, stops_met
 from gantline.results.recording import Recording
+from of_recording import checks_of
 from sample_lift import ringing_lift, sample_rig
 
 CUT = (12.5, "cut", "sling.S2")
@@ -56,7 +57,7 @@ def test_metrics_checks_and_table() -> None:
     assert metrics["parted_ropes"] == 1
     assert metrics["parting_time.sling.S2"] == 12.5
     assert metrics["parting_tension.sling.S2"] == pytest.approx(606e3)
-    [check] = [one for one in check_recording(recording) if one.name == "rope_parted"]
+    [check] = checks_of(recording, "rope_parted")
     assert (check.verdict, check.element, check.time) == (
         Verdict.FAILED,
         "sling.S2",
@@ -73,7 +74,7 @@ def test_stops_that_were_met() -> None:
     other = (5.0, "stop_hit", "e1.4")
     recording = lift(*hits, other, equalizer_travel_used=0.9)
     assert stops_met(recording.events()) == [Met("e1.1", 3.0, 2), Met("e1.4", 5.0, 1)]
-    [check] = [one for one in check_recording(recording) if one.name == "equalizer_travel_used"]
+    [check] = checks_of(recording, "equalizer_travel_used")
     assert (check.verdict, check.remark) == (
         Verdict.WARNING,
         "e1.1 met its stop at 3.00 s, e1.4 met its stop at 5.00 s",

@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 from gantline.assembly import assemble
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.cli.summary import summary
 from gantline.results.recording import Recording
 from gantline.scenario import ScenarioError, load_scenario
 from gantline.simulation import Simulation, SimulationError
+from of_recording import checks_of
 
 LIFT = """
 format: 1
@@ -116,7 +117,7 @@ def test_variables_and_table_of_sheaves(tmp_path: Path) -> None:
 def test_fleet_angle_is_held_against_its_limit(tmp_path: Path, limits: str, verdict: Verdict) -> None:
     """From (-8, 0.5, 7) to the top of the sheave at x = -3.5: about asin(0.5/4.6) = 6.2 deg at the start."""
     recording = run(tmp_path, start="[-8 m, 0.5 m, 7 m]", limits=limits)
-    (check,) = [check for check in check_recording(recording) if check.name == "fleet_angle"]
+    (check,) = checks_of(recording, "fleet_angle")
     assert check.verdict is verdict
     assert check.element == "r/sheave_1"
     assert check.value == pytest.approx(recording.metrics()["peak_fleet_angle"])

@@ -11,12 +11,13 @@ import numpy as np
 import pytest
 
 import gantline
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.results.parting import partings, stops_met
 from gantline.results.rotation import axes
 from gantline.results.series import rope_ends, sling_direction
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
+from of_recording import checks_of
 
 SCENARIO = Path(__file__).resolve().parents[2] / "scenarios" / "equalizer_sling_cut"
 CUT, AT_REST = 40.0, 61.0
@@ -66,7 +67,7 @@ def test_what_parted_is_told(lift: gantline.Recording) -> None:
     start, end = rope_ends(lift, "sling.S1")
     assert np.all(start[after] == end[after])
     assert np.all(upwards(lift, "S1")[after] == 0.0)
-    [check] = [one for one in check_recording(lift) if one.name == "rope_parted"]
+    [check] = checks_of(lift, "rope_parted")
     assert (check.verdict, check.element, check.time) == (Verdict.FAILED, "sling.S1", CUT)
 
 

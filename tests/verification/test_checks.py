@@ -20,6 +20,7 @@ from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.skew import skew_loads
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 from sample_lift import sample_recording, sample_rig
 
 G = 9.81
@@ -96,7 +97,7 @@ def test_the_skew_load_factor_of_the_rule_is_for_slings_whose_lengths_decide() -
     for skew in skew_loads(recording):
         lug = f"block.L{skew.sling[1]}"
         assert used[lug] == pytest.approx((skew.perfect or 0.0) * 1.25 * 1.1 / (100e3 * G), rel=1e-6)
-    (check,) = [one for one in check_recording(recording) if one.name == "lug_load_of_capacity"]
+    (check,) = checks_of(recording, "lug_load_of_capacity")
     assert " with perfect lengths x 1.25) x 1.1, peak " in check.formula
     assert (
         check.source

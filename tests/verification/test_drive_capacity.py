@@ -11,6 +11,7 @@ from gantline.checks import Check, Verdict, check_recording, verdict_of
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 FILE = Path(__file__).resolve().parents[2] / "scenarios" / "reeved_hoist" / "scenario.yaml"
 TEXT = FILE.read_text(encoding="utf-8")
@@ -27,7 +28,7 @@ def run(pulls: str) -> Recording:
 
 
 def drive_check(recording: Recording) -> Check:
-    (found,) = (one for one in check_recording(recording) if one.name == "hoist_load_of_drive_capacity")
+    (found,) = checks_of(recording, "hoist_load_of_drive_capacity")
     return found
 
 

@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 
 import gantline
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 FILE = Path(__file__).resolve().parents[2] / "scenarios" / "reeved_hoist" / "scenario.yaml"
 #: Height of the hook at the start, of its hook block, and diameter of the sheaves [m].
@@ -24,6 +25,6 @@ def test_it_is_what_is_left_between_the_sheaves(upper: float, verdict: Verdict) 
     recording = gantline.simulate(parse_scenario(text))
     height = recording.column("body_position", "hook")[:, 2]
     left = upper - HOOK - HOOK_BLOCK - float(height.max() - height[0]) - SHEAVES
-    (found,) = (one for one in check_recording(recording) if one.name == "hook_falls_margin")
+    (found,) = checks_of(recording, "hook_falls_margin")
     assert found.value == pytest.approx(left, abs=1e-9)
     assert found.verdict is verdict

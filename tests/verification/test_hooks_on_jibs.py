@@ -27,9 +27,9 @@ from boom_lift import (
 )
 from crawler_lift import GAUGE, crawler_lift, own_mass, own_moment
 from crawler_lift import HOOK_BLOCK as CRAWLER_HOOK_BLOCK
-from gantline.checks import check_recording
 from gantline.results.metrics import metrics_of
 from mechanics import G
+from of_recording import check_of
 
 ALONG, ABOVE = 12.0, -5.0
 HOOKS = f"""\
@@ -135,7 +135,7 @@ def test_hooks_at_two_places_of_a_boom_use_up_shares_of_their_own_rows() -> None
     metric = metrics_of(recording)["rating_utilisation.fc"]
     # Hook loads stay as they are to the 1e-5 by which falls stretch and ring.
     assert metric == pytest.approx(math.fsum(shares), rel=1e-4)
-    check = next(one for one in check_recording(recording) if one.name == "hoist_load_of_rating")
+    check = check_of(recording, "hoist_load_of_rating")
     assert check.value == pytest.approx(math.fsum(shares), rel=1e-4)
     assert f"at {outreach['H1']:.2f} m and {outreach['H2']:.2f} m" in check.formula
 

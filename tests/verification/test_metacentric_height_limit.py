@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 
 import gantline
-from gantline.checks import Check, Verdict, check_recording
+from gantline.checks import Check, Verdict
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
+from of_recording import checks_of
 
 LENGTH, BREADTH, DENSITY, MASS, HEIGHT = 80.0, 24.0, 1025.0, 5.7e6, 9.0
 #: Length of a tank over the whole breadth, and what is pumped into it [m, kg].
@@ -51,7 +52,7 @@ def filled() -> float:
 
 
 def told(recording: Recording) -> Check:
-    [check] = [one for one in check_recording(recording) if one.name == "metacentric_height"]
+    [check] = checks_of(recording, "metacentric_height")
     return check
 
 

@@ -7,13 +7,13 @@ import math
 import numpy as np
 import pytest
 
-from gantline.checks import Verdict, check_recording
+from gantline.checks import Verdict
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from hooked_lift import hooked_lift
 from mechanics import G
-from of_recording import step_end
+from of_recording import checks_of, step_end
 
 #: Two hooks, each plumb over its lug; slings of 10 m that stretch under half a load each.
 APART, LENGTH, MASS, EA = 8.0, 10.0, 200e3, 200e6
@@ -69,7 +69,7 @@ def test_a_slack_sling_is_taken_off_and_the_load_hangs_on_the_other() -> None:
     late = recording.time > recording.time[-1] - 150.0
     upward = recording.column("rope_tension", "sling.S1")[late]
     assert upward.mean() == pytest.approx(MASS * G, rel=0.03)
-    (check,) = (one for one in check_recording(recording) if one.name == "detached_slack")
+    (check,) = checks_of(recording, "detached_slack")
     assert (check.verdict, check.remark) == (Verdict.OK, "it carried 0.0 kN")
     assert recording.metrics()["detaching_tension.sling.S2"] == 0.0
     assert "parted_ropes" not in recording.metrics()
@@ -79,7 +79,7 @@ def test_a_slack_sling_is_taken_off_and_the_load_hangs_on_the_other() -> None:
 def test_a_sling_that_still_carries_is_told() -> None:
     """Half the weight, m g/2, and what it held, T^2 L/(2 EA), is booked as parting."""
     recording = run("  - {step: wait, hold: 1 s}\n  - {step: off, hold: 0.1 s, detach: sling.S2}\n")
-    (check,) = (one for one in check_recording(recording) if one.name == "detached_slack")
+    (check,) = checks_of(recording, "detached_slack")
     assert check.verdict is Verdict.FAILED
     assert check.utilisation is None and check.remark.startswith("it carried 981.0 kN; let its hook down")
     carried = recording.metrics()["detaching_tension.sling.S2"]
@@ -108,7 +108,7 @@ def test_a_pair_is_watched_over_some_steps() -> None:
     assert metrics[f"smallest_clearance.{across}"] == pytest.approx(start + 2.0, abs=2e-3)
     assert metrics[f"smallest_clearance.{on}"] == pytest.approx(start - 3.0, abs=2e-3)
     assert [name for _, _, name in recording.events("too_close")] == [on]
-    (check,) = (one for one in check_recording(recording) if one.name == "clearance_margin")
+    (check,) = checks_of(recording, "clearance_margin")
     assert (check.verdict, check.element) == (Verdict.FAILED, on)
     assert check.value == pytest.approx(start - 3.0 - 7.0, abs=2e-3)
     assert math.isfinite(recording.events("too_close")[0][0])

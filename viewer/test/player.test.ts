@@ -74,7 +74,10 @@ describe("axes", () => {
     expect(valueText(231.71, "kN", 248.7)).toBe("231.7 kN");
     // The slings of 200 kg: 1.1 kN all the time.
     expect(valueText(1.084, "kN", 1.326)).toBe("1.08 kN");
-    expect(valueText(-0.0526, "kN", 0.981)).toBe("−0.053 kN");
+    // Less than 1 kN is read in N: a rope with 0.53 kg carried 0.005 kN.
+    expect(valueText(-0.0526, "kN", 0.981)).toBe("−53 N");
+    expect(valueText(0.0051993, "kN", 0.0051993)).toBe("5.20 N");
+    expect(valueText(0, "kN", 0)).toBe("0.00 N");
     expect(valueText(0.25, "m", 1)).toBe("0.250 m");
     expect(valueText(20, "", 53)).toBe("20.00");
   });

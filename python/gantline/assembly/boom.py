@@ -8,7 +8,7 @@ import numpy as np
 
 from gantline.assembly.gusts import wind_of_limit
 from gantline.assembly.operations import luff_drive
-from gantline.assembly.parts import Json, Parts, end, eye, material
+from gantline.assembly.parts import Json, Parts, box_shape, end, eye, material
 from gantline.assembly.reeving import hook_rig, mass_on
 from gantline.assembly.rope_weight import lump_rope
 from gantline.assembly.route import route_length
@@ -187,7 +187,7 @@ def boom_shape(scenario: Scenario, body: str) -> Json | None:
         if body == placed.base:
             x, y, z = placed.heel
             pins = [(x, y + side * placed.apart / 2, z) for side in (-1.0, 1.0)]
-            boxes = [_box((_PIN, _PIN, _PIN), pin) for pin in pins]
+            boxes = [box_shape((_PIN, _PIN, _PIN), pin) for pin in pins]
             return {"type": "boxes", "boxes": boxes + _platform(placed) + _a_frame(placed)}
     return None
 
@@ -199,9 +199,9 @@ def _boom(placed: PlacedBoom) -> Json:
     for hook in placed.hooks.values():
         at = hook.along, hook.above
         places[at] = max(places.get(at, 0.0), abs(hook.across))
-    boxes = [_box((length, max(placed.apart / 2, thick), thick), (length / 2, 0.0, 0.0))]
+    boxes = [box_shape((length, max(placed.apart / 2, thick), thick), (length / 2, 0.0, 0.0))]
     for (along, above), row in places.items():
-        boxes.append(_box((thick, 2 * row + thick, thick), (length + along, 0.0, above)))
+        boxes.append(box_shape((thick, 2 * row + thick, thick), (length + along, 0.0, above)))
         boxes += _jib(length, along, above, thick)
     return {"type": "boxes", "boxes": boxes}
 
@@ -209,8 +209,8 @@ def _boom(placed: PlacedBoom) -> Json:
 def _jib(length: float, along: float, above: float, thick: float) -> list[Json]:
     """What bears hooks beyond the head or beside the boom: a post square to it, and what goes on outwards."""
     foot = length + min(along, 0.0)
-    post = _box((thick, thick, abs(above)), (foot, 0.0, above / 2))
-    arm = _box((along, thick, thick), (length + along / 2, 0.0, above))
+    post = box_shape((thick, thick, abs(above)), (foot, 0.0, above / 2))
+    arm = box_shape((along, thick, thick), (length + along / 2, 0.0, above))
     return [*([post] if above else []), *([arm] if along > 0.0 else [])]
 
 
@@ -221,8 +221,8 @@ def _platform(placed: PlacedBoom) -> list[Json]:
     (x, y, z), high = placed.heel, _PEDESTAL * placed.heel[2]
     wide = max(abs(x), _PIN)
     behind = wide if placed.tackles is None else max(wide, _PIN / 2 - placed.tackles.from_[0])
-    floor = _box((x + behind, placed.apart, _PIN), ((x - behind) / 2, y, z - _PIN))
-    return [floor, _box((wide, wide, high), (0.0, 0.0, z - 1.5 * _PIN - high / 2))]
+    floor = box_shape((x + behind, placed.apart, _PIN), ((x - behind) / 2, y, z - _PIN))
+    return [floor, box_shape((wide, wide, high), (0.0, 0.0, z - 1.5 * _PIN - high / 2))]
 
 
 def _a_frame(placed: PlacedBoom) -> list[Json]:
@@ -232,12 +232,8 @@ def _a_frame(placed: PlacedBoom) -> list[Json]:
     (x, y, z), middle = placed.tackles.from_, placed.heel[1]
     low = placed.heel[2] - (0.0 if placed.slew is None else _PIN / 2)  # down to the platform
     sides = sorted({2 * middle - y, y})
-    posts = [_box((_PIN, _PIN, z - low), (x, side, (z + low) / 2)) for side in sides]
-    return [*posts, _box((_PIN, 2 * abs(y - middle) + _PIN, _PIN), (x, middle, z))]
-
-
-def _box(size: tuple[float, float, float], centre: tuple[float, float, float]) -> Json:
-    return {"type": "box", "size": list(size), "centre": list(centre)}
+    posts = [box_shape((_PIN, _PIN, z - low), (x, side, (z + low) / 2)) for side in sides]
+    return [*posts, box_shape((_PIN, 2 * abs(y - middle) + _PIN, _PIN), (x, middle, z))]
 
 
 def boom_rig(scenario: Scenario, parts: Parts) -> list[Json]:

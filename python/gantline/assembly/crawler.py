@@ -13,7 +13,7 @@ import math
 import numpy as np
 
 from gantline.assembly.operations import along_drive
-from gantline.assembly.parts import Json, Parts
+from gantline.assembly.parts import Json, Parts, box_shape
 from gantline.assembly.reeving import falls_on_upper_sheaves, reeved_hooks, upper_sheaves
 from gantline.assembly.resting import TipsOver, rest_on_ground
 from gantline.assembly.slewing import add_turned, add_upper
@@ -218,11 +218,13 @@ def crawler_shape(scenario: Scenario, body: str, *, mats: bool = True) -> Json |
         tracks = crane.tracks
         if body == tracks_body(name):
             sides = (tracks.gauge / 2, -tracks.gauge / 2)
-            boxes = [_box((tracks.length, tracks.width, _TRACK), (0.0, y, _TRACK / 2)) for y in sides]
+            boxes = [box_shape((tracks.length, tracks.width, _TRACK), (0.0, y, _TRACK / 2)) for y in sides]
             across = tracks.gauge - tracks.width
-            middle = _box((tracks.length / 3, across, _TRACK / 2), (0.0, 0.0, tracks.height - _TRACK / 4))
+            middle = box_shape(
+                (tracks.length / 3, across, _TRACK / 2), (0.0, 0.0, tracks.height - _TRACK / 4)
+            )
             size = (tracks.length, tracks.mats or 0.0, _MAT)
-            flat = [_box(size, (0.0, y, -_MAT / 2)) for y in sides if mats and tracks.mats]
+            flat = [box_shape(size, (0.0, y, -_MAT / 2)) for y in sides if mats and tracks.mats]
             return {"type": "boxes", "boxes": [*boxes, middle, *flat]}
         if body == upper_body(name):
             behind = crane.counterweight.behind
@@ -232,13 +234,9 @@ def crawler_shape(scenario: Scenario, body: str, *, mats: bool = True) -> Json |
             frame = (-behind / 2, 0.0, tracks.height + 0.5)
             return {
                 "type": "boxes",
-                "boxes": [_box(_MACHINE, machine), _box(_WEIGHT, slabs), _box(long, frame)],
+                "boxes": [box_shape(_MACHINE, machine), box_shape(_WEIGHT, slabs), box_shape(long, frame)],
             }
     return None
-
-
-def _box(size: tuple[float, float, float], centre: tuple[float, float, float]) -> Json:
-    return {"type": "box", "size": list(size), "centre": list(centre)}
 
 
 def crawler_rig(scenario: Scenario, parts: Parts) -> list[Json]:

@@ -21,9 +21,10 @@ import numpy as np
 
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.radiation import memory_of
-from gantline.assembly.spatial import Array, inertia_matrix, point_inertia
+from gantline.assembly.spatial import Array, inertia_matrix
 from gantline.assembly.vessels import upright_hydrostatics
 from gantline.assembly.water import frozen
+from gantline.cad.mass_properties import point_inertia
 from gantline.hydro import Hydrostatics, Tank, free_surface_correction
 from gantline.scenario import Scenario
 from gantline.scenario.tanks import pumped_tanks

@@ -60,8 +60,20 @@ class Along:
         return format_quantity(speed, "m/min", 1)
 
 
+class _Turning(Along):
+    """What turns, with a speed that no one factor says."""
+
+    def needed_in_words(self, angle: float, hoisted: float) -> str:
+        """The same in words."""
+        return self.shown(self.needed(angle, hoisted))
+
+    def shown(self, speed: float) -> str:
+        """An angular speed in words."""
+        return format_quantity(speed, "deg/min", 1)
+
+
 @dataclass(frozen=True)
-class Slewing(Along):
+class Slewing(_Turning):
     """An upper structure whose boom stands across the line of lugs, as it starts.
 
     Attributes:
@@ -76,17 +88,9 @@ class Slewing(Along):
         """How fast it has to slew [rad/s]."""
         return hoisted * math.tan(angle) / (self.radius * math.cos(self.askew))
 
-    def needed_in_words(self, angle: float, hoisted: float) -> str:
-        """The same in words."""
-        return self.shown(self.needed(angle, hoisted))
-
-    def shown(self, speed: float) -> str:
-        """An angular speed in words."""
-        return format_quantity(speed, "deg/min", 1)
-
 
 @dataclass(frozen=True)
-class Luffing(Along):
+class Luffing(_Turning):
     """A boom over one end of the line of lugs.
 
     Its angles are those of the line from the heel pins to where its hooks hang.
@@ -136,14 +140,6 @@ class Luffing(Along):
         up = math.copysign(math.cos(boom) * math.sin(angle), -self.side)
         lever = self.length * (side * math.sin(boom) * math.cos(angle) + up)
         return hoisted * math.sin(angle) / lever if lever > 0.0 else math.inf
-
-    def needed_in_words(self, angle: float, hoisted: float) -> str:
-        """The same in words."""
-        return self.shown(self.needed(angle, hoisted))
-
-    def shown(self, speed: float) -> str:
-        """An angular speed in words."""
-        return format_quantity(speed, "deg/min", 1)
 
     @property
     def range_in_words(self) -> str:

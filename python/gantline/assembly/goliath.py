@@ -12,7 +12,7 @@ import math
 
 from gantline.assembly.gusts import wind_of_limit
 from gantline.assembly.operations import along_drive
-from gantline.assembly.parts import Json, Parts
+from gantline.assembly.parts import Json, Parts, box_shape
 from gantline.assembly.reeving import hook_rig
 from gantline.scenario import Scenario
 from gantline.scenario.crane_parts import girder_body
@@ -110,7 +110,7 @@ def crane_shape(scenario: Scenario, body: str) -> Json | None:
 
 
 def _box(size: tuple[float, float, float], above: float, along: float = 0.0) -> Json:
-    return {"type": "box", "size": list(size), "centre": [along, 0.0, above * size[2]]}
+    return box_shape(size, (along, 0.0, above * size[2]))
 
 
 def crane_rig(scenario: Scenario, parts: Parts) -> list[Json]:

@@ -13,12 +13,12 @@ from gantline.assembly.spatial import (
     Array,
     about_axis,
     inertia_list,
-    point_inertia,
     quaternion_product,
     rotation_matrix,
     rotation_vector,
 )
 from gantline.assembly.yard import lower_lump
+from gantline.cad.mass_properties import point_inertia
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.check_supports import foot_of
 from gantline.scenario.errors import StartError

@@ -15,16 +15,26 @@ from gantline.assembly.spatial import (
     Array,
     inertia_list,
     inertia_matrix,
-    point_inertia,
     rotation_matrix,
     unit,
 )
+from gantline.cad.mass_properties import point_inertia
 from gantline.scenario.curve import energy_stiffness
 from gantline.scenario.drum import RopeOnDrum
 from gantline.scenario.errors import Doubt, PathPart
 from gantline.scenario.gear import RopeMaterial
 
-__all__ = ["ORIGIN", "Parts", "axial_stiffness", "drum_layers", "end", "half_turn", "material", "sheave"]
+__all__ = [
+    "ORIGIN",
+    "Parts",
+    "axial_stiffness",
+    "box_shape",
+    "drum_layers",
+    "end",
+    "half_turn",
+    "material",
+    "sheave",
+]
 
 ORIGIN = (0.0, 0.0, 0.0)
 
@@ -299,6 +309,11 @@ def end(
         return guide
     said = {key: value for key, value in rest.items() if value is not None}
     return {**guide, "drum": {"flow": drum[0], "rate": drum[1], **said}}
+
+
+def box_shape(size: Sequence[float] | Array, centre: Sequence[float] | Array) -> Json:
+    """A box of a shape, with its edges along the axes of its body: sizes and middle [m], body frame."""
+    return {"type": "box", "size": list(map(float, size)), "centre": list(map(float, centre))}
 
 
 def drum_layers(drum: RopeOnDrum, diameter: float, rope_diameter: float | None) -> Json | None:

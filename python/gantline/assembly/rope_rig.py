@@ -54,6 +54,9 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
     """Every rope of the lift with what is known of it."""
     parting = partings(scenario)
     over_eyes = _over_eyes(scenario, parts)
+    kinds = rope_kinds(scenario, rigging)
+    # A rope that is simulated and not known here would be held against no breaking force, without a word.
+    assert {rope["name"] for rope in parts.ropes} <= set(kinds)
     return [
         {
             "name": name,
@@ -71,7 +74,7 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
             "end_mass": end_mass(mass, weight.nodes) if weight.nodes else None,
             **({"over_eyes": True} if name in over_eyes else {}),
         }
-        for name, (kind, weight) in rope_kinds(scenario, rigging).items()
+        for name, (kind, weight) in kinds.items()
         for mass, on_world in [parts.rope_mass.get(name, (0.0, 0.0))]
     ]
 

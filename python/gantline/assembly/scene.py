@@ -13,9 +13,9 @@ from gantline.assembly.goliath import crane_shape
 from gantline.assembly.hulls import hull_mesh, hull_shape
 from gantline.assembly.joints import translates
 from gantline.assembly.lifted import LiftedLoad
-from gantline.assembly.parts import Json, Parts
+from gantline.assembly.parts import Json, Parts, box_shape
 from gantline.assembly.reeving import ReevedHook, reeved_hooks, upper_sheaves
-from gantline.assembly.shapes import members, spreader_shape
+from gantline.assembly.shapes import frame_shape, load_parts, members, spreader_shape
 from gantline.assembly.spatial import Array
 from gantline.assembly.supports import every_support, support_contact
 from gantline.assembly.vessels import vessel_shape
@@ -97,9 +97,7 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         shape = _load_shape(lifted)
     elif name in rigging.equalizers:
         kind = "frame"
-        frame = rigging.equalizers[name].frame
-        size = [frame.length, frame.width, frame.height]
-        shape = {"type": "box", "size": size, "centre": [0.0, 0.0, -frame.centre_of_gravity_below_hook]}
+        shape = frame_shape(rigging.equalizers[name].frame)
     elif name in (scenario.spreaders or {}):
         kind, shape = "frame", spreader_shape(scenario, name)
     elif name in scenario.hooks:
@@ -114,13 +112,13 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     elif plain is None:
         kind = "sheave"
     elif plain.shape is not None:
-        shape = {"type": "box", "size": list(plain.shape.box), "centre": list(plain.shape.centre)}
+        shape = box_shape(plain.shape.box, plain.shape.centre)
     elif plain.hull is not None:
         hull = hull_mesh(scenario, name, plain)
         kind, shape = "hull", None if hull is None else hull_shape(hull)
     elif plain.mass > 0.0:
         side = (plain.mass / STEEL) ** (1 / 3)
-        shape = {"type": "box", "size": [side] * 3, "centre": list(plain.centre_of_gravity)}
+        shape = box_shape([side] * 3, plain.centre_of_gravity)
     return {"name": name, "kind": kind, "shape": shape, "centre_of_gravity": list(body["centre_of_gravity"])}
 
 
@@ -128,8 +126,7 @@ def _load_shape(lifted: LiftedLoad) -> Json:
     """A box, or a CAD file's light mesh with the corners of its contact hull, to a millimetre."""
     body = lifted.body
     if body.mesh is None:
-        size, middle = body.box[1] - body.box[0], body.box.mean(axis=0) - lifted.centre
-        return {"type": "box", "size": size.tolist(), "centre": middle.tolist()}
+        return load_parts(lifted)[0]
     return {
         "type": "mesh",
         "vertices": np.round(body.mesh.vertices - lifted.centre, 3).tolist(),
@@ -142,7 +139,7 @@ def _cheek(scenario: Scenario, hook: ReevedHook) -> Json:
     """A plate of a hook block, for pictures: from the bearing up to its sheaves, half as wide as they are."""
     rope = (scenario.ropes or {})[hook.reeving.rope]
     width, height = hook.reeving.diameter(rope.diameter) / 2, hook.hook_block.height
-    return {"type": "box", "size": [width, width, height], "centre": [0.0, 0.0, height / 2]}
+    return box_shape((width, width, height), (0.0, 0.0, height / 2))
 
 
 def _sheaves(parts: Parts) -> list[Json]:

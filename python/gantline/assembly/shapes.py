@@ -16,10 +16,11 @@ from gantline.assembly.boom import boom_shape
 from gantline.assembly.crawler import crawler_shape, crawlers
 from gantline.assembly.goliath import crane_shape, goliaths
 from gantline.assembly.lifted import LiftedLoad
-from gantline.assembly.parts import Json, Parts
+from gantline.assembly.parts import Json, Parts, box_shape
 from gantline.assembly.supports import every_support, pad_shape, support_contact
 from gantline.assembly.vessels import vessel_shape
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.crane import EqualizerFrame
 from gantline.scenario.crawler import tracks_body
 from gantline.scenario.errors import PathPart, nearest
 from gantline.scenario.ground import Ground
@@ -31,6 +32,8 @@ __all__ = [
     "add_shapes",
     "add_touching",
     "add_watches",
+    "frame_shape",
+    "load_parts",
     "members",
     "pair_name",
     "spreader_shape",
@@ -52,10 +55,7 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
         parts.add_shape(load.name, load.name, load_parts(lifted))
     _add_surroundings(parts, scenario)
     for name, equalizer in rigging.equalizers.items():
-        frame = equalizer.frame
-        size = [frame.length, frame.width, frame.height]
-        centre = [0.0, 0.0, -frame.centre_of_gravity_below_hook]
-        parts.add_shape(name, name, [{"type": "box", "size": size, "centre": centre}])
+        parts.add_shape(name, name, [frame_shape(equalizer.frame)])
     for name in scenario.spreaders or {}:
         parts.add_shape(name, name, [spreader_shape(scenario, name)])
     _add_cranes(parts, scenario)
@@ -67,8 +67,7 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
     plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
     for name, body in plain.items():
         if body.shape is not None:
-            size, centre = list(body.shape.box), list(body.shape.centre)
-            parts.add_shape(name, name, [{"type": "box", "size": size, "centre": centre}])
+            parts.add_shape(name, name, [box_shape(body.shape.box, body.shape.centre)])
 
 
 def _add_surroundings(parts: Parts, scenario: Scenario) -> None:
@@ -105,7 +104,13 @@ def _add_cranes(parts: Parts, scenario: Scenario) -> None:
 
 def spreader_shape(scenario: Scenario, name: str) -> Json:
     """The box of a spreader, in the frame of its body, whose origin is its middle."""
-    return {"type": "box", "size": list((scenario.spreaders or {})[name].size), "centre": [0.0, 0.0, 0.0]}
+    return box_shape((scenario.spreaders or {})[name].size, (0.0, 0.0, 0.0))
+
+
+def frame_shape(frame: EqualizerFrame) -> Json:
+    """The box of an equalizer's frame, in the frame of its body, whose origin is the bearing of its hook."""
+    size = (frame.length, frame.width, frame.height)
+    return box_shape(size, (0.0, 0.0, -frame.centre_of_gravity_below_hook))
 
 
 def load_parts(lifted: LiftedLoad) -> list[Json]:
@@ -114,17 +119,14 @@ def load_parts(lifted: LiftedLoad) -> list[Json]:
     if body.mesh is not None:
         return [{"type": "convex", "vertices": (body.hull - lifted.centre).tolist()}]
     size, middle = np.ptp(body.box, axis=0), np.mean(body.box, axis=0)
-    return [{"type": "box", "size": size.tolist(), "centre": (middle - lifted.centre).tolist()}]
+    return [box_shape(size, middle - lifted.centre)]
 
 
 def _box(x: Sequence[float], y: Sequence[float], z: Sequence[float]) -> Json:
     """A box of the world by its extents."""
     extents = (x, y, z)
-    return {
-        "type": "box",
-        "size": [most - least for least, most in extents],
-        "centre": [(most + least) / 2 for least, most in extents],
-    }
+    size = [most - least for least, most in extents]
+    return box_shape(size, [(most + least) / 2 for least, most in extents])
 
 
 def _around(hole: Dock, reach: tuple[float, float], z: tuple[float, float]) -> list[Json]:

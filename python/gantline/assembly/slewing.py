@@ -9,7 +9,8 @@ import numpy as np
 
 from gantline.assembly.operations import slew_drive, turned_drive
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.spatial import about_axis, inertia_list, point_inertia
+from gantline.assembly.spatial import about_axis, inertia_list
+from gantline.cad.mass_properties import point_inertia
 from gantline.scenario.slewing import Slewing, turned_body, upper_body
 
 __all__ = ["add_turned", "add_upper"]

@@ -14,7 +14,6 @@ __all__ = [
     "about_axis",
     "inertia_list",
     "inertia_matrix",
-    "point_inertia",
     "quaternion_product",
     "rotation_matrix",
     "rotation_quaternion",
@@ -92,11 +91,6 @@ def solid_box(mass: float, sizes: Sequence[float]) -> Array:
     """Inertia (3, 3) of a homogeneous box about its middle [kg m^2]; `sizes` along x, y, z [m]."""
     x, y, z = (size * size for size in sizes)
     return np.diag([y + z, x + z, x + y]) * (mass / 12)
-
-
-def point_inertia(mass: float, offset: Array) -> Array:
-    """Inertia (3, 3) of a point mass at an offset [m] from the point of reference [kg m^2]."""
-    return mass * (float(offset @ offset) * np.eye(3) - np.outer(offset, offset))
 
 
 def inertia_matrix(values: Sequence[float]) -> Array:

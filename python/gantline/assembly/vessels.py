@@ -10,7 +10,7 @@ import numpy as np
 from gantline.assembly.carriers import add_carried_vessel
 from gantline.assembly.deck import bottom_edge, deck_edge, sunk_share
 from gantline.assembly.hulls import HullMesh, hull_mesh, hull_shape
-from gantline.assembly.parts import Json, Parts
+from gantline.assembly.parts import Json, Parts, box_shape
 from gantline.assembly.spatial import Array, about_axis, quaternion_product, rotation_matrix
 from gantline.assembly.water import hull_name
 from gantline.hydro import Attitude, Hull, Hydrostatics, hydrostatics
@@ -132,7 +132,7 @@ def vessel_shape(scenario: Scenario, name: str) -> Json:
     if vessel.hull.mesh is not None:
         return hull_shape(hull)
     box = hull.box
-    return {"type": "box", "size": np.ptp(box, axis=0).tolist(), "centre": box.mean(axis=0).tolist()}
+    return box_shape(np.ptp(box, axis=0), box.mean(axis=0))
 
 
 def watch_vessels(parts: Parts, scenario: Scenario) -> None:

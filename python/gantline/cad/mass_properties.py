@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from gantline.cad.mesh import TriangleMesh
 
-__all__ = ["MassProperties"]
+__all__ = ["MassProperties", "point_inertia"]
 
 Array = npt.NDArray[np.float64]
 
@@ -88,7 +88,7 @@ class MassProperties:
 
     def about(self, point: npt.ArrayLike) -> Array:
         """Inertia about another point (3,) [m], axes unchanged: (3, 3) [kg m^2] (parallel axes)."""
-        return self.inertia + _point_inertia(self.mass, self.centre - np.asarray(point, dtype=float))
+        return self.inertia + point_inertia(self.mass, self.centre - np.asarray(point, dtype=float))
 
     @classmethod
     def combined(cls, bodies: Iterable[MassProperties]) -> MassProperties:
@@ -176,5 +176,6 @@ class MassProperties:
         return cls(mass, origin + centre, np.trace(second) * np.eye(3) - second)
 
 
-def _point_inertia(mass: float, offset: Array) -> Array:
+def point_inertia(mass: float, offset: Array) -> Array:
+    """Inertia (3, 3) of a point mass at an offset [m] from the point of reference [kg m^2]."""
     return mass * (float(offset @ offset) * np.eye(3) - np.outer(offset, offset))

@@ -250,12 +250,10 @@ class LiftFile(Section):
             ("lift file, SHA-256", fingerprint(subject)),
         ]
         size = subject.recording.sizes
-        facts.append(
-            (
-                "recording",
-                f"{size.get('time', 0)} samples, {size.get('rope', 0)} ropes, {size.get('body', 0)} bodies",
-            )
-        )
+        of_what = (("time", "sample", "samples"), ("rope", "rope", "ropes"), ("body", "body", "bodies"))
+        counts = ((size.get(dimension, 0), one, several) for dimension, one, several in of_what)
+        held = ", ".join(f"{count} {one if count == 1 else several}" for count, one, several in counts)
+        facts.append(("recording", held))
         return {"about": [*facts, *shown], "text": str(attributes.get("scenario", ""))}
 
 
@@ -264,6 +262,8 @@ def _setting(name: str, value: Any) -> str:
         said = [(key, _setting(key, one)) for key, one in value.items() if one is not None]
         # What kind of a thing it is needs no key before it.
         return ", ".join(text if key == "type" else f"{key.replace('_', ' ')} {text}" for key, text in said)
+    if isinstance(value, bool):
+        return "yes" if value else "no"
     if name in _SETTING_UNITS and isinstance(value, int | float):
         return f"{value:.6g} {_SETTING_UNITS[name]}"
     return str(value)

@@ -42,6 +42,7 @@ __all__ = [
     "Fender",
     "MooringLine",
     "Winch",
+    "body_of",
     "check_moorings",
     "fender_contact",
     "is_moored",
@@ -56,6 +57,11 @@ __all__ = [
 STEEL = 7850.0
 #: How far the lower end of a line may be from the bed that it lies on [m].
 _ON_BED = 1e-3
+
+
+def body_of(name: str | None) -> str | None:
+    """The body that holds the far end of a line or a fender's wall; None is the world."""
+    return None if name == "world" else name
 
 
 class Winch(Element):
@@ -168,7 +174,7 @@ class MooringLine(Element):
     @property
     def holder(self) -> str | None:
         """The body that it leads to; None is the world."""
-        return None if self.held_by == "world" else self.held_by
+        return body_of(self.held_by)
 
     @property
     def is_under_water(self) -> bool:
@@ -209,7 +215,7 @@ class Fender(Element):
     @property
     def wall_body(self) -> str | None:
         """The body whose side is the wall; None is the world."""
-        return None if self.wall_of == "world" else self.wall_of
+        return body_of(self.wall_of)
 
     @property
     def normal(self) -> tuple[float, float, float]:

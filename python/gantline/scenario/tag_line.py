@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element
-from gantline.scenario.mooring import Winch
+from gantline.scenario.mooring import Winch, body_of
 from gantline.scenario.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
 from gantline.scenario.quantities import (
     Name,
@@ -89,7 +89,7 @@ class TagLine(Element):
     @property
     def holder(self) -> str | None:
         """The body that it leads to; None is the world."""
-        return None if self.held_by == "world" else self.held_by
+        return body_of(self.held_by)
 
 
 def tag_rope(name: str) -> str:

@@ -50,11 +50,12 @@ export function shown(value: number, digits: number): string {
 
 /**
  * A value with its unit as people read it: with the decimals of the unit, and of forces with three digits of the
- * largest one, down to 1 N.
+ * largest one; in N where that is less than 1 kN, of which 0.005 kN would be one digit.
  */
 export function valueText(value: number, unit: string, largest: number): string {
   const most = Math.abs(largest);
-  const small = unit !== "kN" || !(most < 10) ? 0 : most < 1 ? 2 : 1;
+  if (unit === "kN" && most < 1) return forceText(1e3 * value, 1e3 * most);
+  const small = unit === "kN" && most < 10 ? 1 : 0;
   return `${shown(value, (DIGITS[unit] ?? 2) + small)} ${unit}`.trim();
 }
 
