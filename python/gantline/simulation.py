@@ -17,6 +17,7 @@ from gantline.assembly.origin import refused
 from gantline.assembly.vessels import adrift, misplaced, off_their_decks, vessel_hulls
 from gantline.interrupt import noted_interrupt
 from gantline.overrides import is_number, overridden, with_adjusting_factor, with_locked_equalizers
+from gantline.results.beyond_curve import beyond_curve
 from gantline.results.clearances import clearance_events, contact_warnings
 from gantline.results.crawler import tipping_warnings
 from gantline.results.crossing import crossed_ropes
@@ -384,6 +385,7 @@ class Simulation:
         warnings += contact_warnings(rig, columns, names)
         warnings += missed_peaks(rig, columns, names) + missed_bumps(rig, columns, names)
         warnings += pressed_through(self.assembly.document, rig.fenders, columns, names)
+        warnings += beyond_curve(rig.ropes, columns, names)
         warnings += missed_crests(rig, columns)
         warnings += still_growing(self.assembly.document, rig, columns, names)
         warnings += missed_incidents(self.assembly.document, rig, self.duration, names["event_kind"])

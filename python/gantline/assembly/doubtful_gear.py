@@ -79,6 +79,9 @@ def _ropes(scenario: Scenario) -> Iterator[Doubt]:
             )
             yield Doubt(("ropes", name), sentence)
             continue
+        if rope.curve is not None:
+            yield from _of_its_curve(name, rope)
+            continue
         if stiffness is None or force is None:
             continue
         stretch = force / stiffness
@@ -87,6 +90,21 @@ def _ropes(scenario: Scenario) -> Iterator[Doubt]:
             at = f"it would break at {_short(100.0 * stretch)} % of stretch"
             usual = "about 1.5 % is usual for steel; one of both has a wrong unit"
             yield Doubt(("ropes", name), f"rope {name} {figures}: {at}; {usual}")
+
+
+def _of_its_curve(name: str, rope: RopeMaterial) -> Iterator[Doubt]:
+    """Strains that no rope has: a percent sign has been lost, or written where there was none."""
+    assert rope.curve is not None
+    points, force = rope.curve, rope.breaking_force
+    stretch = points.strain[-1] if force is None else points.strain_under(force)
+    if _LEAST_STRETCH <= stretch <= _MOST_STRETCH:
+        return
+    where = "at the last point of its curve" if force is None else f"where it breaks, at {_force(force)}"
+    usual = "ropes break at about 1.5 % of steel to some ten per cent of fibre"
+    sentence = f"rope {name} stretches by {_short(100.0 * stretch)} % {where}; {usual}"
+    yield Doubt(
+        ("ropes", name, "curve"), f"{sentence}, and a % has been lost or added, or a unit has slipped"
+    )
 
 
 def _of_its_diameter(name: str, rope: RopeMaterial) -> Iterator[Doubt]:
@@ -116,11 +134,12 @@ def _soft_slings(scenario: Scenario) -> Iterator[Doubt]:
     defaults = scenario.sling_defaults
     used = {sling.rope or (None if defaults is None else defaults.rope) for sling in slings.values()}
     for name, rope in (scenario.ropes or {}).items():
-        stretch = 0.0 if rope.stiffness is None else part / rope.stiffness
+        stretch = 0.0 if rope.stiffness is None else rope.strain_under(part)
         if name in used and stretch > _MOST_OF_LENGTH:
+            has = "a curve" if rope.curve is not None else f"an EA of {_force(rope.stiffness or 0.0)}"
             yield Doubt(
                 ("ropes", name),
-                f"rope {name} has an EA of {_force(rope.stiffness or 0.0)}: its slings would stretch by "
+                f"rope {name} has {has}: its slings would stretch by "
                 f"{_short(100.0 * stretch)} % under their part of the load; a unit has slipped, kN for MN",
             )
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from gantline.assembly.parts import Json, Parts, end, material
 from gantline.assembly.rope_weight import add_free_rope, length_that_pulls, lump_rope
-from gantline.assembly.route import taut_length
+from gantline.assembly.route import most_strain, taut_length
 from gantline.assembly.underground import under_bottom, under_ground
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
@@ -34,6 +34,8 @@ _INERTIA = 1.0
 #: Ropes of steel have 4000 to 5000 kg in a cubic metre of the circle about them, chains more, fibre ropes
 #: less than 1200 [kg/m^3].
 _STEEL_ROPE = 2500.0
+#: Largest strain of a line at the start, but of one whose curve goes further [1].
+_MOST_STRAIN = 0.1
 
 
 def winch_flow(line: str) -> str:
@@ -125,9 +127,10 @@ def _check_length(
     if chord == 0:
         raise scenario.start_error((*path, "to"), "is where the fairlead is; a line has two ends")
     limits = [limit for limit in (parting.breaks_at, kind.breaking_force) if limit is not None]
-    if line.length is not None and kind.stiffness is not None:
-        pull = kind.stiffness * (chord / line.length - 1)
-        if (limits and pull >= min(limits)) or pull > 0.1 * kind.stiffness:
+    strain = 0.0 if line.length is None else max(0.0, chord / line.length - 1)
+    if strain > 0.0:
+        pull, most = kind.pull(strain)[0], max(_MOST_STRAIN, most_strain(kind))
+        if (limits and pull >= min(limits)) or strain > most:
             sentence = f"{line.length:g} m are too short for ends that are {chord:.6g} m apart at the start"
             raise scenario.start_error(
                 (*path, "length"),
@@ -147,10 +150,9 @@ def _check_length(
 
 def _add_spring(parts: Parts, scenario: Scenario, name: str, line: MooringLine, kind: RopeMaterial) -> None:
     """A rope from the vessel to where it is made fast; `kind` stretches."""
-    assert kind.stiffness is not None  # checked when the file was read
     length = line.length
     if line.pretension is not None:
-        length = taut_length(_chord(parts, line), line.pretension, kind.stiffness)
+        length = taut_length(_chord(parts, line), line.pretension, kind)
     drum = (winch_flow(name), 1.0) if line.winch is not None else None
     if length is not None:
         warn_of_hauled(parts, scenario, line_rope(name), length)

@@ -33,9 +33,9 @@ def too_far(distance: float, length: float, most: float = MOST_STRAIN) -> str:
     return f"it would be stretched by {stretched}, and a start allows {100.0 * most:g} %"
 
 
-def taut_length(distance: float, tension: float, stiffness: float) -> float:
-    """Unstretched length [m] of a rope of the stiffness EA [N] that has a tension [N] over a distance [m]."""
-    return distance / (1.0 + tension / stiffness)
+def taut_length(distance: float, tension: float, kind: RopeMaterial) -> float:
+    """Unstretched length [m] of a rope of a kind that stretches, with a tension [N] over a distance [m]."""
+    return distance / (1.0 + kind.strain_under(tension))
 
 
 def route_length(parts: Parts, route: Sequence[Json]) -> float:

@@ -9,7 +9,7 @@ import numpy as np
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.moorings import warn_of_hauled, winch_drive
 from gantline.assembly.parts import Json, Parts, end, material
-from gantline.assembly.route import MOST_STRAIN, taut_length, too_far
+from gantline.assembly.route import most_strain, taut_length, too_far
 from gantline.assembly.underground import under_ground
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
@@ -38,13 +38,12 @@ def add_tag_lines(parts: Parts, scenario: Scenario, lifted: LiftedLoad) -> None:
     assert scenario.load is not None
     for name, line in (scenario.tag_lines or {}).items():
         kind = (scenario.ropes or {})[line.rope]
-        assert kind.stiffness is not None  # checked when the file was read
         _check_pull(scenario, name, line, kind)
         at = (np.array(line.at) - lifted.centre).tolist()
         places = parts.place(scenario.load.name, at), parts.place(line.holder, line.to)
         chord = float(np.linalg.norm(places[0] - places[1]))
         parts.doubts += [*_doubtful(name, line, chord), *_under_ground(scenario, name, line, places[1][2])]
-        length = _length(scenario, name, line, chord, kind.stiffness)
+        length = _length(scenario, name, line, chord, kind)
         drum = None
         if line.pull is not None or line.winch is not None:
             _add_winch(parts, name, line)
@@ -88,19 +87,19 @@ def _under_ground(scenario: Scenario, name: str, line: TagLine, height: float) -
     return [Doubt(("tag_lines", name, "to"), sentence)] if found else []
 
 
-def _length(scenario: Scenario, name: str, line: TagLine, chord: float, stiffness: float) -> float:
-    """Unstretched length at first [m], for ends that are `chord` [m] apart; EA is `stiffness` [N]."""
+def _length(scenario: Scenario, name: str, line: TagLine, chord: float, kind: RopeMaterial) -> float:
+    """Unstretched length at first [m], for ends that are `chord` [m] apart; `kind` stretches."""
     if chord < _ONE_PLACE:
         sentence = "is where it is made fast to the load; a line has two ends"
         raise scenario.start_error(("tag_lines", name, "to"), sentence)
     if line.pull is not None:
-        return taut_length(chord, line.pull, stiffness)
+        return taut_length(chord, line.pull, kind)
     if line.pretension is not None:
-        return taut_length(chord, line.pretension, stiffness)
+        return taut_length(chord, line.pretension, kind)
     length = line.length if isinstance(line.length, float) else chord
-    if chord > length * (1 + MOST_STRAIN):
+    if chord > length * (1 + most_strain(kind)):
         sentence = f"the line is {length:g} m, but its ends are {chord:.6g} m apart at the start"
-        sentence = f"{sentence}: {too_far(chord, length)}; make it longer"
+        sentence = f"{sentence}: {too_far(chord, length, most_strain(kind))}; make it longer"
         raise scenario.start_error(("tag_lines", name, "length"), sentence)
     return length
 

@@ -42,5 +42,7 @@ def _check_rope(findings: Findings, path: Path, line: TagLine) -> None:
     elif kind.inextensible:
         sentence = f"rope '{line.rope}' does not stretch, which a tag line has to"
         findings.add((*path, "rope"), f"{sentence}; give it an 'axial_stiffness' or a 'construction'")
-    elif (bent := kind.bent(line.rope, "a tag line")) is not None:
-        findings.add((*path, "rope"), bent)
+    elif line.pull is not None and (bent := kind.bent(line.rope, "a line whose 'pull' is kept")) is not None:
+        findings.add((*path, "rope"), f"{bent}, or make the line fast: 'pretension' in place of 'pull'")
+    elif line.winch is not None and (bent := kind.bent(line.rope, "a line on a winch")) is not None:
+        findings.add((*path, "rope"), f"{bent}, or leave 'winch' out")

@@ -13,11 +13,11 @@ from typing import Annotated, ClassVar
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element
-from gantline.scenario.quantities import ListOf, Quantity, refuse
+from gantline.scenario.quantities import ListOf, Quantity, Share, refuse
 
 __all__ = ["RopeCurve", "energy_stiffness"]
 
-_Strains = Annotated[tuple[float, ...], ListOf(Quantity("ratio", "positive"))]
+_Strains = Annotated[tuple[float, ...], ListOf(Share(sign="positive"))]
 _Forces = Annotated[tuple[float, ...], ListOf(Quantity("force", "positive"))]
 
 
@@ -59,6 +59,12 @@ class RopeCurve(Element):
             if strain <= end:
                 return now, slope, energy
         raise AssertionError("the last line has no end")
+
+    def strain_under(self, tension: float) -> float:
+        """Strain at rest under a tension [N], not below 0."""
+        lines = list(self._lines())
+        (begin, low), slope, _ = next((one for one in reversed(lines) if one[0][1] <= tension), lines[0])
+        return begin + (tension - low) / slope
 
     def _lines(self) -> Iterator[tuple[tuple[float, float], float, float]]:
         """Of each line where it begins, its slope, and the strain at which it ends; the last does not."""

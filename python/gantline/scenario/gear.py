@@ -102,7 +102,8 @@ class RopeMaterial(Element):
     curve: RopeCurve | None = Field(
         None,
         description="Tension over strain, in place of one stiffness: of fibre slings, which get stiffer as "
-        "they are loaded. For slings and ropes that run straight from end to end.",
+        "they are loaded, and lines of nylon and polyester. For slings, mooring lines of type 'spring', tag "
+        "lines and ropes that run straight from end to end, without sheave, winch or nodes.",
     )
     damping_time: Time = Field(0.0, description="Damping time t: T = k (e + t de/dt).")
     construction: Annotated[str, _Construction()] | None = Field(
@@ -214,6 +215,13 @@ class RopeMaterial(Element):
             return self.curve.pull(strain)
         assert self.stiffness is not None  # has been checked to stretch
         return self.stiffness * strain, self.stiffness, 0.5 * self.stiffness * strain**2
+
+    def strain_under(self, tension: float) -> float:
+        """Strain at rest under a tension [N], not below 0, of a rope that stretches."""
+        if self.curve is not None:
+            return self.curve.strain_under(tension)
+        assert self.stiffness is not None  # has been checked to stretch
+        return tension / self.stiffness
 
     @property
     def mass_per_length(self) -> float:

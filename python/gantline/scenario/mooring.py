@@ -321,8 +321,12 @@ def _check_rope(findings: Findings, path: Path, line: MooringLine, kind: RopeMat
     if kind.inextensible:
         sentence = f"rope '{line.rope}' does not stretch, which a mooring line has to"
         findings.add((*path, "rope"), f"{sentence}; give it an 'axial_stiffness' or a 'construction'")
-    if (bent := kind.bent(line.rope, "a mooring line")) is not None:
-        findings.add((*path, "rope"), bent)
+    straight = {"catenary": "a catenary", "distributed": "a line with nodes", "spring": None}[line.type]
+    if straight is not None and (bent := kind.bent(line.rope, straight)) is not None:
+        findings.add((*path, "rope"), f"{bent}, or write 'type: spring', straight from end to end")
+    on_a_winch = kind.bent(line.rope, "a line on a winch")
+    if straight is None and line.winch is not None and on_a_winch is not None:
+        findings.add((*path, "rope"), f"{on_a_winch}, or leave 'winch' out")
     if line.type == "spring":
         return
     if kind.mass_per_length == 0:

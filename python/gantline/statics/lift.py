@@ -19,6 +19,7 @@ from gantline.assembly.origin import FALLS, refused, with_advice
 from gantline.assembly.parts import axial_stiffness
 from gantline.assembly.vessels import drifted
 from gantline.overrides import is_number
+from gantline.results.beyond_curve import beyond_curve
 from gantline.results.derive import recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.immersion import dry_hulls, loads_in_bed
@@ -483,6 +484,7 @@ class Statics:
         places = dict(zip(names["body"], columns["body_position"][-1], strict=True))
         warnings += drifted(self.scenario, self.assembly.document, places)
         warnings += pressed_through(self.assembly.document, self.rig.fenders, columns, names)
+        warnings += beyond_curve(self.rig.ropes, columns, names)
         return recording_of(
             columns,
             names,
