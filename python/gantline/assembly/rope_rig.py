@@ -56,7 +56,8 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
     over_eyes = _over_eyes(scenario, parts)
     kinds = rope_kinds(scenario, rigging)
     # A rope that is simulated and not known here would be held against no breaking force, without a word.
-    assert {rope["name"] for rope in parts.ropes} <= set(kinds)
+    assert set(parts.rope_names) <= set(kinds)
+    lengths = _of_constant_length(rigging, parts)
     return [
         {
             "name": name,
@@ -64,6 +65,7 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
             "diameter": kind.diameter,
             "axial_stiffness": kind.stiffness,
             **({} if kind.curve is None else {"curve": kind.curve.points}),
+            **({"length": lengths[name]} if name in lengths else {}),
             "mass_per_length": weight.mass_per_length,
             "minimum_breaking_force": kind.breaking_force,
             "breaks_at": parting[name].breaks_at,
@@ -77,6 +79,19 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
         for name, (kind, weight) in kinds.items()
         for mass, on_world in [parts.rope_mass.get(name, (0.0, 0.0))]
     ]
+
+
+def _of_constant_length(rigging: Rigging, parts: Parts) -> dict[str, float]:
+    """Unstretched lengths [m] of ropes straight from end to end that no drum feeds, but for slings."""
+    slings = {f"sling.{name}" for name in rigging.slings}
+    return {
+        rope["name"]: float(rope["length"])
+        for rope in parts.ropes
+        if rope["name"] not in slings
+        and rope.get("length") is not None
+        and len(rope["route"]) == 2
+        and not any(guide.get("drum") for guide in rope["route"])
+    }
 
 
 def _over_eyes(scenario: Scenario, parts: Parts) -> set[str]:

@@ -209,6 +209,8 @@ class Rope(FromJson):
         axial_stiffness: EA [N], of a curve that of the same energy; None if it does not stretch, or in an old
             recording.
         curve: Strain and tension [N] of each point of its curve, rising; none of a rope of one stiffness.
+        length: Unstretched length of one that runs straight from end to end, is no sling and has no drum [m];
+            None of others, or in an old recording.
         mass_per_length: Mass per length that counts in the lift [kg/m]; 0 if it has none.
         minimum_breaking_force: From a certificate or from construction and grade [N]; None if not known.
         breaks_at: Tension at which it breaks in the simulation [N]; None if it never does.
@@ -225,6 +227,7 @@ class Rope(FromJson):
     diameter: float | None = None
     axial_stiffness: float | None = None
     curve: Sequence[Sequence[float]] = ()
+    length: float | None = None
     mass_per_length: float = 0.0
     minimum_breaking_force: float | None = None
     breaks_at: float | None = None

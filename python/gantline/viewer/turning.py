@@ -61,7 +61,8 @@ def sheave_angles(
 def natural_lengths(recording: Recording, frames: Sequence[int]) -> list[float | None]:
     """Length of each rope without tension [m]; None where that is not known or varies.
 
-    Slings say it; of others it follows from length, tension and stiffness while they are taut.
+    Slings and ropes made fast say it; of others it follows from length, tension and stiffness while they
+    are taut.
 
     Args:
         recording: Any recording with drawn paths.
@@ -75,6 +76,9 @@ def natural_lengths(recording: Recording, frames: Sequence[int]) -> list[float |
             found.append(slings[name])
             continue
         known = recording.rig.rope(name)
+        if known is not None and known.length:
+            found.append(known.length)
+            continue
         if known is None or not (known.axial_stiffness or known.curve) or known.nodes:
             found.append(None)
             continue
