@@ -55,8 +55,9 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
     parting = partings(scenario)
     over_eyes = _over_eyes(scenario, parts)
     kinds = rope_kinds(scenario, rigging)
-    # A rope that is simulated and not known here would be held against no breaking force, without a word.
-    assert {rope["name"] for rope in parts.ropes} <= set(kinds)
+    # One that is simulated and not known here would be held against no breaking force, without a word.
+    # Behind a stroke stands which piece of a rope with nodes it is.
+    assert {rope["name"].partition("/")[0] for rope in parts.ropes} <= set(kinds)
     return [
         {
             "name": name,
