@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from hooked_lift import place
+
 #: Hooks of lift B over the load, from the middle of its bottom [m].
 GOLIATH_HOOKS = {"U1": (-10.0, 6.0), "U2": (-10.0, -6.0), "L": (14.0, 0.0)}
 #: Its lugs [m], and lengths of their slings [m].
@@ -46,10 +48,6 @@ _EQUALIZER = """\
       pitch_diameter: 0.8 m
     travel: {up: 1.4 m, down: 1.9 m}
 """
-
-
-def place(at: Sequence[float]) -> str:
-    return "[" + ", ".join(f"{value!r} m" for value in at) + "]"
 
 
 def _lift(

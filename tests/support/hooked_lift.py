@@ -15,6 +15,11 @@ TWO_HOOKS_SLINGS = {
 }
 
 
+def place(at: Sequence[float]) -> str:
+    """A place as lift files have it [m]."""
+    return "[" + ", ".join(f"{value!r} m" for value in at) + "]"
+
+
 def hooked_lift(
     hooks: Mapping[str, Sequence[float]],
     lugs: Mapping[str, Sequence[float]],
@@ -40,9 +45,6 @@ def hooked_lift(
         position: Of the middle of its bottom at the start [m].
         more: Further sections.
     """
-
-    def place(at: Sequence[float]) -> str:
-        return "[" + ", ".join(f"{value!r} m" for value in at) + "]"
 
     rope = (
         "{inextensible: true}" if axial_stiffness is None else f"{{axial_stiffness: {axial_stiffness!r} N}}"

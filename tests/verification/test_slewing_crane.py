@@ -19,7 +19,18 @@ from functools import partial
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from lagrange import Batch, Lagrange, at, derivative, distance, six_points, spin, turned, yaw_pitch_roll
+from lagrange import (
+    Batch,
+    Lagrange,
+    at,
+    derivative,
+    distance,
+    of_bodies,
+    six_points,
+    spin,
+    turned,
+    yaw_pitch_roll,
+)
 from mechanics import (
     Floats,
     G,
@@ -71,10 +82,7 @@ POINTS = [six_points(m, c, np.diag(i)) for m, c, i in zip(MASSES, CENTRES, INERT
 
 def points(q: Batch) -> Batch:
     """Six of each body (k, 18, 3) [m]."""
-    placed = zip(frames(q), POINTS, strict=True)
-    return np.concatenate(
-        [o[:, None, :] + np.einsum("kij,nj->kni", r, own) for (r, o), own in placed], axis=1
-    )
+    return of_bodies(frames(q), POINTS)
 
 
 def over(first: Batch, sheave_at: Batch, axis: Batch, radius: float, last: Batch) -> Batch:

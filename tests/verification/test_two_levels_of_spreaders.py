@@ -15,7 +15,7 @@ import pytest
 
 from gantline import Simulation
 from gantline.scenario import parse_scenario
-from lagrange import Batch, Lagrange, at, derivative, distance, six_points, yaw_pitch_roll
+from lagrange import Batch, Lagrange, at, derivative, distance, of_bodies, six_points, yaw_pitch_roll
 from mechanics import Floats
 from spreader_lifts import two_below_one
 
@@ -56,10 +56,7 @@ POINTS = [six_points(m, c, _box(m, s)) for m, c, s in zip(MASSES, CENTRES, SIZES
 
 def points(q: Batch) -> Batch:
     """Six of each body (k, 24, 3) [m]."""
-    placed = zip(frames(q), POINTS, strict=True)
-    return np.concatenate(
-        [o[:, None, :] + np.einsum("kij,nj->kni", r, own) for (r, o), own in placed], axis=1
-    )
+    return of_bodies(frames(q), POINTS)
 
 
 def apart(q: Batch) -> Batch:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -114,14 +114,9 @@ def plumb_hooks(
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
     question = Statics(scenario)
     used = Hanging(question, question.equilibrium(time)).hooks() if question.rig.loads else []
-    chosen = used if hooks is None else names_of("hooks", hooks)
     bearers = bearers_of(scenario, used)
     borne = {hook for one in bearers for hook in one.hooks}
-    for name in chosen:
-        if name not in used:
-            raise AdjustError(f"'{name}' is not a hook in which slings hang; {nearest(name, used)}")
-        if name not in borne:
-            raise ValueError(why_not(scenario.hooks[name]))
+    chosen = _may_move(scenario, used if hooks is None else names_of("hooks", hooks), used, borne)
     placed = _placed(question, bearers)
     moving = [one for one in bearers if one.may_move(chosen) and one not in placed]
     unknowns = [
@@ -160,17 +155,13 @@ def plumb_hooks(
     given = {
         name: _place_of(search.first.hanging, scenario.hooks[name]) for one in moving for name in one.hooks
     }
-    places = {name: list(place) for name, place in given.items()}
-    for one, change in zip(moving, changes, strict=True):
-        for name in one.hooks:
-            places[name][one.axis] += change
     first, now = search.first.hanging, search.now.hanging
     before, after = (
         math.hypot(*(row.value for row in drift)) if drift else None for drift in map(drift_of, (first, now))
     )
     return HookAnswer(
         values={one.path: one.given + change for one, change in zip(moving, changes, strict=True)},
-        places={name: (x, y) for name, (x, y) in places.items()},
+        places=_moved(given, moving, changes),
         given=given,
         side_pulls={name: np.array([one.pull_on(name)[:2] for one in (first, now)]) for name in used},
         drift=None if before is None or after is None else (before, after),
@@ -180,6 +171,34 @@ def plumb_hooks(
         steps=search.steps,
         scenario=search.now.scenario,
     )
+
+
+def _may_move(
+    scenario: Scenario, chosen: Sequence[str], used: Sequence[str], borne: Collection[str]
+) -> Sequence[str]:
+    """The hooks chosen, of those in which slings hang and of those with a bearer that can be elsewhere.
+
+    Raises:
+        AdjustError: If slings hang in none of that name.
+        ValueError: If one has no such bearer.
+    """
+    for name in chosen:
+        if name not in used:
+            raise AdjustError(f"'{name}' is not a hook in which slings hang; {nearest(name, used)}")
+        if name not in borne:
+            raise ValueError(why_not(scenario.hooks[name]))
+    return chosen
+
+
+def _moved(
+    given: Mapping[str, tuple[float, float]], moving: Sequence[Bearer], changes: Sequence[float]
+) -> dict[str, tuple[float, float]]:
+    """Places of hooks [m] once their bearers have moved along their axes by so much [m]."""
+    places = {name: list(place) for name, place in given.items()}
+    for one, change in zip(moving, changes, strict=True):
+        for name in one.hooks:
+            places[name][one.axis] += change
+    return {name: (x, y) for name, (x, y) in places.items()}
 
 
 def _placed(question: Statics, bearers: Sequence[Bearer]) -> list[Bearer]:
