@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import waves
 from afloat import DRAFT, LENGTH
@@ -17,7 +19,9 @@ from gantline.hydro.waves import sea
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.stability import stability_of
+from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
+from table_of_raos import goes_with_the_water
 
 OMEGA = 0.7
 PERIOD = 2 * math.pi / OMEGA
@@ -200,3 +204,35 @@ def test_tensions_keep_their_tolerance(tmp_path: Path) -> None:
         for tension, position in ((0.01, 1e-9), (10.0, 1e-4))
     )
     assert np.abs(coarse - fine).max() < 20.0
+
+
+def test_a_crane_slews_aboard(tmp_path: Path) -> None:
+    """Machinery, A-frame and counterweight of `revolving_crane` on a vessel that a table carries: their
+    centre of gravity goes round the slewing axis by the slew angle, and along with her by (WM1), roll, pitch,
+    yaw. To the tolerance of positions, 0.1 mm.
+    """
+    raos = goes_with_the_water(heave=0.9, pitch=0.8)
+    write_raos(raos, tmp_path / "own.csv")
+    text = (files("gantline.scenarios") / "revolving_crane.yaml").read_text(encoding="utf-8")
+    floats = text[text.index("    masses:  ") : text.index("mooring_lines:")]
+    text = text.replace(floats, "    wave_motion: {raos: own.csv, phases: lag, at: [45 m, 1 m, 5 m]}\n\n")
+    swell = "waves:\n  swell: {significant_height: 0.8 m, peak_period: 8 s, direction: 120 deg}\nground:"
+    text = text.replace("ground:", swell, 1).replace("duration: 720 s", "duration: 300 s")
+    run = simulate(parse_scenario(text, str(tmp_path / "lift.yaml")))
+    towards = math.radians(120.0)
+    parts = sea(0.8, 8.0, towards, enhancement=3.3, count=100, seed="1/swell")
+    at, axis = np.array([45.0, 1.0, 5.0]), np.array([60.0, 0.0, 0.0])
+    way = at[:2] @ [math.cos(towards), math.sin(towards)]
+    phases = parts.phase + parts.frequency**2 / waves.G * way - np.outer(run.time, parts.frequency)
+    share = np.clip(run.time / 24.0, 0.0, 1.0)[:, np.newaxis]
+    growth = share**3 * (10.0 - 15.0 * share + 6.0 * share**2)
+    answer = raos.at(parts.frequency, towards) * parts.amplitude[:, np.newaxis]
+    motion = growth * (np.exp(1j * phases) @ answer).real
+    masses, places = np.array([90.0, 25.0, 130.0]), np.array([[58, 0, 12], [57, 0, 22], [51, 0, 12.5]])
+    lever = masses @ places / masses.sum() - axis
+    slews = run.column("slew_angle", "rc")
+    aboard = axis + Rotation.from_rotvec(np.outer(slews, [0.0, 0.0, 1.0])).apply(lever) - at
+    turned = Rotation.from_euler("xyz", motion[:, 3:]).apply(aboard)
+    expected = at - [0.0, 0.0, 3.0] + motion[:, :3] + turned  # her keel is 3 m under the water
+    assert np.ptp(slews) > math.radians(20.0) and np.ptp(motion[:, 2]) > 0.3
+    assert np.abs(run.column("body_position", "rc.upper") - expected).max() < 1e-4

@@ -44,6 +44,7 @@ impl Adaptive {
     /// Looks along the part of the step that is made: what flows, and how far rows are from their laws; ends at the
     /// first look that is further than `allowed`, in what the tolerance allows, and tells which.
     fn survey(&mut self, system: &System, state: &State, allowed: f64) -> Option<usize> {
+        self.follow_waves(system, state);
         self.begin_looks(system, state);
         self.laid_before.start(system, state);
         self.looks.broken = 0.0;
