@@ -15,6 +15,7 @@ import waves
 from afloat import DRAFT, LENGTH
 from carried_barge import AT, HUNG, PORT, carried, free_barge, table
 from gantline.hydro.raos import DisplacementRaos
+from gantline.hydro.raos import write_raos
 from gantline.hydro.waves import sea
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
