@@ -14,8 +14,7 @@ from scipy.spatial.transform import Rotation
 import waves
 from afloat import DRAFT, LENGTH
 from carried_barge import AT, HUNG, PORT, carried, free_barge, table
-from gantline.hydro.raos import DisplacementRaos
-from gantline.hydro.raos import write_raos
+from gantline.hydro.raos import DisplacementRaos, write_raos
 from gantline.hydro.waves import sea
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
