@@ -131,6 +131,7 @@ def _together(parts: Parts, scenario: Scenario, vessels: dict[str, str]) -> Side
     names = tuple(vessels.values())
     bodies = tuple(_neighbour(parts, scenario, name) for name in names)
     for place, name in enumerate(names):
+        parts.doubts += _doubts_of_waves(scenario, name)
         for other in range(place):
             parts.doubts += _placed(parts, scenario, (names[other], name), (bodies[other], bodies[place]))
     return SideBySide(names, bodies, (scenario.water or Water()).density)
@@ -221,6 +222,17 @@ def _is_aboard(parts: Parts, body: str, vessel: str) -> bool:
     while above in parts.bodies and above != vessel:
         above = parts.bodies[above]["parent"]
     return above == vessel
+
+
+def _doubts_of_waves(scenario: Scenario, name: str) -> Iterator[Doubt]:
+    """Frequencies whose added mass stands alone, where nothing else of the vessel says so."""
+    vessel = (scenario.vessels or {})[name]
+    forces = vessel.wave_forces
+    assert forces is not None
+    others = (vessel.radiation, vessel.added_mass)
+    if not any(one and (one.database, one.body) == (forces.database, forces.body) for one in others):
+        for sentence in _database(scenario, name, vessel).outlying(None):
+            yield Doubt(_path(name), f"wave forces of {name}: {sentence}")
 
 
 def _placed(

@@ -183,7 +183,7 @@ def _of_database(
         if beside is None:
             around, extent = database.excitation_around(train.frequency, density, phased_at), size
         else:
-            around, extent = beside.forces(name, train.frequency), size + beside.extent
+            around, extent = beside.forces(name, train.frequency), size + 2 * beside.extent
         drift = database.drift_around(train.frequency, density) if given.drift is not False else None
         if given.drift and drift is None:
             raise DatabaseError(f"{database.source}: has no drift forces")
@@ -235,7 +235,7 @@ def _sparse(
     if shares.max() <= _MOST_SPARSE:
         return []
     longest = 2 * math.pi / float(train.frequency[is_far].min())
-    shown = f"which are {100 * shares.max():.2g} % of what moves it in {AXES[int(shares.argmax())]}"
+    shown = f"which are {100 * shares.max():.0f} % of what moves it in {AXES[int(shares.argmax())]}"
     sentence = f"frequencies or directions of {database.source} are far apart for waves of {longest:.3g} s"
     return [f"{sentence} and shorter, {shown}; forces between them may be a tenth and more off"]
 

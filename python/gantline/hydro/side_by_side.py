@@ -158,8 +158,8 @@ def _radiated(bodies: Sequence[Neighbour], frequency: Array, density: float) -> 
     return found[0], found[1]
 
 
-def _along_diagonal(blocks: Sequence[Array]) -> Array:
-    whole = np.zeros((6 * len(blocks), 6 * len(blocks)))
-    for k, block in enumerate(blocks):
-        whole[6 * k : 6 * k + 6, 6 * k : 6 * k + 6] = block
+def _along_diagonal(matrices: Sequence[Array]) -> Array:
+    whole = np.zeros((6 * len(matrices), 6 * len(matrices)))
+    for k, matrix in enumerate(matrices):
+        whole[6 * k : 6 * k + 6, 6 * k : 6 * k + 6] = matrix
     return whole

@@ -42,7 +42,9 @@ def read_database(path: str | Path, body: str | None = None) -> HydrodynamicData
     names = [one.name for one in found]
     if body is None:
         if len(found) > 1:
-            raise DatabaseError(f"{place}: has several bodies, {', '.join(names)}; name one of them")
+            raise DatabaseError(
+                f"{place}: has several bodies, {', '.join(names)}; name one of them by 'body'"
+            )
         return found[0]
     if body not in names:
         raise DatabaseError(f"{place}: has no body '{body}'; it has {', '.join(names)}")

@@ -49,11 +49,12 @@ def _body(path: Path, file: h5py.File, key: str, bodies: list[str]) -> Hydrodyna
     omega = numbers(file, f"{parameters}/w").reshape(-1)
     factor = 1.0 if is_scaled else density
     first = _first(file, key)
-    radiated = Coupling(
-        numbers(file, f"{place}/added_mass/all") * factor,
-        numbers(file, f"{place}/radiation_damping/all") * (factor if is_scaled else factor * omega),
-    )
-    mass, damping = (_own(path, table, first, len(omega)) for table in radiated)
+    scales = (np.full(len(omega), factor), np.full(len(omega), factor) if is_scaled else factor * omega)
+    tables = [
+        (numbers(file, f"{place}/{name}/all"), scale[:, None, None])
+        for name, scale in zip(("added_mass", "radiation_damping"), scales, strict=True)
+    ]
+    mass, damping = (_own(path, table, first, len(omega)) * scale for table, scale in tables)
     infinite = None
     if f"{place}/added_mass/inf_freq" in file:
         table = numbers(file, f"{place}/added_mass/inf_freq")
@@ -80,7 +81,7 @@ def _body(path: Path, file: h5py.File, key: str, bodies: list[str]) -> Hydrodyna
         directions=directions,
         excitation=None if excitation is None else excitation[order],
         drift=None if drift is None else drift[order],
-        others=_others(path, file, radiated, [other for other in bodies if other != key], order),
+        others=_others(path, file, tables, [other for other in bodies if other != key], order),
     )
 
 
@@ -96,7 +97,11 @@ def _first(file: h5py.File, key: str) -> int:
 
 
 def _others(
-    path: Path, file: h5py.File, radiated: Coupling, others: list[str], order: npt.NDArray[np.intp]
+    path: Path,
+    file: h5py.File,
+    tables: list[tuple[Array, Array]],
+    others: list[str],
+    order: npt.NDArray[np.intp],
 ) -> dict[str, Coupling]:
     """What other bodies do to one by their names, where the file has it.
 
@@ -106,8 +111,9 @@ def _others(
     for other in others:
         first = _first(file, other)
         is_there = f"{other}/properties/dof_start" in file
-        if is_there and all(table.ndim == 3 and table.shape[1] >= first + 6 for table in radiated):
-            coupling = Coupling(*(_own(path, table, first, len(order))[order] for table in radiated))
+        if is_there and all(table.shape[1] >= first + 6 for table, _ in tables):
+            parts = ((_own(path, table, first, len(order)) * scale)[order] for table, scale in tables)
+            coupling = Coupling(*parts)
             if any(table.any() for table in coupling):
                 found[_name(file, other)] = coupling
     return found
