@@ -2,9 +2,9 @@
 
 A wave program gives these, and beside them what each body does to the others by moving. Files of several
 bodies were read, their off-diagonal numbers left out without a word, and forces taken as they were: a barge
-of 40 × 12 × 2 m in the lee of one of 60 × 20 × 3 m, 6 m apart, beam on to waves of 8 s heaved with 0.46 m per
-metre, where all twelve motions together give 0.90 m, and 0.94 m alone; held fast, the larger keeps waves off
-that it goes along with when it floats. In waves as long as 12 s it was 0.75 m in place of 0.97 m.
+of 40 × 12 × 2 m in the lee of one of 60 × 20 × 3 m, 6 m apart, beam on to waves of 8 s heaved with 0.47 m per
+metre, where all twelve motions together give 1.01 m, and 1.02 m alone; held fast, the larger keeps waves off
+that it goes along with when it floats. In waves as long as 12 s it was 0.78 m in place of 1.00 m.
 
 In very long waves, A(ω) and B(ω) of no matter what, all that floats goes up and down with the water.
 """

@@ -6,12 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 from gantline.hydro.database.around import ForcesAround
-from gantline.hydro.database.model import AXES, DatabaseError, HydrodynamicDatabase
+from gantline.hydro.database.model import AXES, Coupling, DatabaseError, HydrodynamicDatabase
 from gantline.hydro.database.writing import write_database
 
 __all__ = [
     "AXES",
     "DATABASE_FORMATS",
+    "Coupling",
     "DatabaseError",
     "ForcesAround",
     "HydrodynamicDatabase",
