@@ -171,18 +171,27 @@ def in_waves(
     return path
 
 
-def response(frequency: float, direction: float, headings: tuple[float, float] = (0.0, 0.0)) -> Any:
+def response(
+    frequency: float, direction: float, headings: tuple[float, float] = (0.0, 0.0), damping_on_top: Any = 0.0
+) -> Any:
     """Motions of both per metre among each other, along their own axes, phases from the file's origin (12,).
 
-    (−ω²(M + A) − iωB + C)⁻¹ X of all twelve, M and C of each, A and B of the file.
+    (−ω²(M + A) − iω(B + D) + C)⁻¹ X of all twelve, M, D and C of each, A and B of the file.
+
+    Args:
+        frequency: ω [rad/s].
+        direction: That waves run in, in the axes of the file [rad].
+        headings: Of both hulls in these [rad].
+        damping_on_top: D, of either about its reference point along its own axes (6, 6).
     """
     place = int(np.argmin(np.abs(waves.FREQUENCIES - frequency)))
     added, damping = (values[place] for values in radiation(headings))
     whole = -(frequency**2) * added - 1j * frequency * damping
     nothing = np.zeros((6, 6))
+    own_damping = nothing + damping_on_top
     turns = [turn(heading) for heading in headings]
     for k, own in enumerate(turns):
         rows = slice(6 * k, 6 * k + 6)
-        whole[rows, rows] += own.T @ waves.impedance(frequency, nothing, nothing) @ own
+        whole[rows, rows] += own.T @ waves.impedance(frequency, nothing, own_damping) @ own
     moved = np.linalg.solve(whole, excitation(frequency, direction, headings))
     return np.concatenate([own @ moved[6 * k : 6 * k + 6] for k, own in enumerate(turns)])

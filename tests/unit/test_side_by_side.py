@@ -15,9 +15,10 @@ import pytest
 import databases
 import two_hulls
 import waves
+from afloat import MASS
 from gantline.assembly import assemble
 from gantline.hydro import DatabaseError, read_database, write_database
-from gantline.hydro.side_by_side import asymmetries
+from gantline.hydro.side_by_side import asymmetries, forces_side_by_side
 from gantline.results.unfollowed import parted_neighbours
 from gantline.scenario import ScenarioError, load_scenario
 from gantline.simulation import simulate
@@ -264,3 +265,76 @@ def test_a_run_of_neighbours_says_nothing(tmp_path: Path) -> None:
     two_hulls.database(tmp_path / "two.nc")
     run = simulate(two_hulls.in_waves(tmp_path, SWELL, duration="40 s"))
     assert not [one for one in run.attributes["warnings"] if "beside each other" in one]
+
+
+def test_damping_by_hand_is_none_of_motions_side_by_side(tmp_path: Path) -> None:
+    """But on top of radiation."""
+    two_hulls.database(tmp_path / "two.nc")
+    by_hand: dict[str, Any] = {"water_damping": {"at": ["50 m", "0 m", "4 m"], "roll": "200 MN m s"}}
+    sentence = "side by side left has in waves the damping of two.nc and none of 'water_damping'"
+    assert sentence not in placed(two_hulls.in_waves(tmp_path, SWELL, left=by_hand))
+    assert sentence in placed(two_hulls.in_waves(tmp_path, SWELL, left={**by_hand, "radiation": None}))
+
+
+def test_added_mass_below_zero_beside_others(tmp_path: Path) -> None:
+    """Water that swings in a gap gives more back than there is inertia in it; no energy is gained."""
+    found = read_database(two_hulls.database(tmp_path / "two.nc"), "left")
+    swings = found.added_mass.copy()
+    swings[:, 1, 1] = -0.4 * swings[:, 2, 2]
+    with pytest.raises(DatabaseError) as caught:
+        replace(found, added_mass=swings).added_mass_at(2 * math.pi / 0.7, 1025.0)
+    said = str(caught.value)
+    assert "a motion whose added mass is below zero, by " in said
+    assert "as water that swings beside right makes it; 'radiation' or another period can have it" in said
+    with pytest.raises(DatabaseError, match="gains energy from the water"):
+        replace(found, added_mass=swings, others={}).added_mass_at(2 * math.pi / 0.7, 1025.0)
+
+
+def test_one_file_by_two_paths(tmp_path: Path) -> None:
+    two_hulls.database(tmp_path / "two.nc")
+    right = {"database": "./two.nc", "body": "right", "at": ["50 m", "0 m", "4 m"]}
+    assert "as if alone" not in placed(two_hulls.in_waves(tmp_path, SWELL, right={"wave_forces": right}))
+
+
+@pytest.mark.parametrize("ballast", [0.0, 2e6])
+def test_a_load_that_stands_aboard_moves_with_its_vessel(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ballast: float
+) -> None:
+    """2000 t, 3 m over the deck, on a vessel that floats as deep as with them; what has its mass without them
+    bears none yet. About the reference point, 4 m over the keel, its moment is that of hull and load.
+    """
+    two_hulls.database(tmp_path / "two.nc")
+    x, y = two_hulls.REFERENCES[1, :2]
+    load = {
+        "name": "module",
+        "shape": {"box": ["10 m", "10 m", "6 m"]},
+        "datum": "bottom_centre",
+        "position": [f"{x} m", f"{y} m", "4 m"],
+        "weight": {"calculated": "2000 t", "contingency": "1.0", "simulate": "calculated"},
+        "centre_of_gravity": {"at": ["0 m", "0 m", "3 m"]},
+        "lugs": {"A": {"at": ["0 m", "0 m", "6 m"]}},
+    }
+    deck = {
+        "parent": "right",
+        "at": ["50 m", "0 m", "8 m"],
+        "joint": {"type": "fixed"},
+        "shape": {"box": ["12 m", "12 m", "1 m"], "centre": ["0 m", "0 m", "-0.5 m"]},
+    }
+    stands = {"between": ["module", "deck"], "stiffness": "100 MN/m", "damping": "1 MN s/m"}
+    mechanics = {"bodies": {"deck": deck}, "body_contacts": {"stands": stands}}
+    own = MASS - 2e6 + ballast
+    hull = {"hull": {"mass": f"{own} kg", "at": ["50 m", "0 m", "5 m"]}}
+    seen: list[Any] = []
+
+    def watched(bodies: Any, *rest: Any) -> Any:
+        seen.append(bodies)
+        return forces_side_by_side(bodies, *rest)
+
+    monkeypatch.setattr("gantline.assembly.side_by_side.forces_side_by_side", watched)
+    path = two_hulls.in_waves(tmp_path, SWELL, right={"masses": hull}, load=load, mechanics=mechanics)
+    assemble(load_scenario(path))
+    inertia = seen[0][1].inertia
+    assert inertia[0, 0] == pytest.approx(MASS, rel=1e-12)
+    # Surge with pitch is m z: hull 1 m, load 8 + 3 - 4 m over the point.
+    moment = own * 1.0 + (0.0 if ballast else 2e6 * 7.0)
+    assert inertia[0, 4] == pytest.approx(moment, rel=1e-9)

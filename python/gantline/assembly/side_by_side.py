@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 from gantline.assembly.by_itself import about_point, mass_aboard, pumped_content, stiffness_by_water
 from gantline.assembly.databases import from_database
-from gantline.assembly.parts import Parts
+from gantline.assembly.parts import Json, Parts
 from gantline.assembly.radiation import memory_of
 from gantline.assembly.spatial import Array
 from gantline.assembly.vessels import upright_hydrostatics, vessel_hull
@@ -20,7 +21,7 @@ from gantline.hydro.side_by_side import Neighbour, asymmetries, forces_side_by_s
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt, PathPart
 from gantline.scenario.vessel import Vessel
-from gantline.scenario.water import Water
+from gantline.scenario.water import Water, WaveForces
 from gantline.units import format_quantity
 
 __all__ = ["SideBySide", "shared_files", "vessels_side_by_side"]
@@ -63,10 +64,10 @@ class SideBySide:
 
 def shared_files(scenario: Scenario) -> list[set[str]]:
     """Names of vessels whose `wave_forces` are by bodies of one file, for each file with several of them."""
-    by_file: dict[str, set[str]] = {}
+    by_file: dict[Path, set[str]] = {}
     for name, vessel in (scenario.vessels or {}).items():
         if vessel.wave_forces is not None and _database(scenario, name, vessel).others:
-            by_file.setdefault(vessel.wave_forces.database, set()).add(name)
+            by_file.setdefault(_file(scenario, vessel.wave_forces), set()).add(name)
     return [names for names in by_file.values() if len(names) > 1]
 
 
@@ -78,7 +79,7 @@ def vessels_side_by_side(parts: Parts, scenario: Scenario) -> dict[str, SideBySi
     Raises:
         ScenarioError: if a body of the file is no vessel of the lift, or vessels lie elsewhere than there.
     """
-    files: dict[str, dict[str, str]] = {}
+    files: dict[Path, dict[str, str]] = {}
     for name, vessel in (scenario.vessels or {}).items():
         given = vessel.wave_forces
         if given is None:
@@ -86,7 +87,7 @@ def vessels_side_by_side(parts: Parts, scenario: Scenario) -> dict[str, SideBySi
         database = _database(scenario, name, vessel)
         if not database.others:
             continue
-        vessels = files.setdefault(given.database, {})
+        vessels = files.setdefault(_file(scenario, given), {})
         if database.name in vessels:
             sentence = f"'{database.name}' of {given.database} is {vessels[database.name]} already"
             raise scenario.error(_path(name, "body"), f"{sentence}; name another body of the file")
@@ -96,6 +97,11 @@ def vessels_side_by_side(parts: Parts, scenario: Scenario) -> dict[str, SideBySi
         together = _together(parts, scenario, vessels)
         found |= dict.fromkeys(together.names, together)
     return found
+
+
+def _file(scenario: Scenario, given: WaveForces) -> Path:
+    """Its database, by whatever path the lift file names it."""
+    return (Path(scenario.source).parent / given.database).resolve()
 
 
 def _path(name: str, *keys: str) -> tuple[PathPart, ...]:
@@ -149,12 +155,9 @@ def _neighbour(parts: Parts, scenario: Scenario, name: str) -> Neighbour:
     inertia[:3, :3], inertia[3:, 3:] = mass * np.eye(3), own
     stiffness, _ = stiffness_by_water(scenario, name, vessel, centre)
     damping = np.zeros((6, 6))
-    ours = {f"{name}.critical_damping"}
-    if not _by_file(vessel):
-        ours.add(f"{name}.water_damping")
-    for force in parts.forces:
-        if force["type"] == "drag" and force["name"] in ours:
-            damping += about_point({"at": force["at"], "matrix": force["damping"]}, at)
+    if vessel.radiation is not None:
+        for force in _dampings(parts, name):
+            damping += about_point({**force, "matrix": force["damping"]}, at)
     box = vessel_hull(scenario, name, vessel).box
     to_middle = np.array([box[:, 0].mean(), 0.0]) - at[:2]
     return Neighbour(
@@ -187,8 +190,8 @@ def _water(parts: Parts, scenario: Scenario, name: str, at: Array) -> Callable[[
     for force in parts.forces:
         if force["name"] == f"{name}.added_mass":
             constant[0] += about_point(force, at)
-        if force["name"] == f"{name}.water_damping" and _by_file(vessel):
-            constant[1] += about_point({**force, "matrix": force["damping"]}, at)
+    for force in _dampings(parts, name):
+        constant[1] += about_point({**force, "matrix": force["damping"]}, at)
 
     def stays(frequency: Array) -> tuple[Array, Array]:
         added, damping = (np.repeat(one[np.newaxis], len(frequency), axis=0) for one in constant)
@@ -197,9 +200,10 @@ def _water(parts: Parts, scenario: Scenario, name: str, at: Array) -> Callable[[
     return stays
 
 
-def _by_file(vessel: Vessel) -> bool:
-    """Whether its damping is that of the waves that it makes."""
-    return vessel.water_damping is not None and vessel.water_damping.database is not None
+def _dampings(parts: Parts, name: str) -> list[Json]:
+    """What `water_damping` makes of a vessel: it comes on top of `radiation`, or is all there is."""
+    names = (f"{name}.water_damping", f"{name}.critical_damping")
+    return [force for force in parts.forces if force["type"] == "drag" and force["name"] in names]
 
 
 def _standing(parts: Parts, scenario: Scenario, name: str) -> list[str]:
@@ -225,10 +229,15 @@ def _is_aboard(parts: Parts, body: str, vessel: str) -> bool:
 
 
 def _doubts_of_waves(scenario: Scenario, name: str) -> Iterator[Doubt]:
-    """Frequencies whose added mass stands alone, where nothing else of the vessel says so."""
+    """Damping that does not count, and added mass that stands alone where nothing else tells."""
     vessel = (scenario.vessels or {})[name]
-    forces = vessel.wave_forces
+    forces, damping = vessel.wave_forces, vessel.water_damping
     assert forces is not None
+    if vessel.radiation is None and damping is not None and damping.database is None:
+        sentence = (
+            f"side by side {name} has in waves the damping of {forces.database} and none of 'water_damping'"
+        )
+        yield Doubt(("vessels", name, "water_damping"), f"{sentence}; beside 'radiation' that comes on top")
     others = (vessel.radiation, vessel.added_mass)
     if not any(one and (one.database, one.body) == (forces.database, forces.body) for one in others):
         for sentence in _database(scenario, name, vessel).outlying(None):

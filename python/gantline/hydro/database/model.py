@@ -315,7 +315,8 @@ class HydrodynamicDatabase:
         """
         if self.drift is None:
             return None
-        drifts, directions = all_round(self.directions, self.drift, np.array([1.0, -1.0, -1.0]))
+        signs = None if self.others else np.array([1.0, -1.0, -1.0])
+        drifts, directions = all_round(self.directions, self.drift, signs)
         scaled = drifts * self._denser(density)
         return ForcesAround.drifts_between(
             self.frequencies, scaled, frequency, directions, derivative=derivative
@@ -419,10 +420,13 @@ class HydrodynamicDatabase:
         if least >= -1e-12:
             return matrix, doubts
         if least < -_NEGATIVE * float(values[-1]):
-            raise DatabaseError(
-                f"{self.source}: its {what} has a motion that gains energy from the water, "
-                f"{100 * -least / float(values[-1]):.3g} % of the largest; another period may be better"
-            )
+            share = f"{100 * -least / float(values[-1]):.3g} % of the largest"
+            if self.others and what == "added mass":
+                swings = f"a motion whose added mass is below zero, by {share}, as water that swings beside "
+                instead = f"{', '.join(self.others)} makes it; 'radiation' or another period can have it"
+                raise DatabaseError(f"{self.source}: {swings}{instead}")
+            gains = f"its {what} has a motion that gains energy from the water, {share}"
+            raise DatabaseError(f"{self.source}: {gains}; another period may be better")
         if least < -1e-6 * float(values[-1]):
             share = f"{-100 * least / float(values[-1]):.2g} % of the largest"
             doubts.append(f"{self.source}: a motion whose {what} is below zero, by {share}, is set to zero")
