@@ -338,3 +338,33 @@ def test_a_load_that_stands_aboard_moves_with_its_vessel(
     # Surge with pitch is m z: hull 1 m, load 8 + 3 - 4 m over the point.
     moment = own * 1.0 + (0.0 if ballast else 2e6 * 7.0)
     assert inertia[0, 4] == pytest.approx(moment, rel=1e-9)
+
+
+@pytest.mark.parametrize("held", [True, False])
+def test_long_waves_beside_one_held_fast(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, held: bool) -> None:
+    """Where a file has what a neighbour that is held takes of the heave of a hull, −ω² A_j3, it is of the
+    hull; where it has not, of another: ω² A is 9 MN/m in its longest waves, 0.2 rad/s, of 30.2 MN/m by the
+    waterplane less 1.7 MN/m by mass and added mass.
+    """
+    coupled = 9e6 / 0.2**2
+    given = two_hulls.radiation
+
+    def radiation(*which: Any) -> Any:
+        added, damping = given(*which)
+        added[:, 2, 8] = added[:, 8, 2] = coupled
+        return added, damping
+
+    def excitation(frequency: float, direction: float, headings: tuple[float, float]) -> Any:
+        found = []
+        for place in two_hulls.REFERENCES:
+            way = frequency**2 / waves.G * (place[:2] @ [math.cos(direction), math.sin(direction)])
+            alone = waves.force_per_metre(frequency, direction)
+            alone[2] -= coupled * frequency**2 if held else 0.0
+            found.append(np.exp(1j * way) * alone)
+        return np.concatenate(found)
+
+    monkeypatch.setattr(two_hulls, "radiation", radiation)
+    monkeypatch.setattr(two_hulls, "excitation", excitation)
+    two_hulls.database(tmp_path / "two.nc")
+    said = placed(two_hulls.in_waves(tmp_path, SWELL))
+    assert ("is of another hull, draft or scale" in said) != held
