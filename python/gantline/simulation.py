@@ -14,6 +14,7 @@ from gantline import _core
 from gantline.assembly import assemble
 from gantline.assembly.commands import CommandError, command_of, commanded
 from gantline.assembly.origin import refused
+from gantline.assembly.side_by_side import shared_files
 from gantline.assembly.vessels import adrift, misplaced, off_their_decks, vessel_hulls
 from gantline.interrupt import noted_interrupt
 from gantline.overrides import is_number, overridden, with_adjusting_factor, with_locked_equalizers
@@ -52,7 +53,7 @@ from gantline.results.run_warnings import (
 )
 from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
-from gantline.results.unfollowed import unfollowed
+from gantline.results.unfollowed import parted_neighbours, unfollowed
 from gantline.results.variable import Columns, FloatArray, Names
 from gantline.results.vessels import vessel_warnings, with_righting
 from gantline.scenario import Scenario, ScenarioError, load_scenario
@@ -417,6 +418,8 @@ class Simulation:
             decks = _decks(rig, columns, names)
             warnings += off_their_decks(self.assembly.document, decks, at_start, turned)
             hulls = vessel_hulls(self.assembly.document, afloat)
+            together = shared_files(self.scenario) if self.scenario.waves else []
+            warnings += parted_neighbours(self.assembly.document, columns, names, together, hulls)
             ground = ground_in(self.assembly.scene)
             warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground, water.depth)
         warnings += pump_warnings(rig, columns, names)

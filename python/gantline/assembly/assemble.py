@@ -147,8 +147,8 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     if scenario.load is not None and lifted is not None:
         add_in_water(parts, scenario, scenario.load, lifted)
     add_streams(parts, scenario, lifted)
-    add_waves(parts, scenario)
     add_critical_damping(parts, scenario)
+    add_waves(parts, scenario)
     add_moorings(parts, scenario)
     if lifted is not None:
         add_tag_lines(parts, scenario, lifted)

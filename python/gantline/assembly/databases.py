@@ -20,7 +20,7 @@ T = TypeVar("T")
 def from_database(
     scenario: Scenario,
     path: tuple[PathPart, ...],
-    named: tuple[str, str | None],
+    named: tuple[str, str | None, float],
     use: Callable[[HydrodynamicDatabase], T],
 ) -> T:
     """What `use` makes of a database.
@@ -28,21 +28,23 @@ def from_database(
     Args:
         scenario: the lift.
         path: of the element of the lift file that names it as its `database`.
-        named: the file beside the lift file, and the body in it; None where it has one.
+        named: the file beside the lift file, the body in it, None where it has one, and the direction of that
+            body's x axis in it [rad]; what is used has the axes of the body.
         use: may raise `DatabaseError`.
 
     Raises:
         ScenarioError: if the file cannot be read, or `use` cannot use it.
     """
-    file, body = named
+    file, body, heading = named
     place = Path(scenario.source).parent / file
     try:
-        return use(_read(place, stamp(place), body))
+        return use(_read(place, stamp(place), body, heading))
     except DatabaseError as problem:
         raise scenario.error((*path, "database"), str(problem).replace(str(place), file)) from None
 
 
 @lru_cache(maxsize=8)
-def _read(path: Path, _stamp: tuple[int, int], body: str | None) -> HydrodynamicDatabase:
+def _read(path: Path, _stamp: tuple[int, int], body: str | None, heading: float) -> HydrodynamicDatabase:
     """A database, read once for added mass, damping, waves and all cases of a lift."""
-    return read_database(path, body)
+    found = read_database(path, body)
+    return found.along(heading) if heading else found

@@ -1,4 +1,4 @@
-"""Vessels that lie so close that each is in the lee of the other, of which waves here know nothing."""
+"""Vessels that lie so close that each is in the lee of the other, of which their files know nothing."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 
 from gantline.assembly.hulls import hull_mesh
 from gantline.assembly.parts import Parts
+from gantline.assembly.side_by_side import shared_files
 from gantline.assembly.spatial import Array
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
@@ -18,10 +19,14 @@ __all__ = ["distance_in_plan", "doubtful_lee"]
 
 
 def doubtful_lee(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
-    """Each pair of vessels in waves that lie nearer than the breadth of the wider where the lift begins."""
+    """Each pair of vessels in waves that lie nearer than the breadth of the wider where the lift begins.
+
+    None of a pair whose wave forces are by one computation of both.
+    """
     if not scenario.waves:
         return
     outlines = {}
+    known = shared_files(scenario)
     for name, vessel in (scenario.vessels or {}).items():
         hull = hull_mesh(scenario, name, vessel) if vessel.wave_forces is not None else None
         if hull is not None:
@@ -29,6 +34,8 @@ def doubtful_lee(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
             breadth = float(np.ptp(hull.vertices[:, 1]))
             outlines[name] = _outline((position + hull.vertices @ turn.T)[:, :2]), breadth
     for (one, (first, wide)), (other, (second, wider)) in combinations(outlines.items(), 2):
+        if any({one, other} <= names for names in known):
+            continue
         breadth, distance = max(wide, wider), distance_in_plan(first, second)
         if distance < breadth:
             lie = f"{one} and {other} lie {format_quantity(distance, 'm', 1)} apart"

@@ -6,7 +6,7 @@ follow from its waterplane A, the middle (x, y) of that from the reference point
     X₃ = ρ g A − ω² (ρ V + A₃₃),    X₅ = −x X₃,    X₄ = y X₃,
 
 but for what the slope of the waves adds to both moments, a quarter of a period late (Newman 1977, chapter
-6).
+6). A body beside others that are held has −ω² A_j3 of each of them as well, which is left out of its forces.
 """
 
 from __future__ import annotations
@@ -27,8 +27,11 @@ from gantline.hydro.database import HydrodynamicDatabase
 from gantline.hydro.waves import wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
+from gantline.scenario.water import AddedMass, Radiation, WaterDamping, WaveForces
 
 __all__ = ["add_doubts_of_hulls"]
+
+ByFile = AddedMass | WaterDamping | Radiation | WaveForces
 
 #: Waves are long up to this wave number times the length of the hull. Of a barge of 90 × 30 × 3 m that is
 #: right there to 4 % of the force and a fiftieth of the length.
@@ -43,7 +46,7 @@ _OTHER_PLACE = 0.05
 #: Heights of a reference point over the water that differ by more than this [m], and by this share of the
 #: draft, are of another place aboard: a lift may float a little deeper or higher than its database.
 _OTHER_HEIGHT, _OF_DRAFT = 0.5, 0.25
-#: Places that differ by less are one [m].
+#: Places that differ by less are one [m], and directions [rad].
 _SAME = 1e-3
 
 
@@ -55,7 +58,7 @@ def add_doubts_of_hulls(parts: Parts, scenario: Scenario) -> None:
     """
     for name, vessel in (scenario.vessels or {}).items():
         told: set[str] = set()
-        places: dict[tuple[str, str | None], tuple[str, Array]] = {}
+        places: dict[tuple[str | None, str | None], tuple[str, ByFile]] = {}
         for key in ("wave_forces", "radiation", "added_mass", "water_damping"):
             given = getattr(vessel, key)
             if getattr(given, "database", None) is None:
@@ -71,8 +74,8 @@ def add_doubts_of_hulls(parts: Parts, scenario: Scenario) -> None:
                 gravity=scenario.simulation.gravity,
             )
             path = (*afloat_path(scenario, name), key)
-            found = from_database(scenario, path, (given.database, given.body), doubts)
-            found += _elsewhere(places, key, given.database, given.body, np.array(given.at))
+            found = from_database(scenario, path, (given.database, given.body, given.heading_in_file), doubts)
+            found += _elsewhere(places, key, given)
             parts.doubts += [Doubt(path, f"{key} of {name}: {doubt}") for doubt in found if doubt not in told]
             told.update(found)
 
@@ -129,26 +132,23 @@ def _height(z: float) -> str:
 
 
 def _elsewhere(
-    places: dict[tuple[str, str | None], tuple[str, Array]],
-    key: str,
-    database: str,
-    body: str | None,
-    at: Array,
-) -> list[str]:
-    """That a file has its reference point elsewhere under another key of the vessel.
+    places: dict[tuple[str | None, str | None], tuple[str, ByFile]], key: str, given: ByFile
+) -> Iterator[str]:
+    """That a file has its reference point or its axes elsewhere under another key of the vessel.
 
     Args:
-        places: Keys and places found before, by file and body; this one is added.
+        places: Keys and what stands there, found before, by file and body; this one is added.
         key: The key.
-        database: Its file.
-        body: Its body, where the file has several.
-        at: Where its reference point is aboard (3,) [m].
+        given: What stands there.
     """
-    other, there = places.setdefault((database, body), (key, at))
-    if float(np.abs(at - there).max()) <= _SAME:
-        return []
-    here, first = (f"({', '.join(f'{x + 0.0:g}' for x in place)}) m" for place in (at, there))
-    return [f"'at' is {here} and that of '{other}' {first}; a file has one reference point"]
+    other, before = places.setdefault((given.database, given.body), (key, given))
+    if float(np.abs(np.subtract(given.at, before.at)).max()) > _SAME:
+        here, first = (f"({', '.join(f'{x + 0.0:g}' for x in one.at)}) m" for one in (given, before))
+        yield f"'at' is {here} and that of '{other}' {first}; a file has one reference point"
+    apart = math.remainder(given.heading_in_file - before.heading_in_file, math.tau)
+    if abs(apart) > _SAME:
+        here, first = (f"{math.degrees(one.heading_in_file):g} deg" for one in (given, before))
+        yield f"'heading_in_file' is {here} and that of '{other}' {first}; a file has one of each body"
 
 
 def _of_long_waves(
@@ -166,7 +166,10 @@ def _of_long_waves(
     expected = stiffness - float(omega[0]) ** 2 * moved
     if number * size[0] > _LONG or expected < _STIFF * stiffness:
         return
-    forces = denser * database.excitation[0]
+    forces = database.excitation[0]
+    held = sum((other.added_mass[0, :, 2] for other in database.others.values()), start=np.zeros(6))
+    phase = forces[:, 2] / np.maximum(np.abs(forces[:, 2]), 1e-300)
+    forces = denser * (forces + float(omega[0]) ** 2 * np.multiply.outer(phase, held))
     heave = float(np.abs(forces[:, 2]).max())
     waves = f"waves of {2 * math.pi / float(omega[0]):.4g} s"
     if abs(heave / expected - 1.0) > _OTHER_HULL:

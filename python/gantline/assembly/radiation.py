@@ -31,7 +31,7 @@ def memory_of(scenario: Scenario, name: str, body: Afloat) -> Memory | None:
     def fitted(database: HydrodynamicDatabase) -> Memory:
         return _fitted(_Same(database), density)
 
-    return from_database(scenario, path, (given.database, given.body), fitted)
+    return from_database(scenario, path, (given.database, given.body, given.heading_in_file), fitted)
 
 
 class _Same:

@@ -56,5 +56,7 @@ def _from_database(
         assert period is not None  # validated
         return database.damping_at(period, density)
 
-    matrix, doubts = from_database(scenario, path, (given.database, given.body), matrix_at)
+    matrix, doubts = from_database(
+        scenario, path, (given.database, given.body, given.heading_in_file), matrix_at
+    )
     return matrix.tolist(), doubts

@@ -11,6 +11,7 @@ import numpy.typing as npt
 from gantline.assembly.databases import from_database
 from gantline.assembly.mean_drift import mean_drift
 from gantline.assembly.parts import Json, Parts
+from gantline.assembly.side_by_side import SideBySide, vessels_side_by_side
 from gantline.assembly.steepness import doubts_of_steepness, refuse_breaking
 from gantline.assembly.trains import Train
 from gantline.assembly.vessels import vessel_hull
@@ -19,7 +20,7 @@ from gantline.hydro.database import AXES, DatabaseError, ForcesAround, Hydrodyna
 from gantline.hydro.mean_drift import Drifting
 from gantline.hydro.waves import Components, regular, sea, wave_number
 from gantline.scenario import Scenario
-from gantline.scenario.errors import Doubt, PathPart
+from gantline.scenario.errors import Doubt
 from gantline.scenario.mooring import is_moored
 from gantline.scenario.vessel import Vessel
 from gantline.scenario.water import Water
@@ -47,6 +48,8 @@ _OTHER_LENGTH = 0.05
 def add_waves(parts: Parts, scenario: Scenario) -> None:
     """Add the sea, and to each vessel what its waves do to it; warn of waves that do nothing.
 
+    All bodies are there, with their masses, and what damps vessels.
+
     Raises:
         ScenarioError: if waves break, or a database or a table of RAOs cannot be used.
     """
@@ -60,8 +63,9 @@ def add_waves(parts: Parts, scenario: Scenario) -> None:
     rise_time = _PERIODS_TO_GROW * max(train.main_period for train in scenario.waves.values())
     parts.sea = {"components": listed, "rise_time": rise_time, "depth": (scenario.water or Water()).depth}
     pushed = {name: vessel for name, vessel in (scenario.vessels or {}).items() if vessel.wave_forces}
+    neighbours = vessels_side_by_side(parts, scenario)
     for name, vessel in pushed.items():
-        force, *mean = _forces(parts, scenario, name, vessel, trains)
+        force, *mean = _forces(parts, scenario, name, trains, neighbours.get(name))
         parts.forces += [force, *mean]
         parts.doubts += _other_period(scenario, name, vessel)
         parts.doubts += _drifting(scenario, name, vessel, drifts=bool(force["drifts"]))
@@ -90,7 +94,7 @@ def _components(name: str, train: WaveTrain) -> Components:
 
 
 def _forces(
-    parts: Parts, scenario: Scenario, name: str, vessel: Vessel, trains: dict[str, Train]
+    parts: Parts, scenario: Scenario, name: str, trains: dict[str, Train], beside: SideBySide | None
 ) -> list[Json]:
     """What all waves do to a vessel, vessel axes, phases from the middle of its length in the centre plane.
 
@@ -98,13 +102,14 @@ def _forces(
 
     There they change least between the frequencies and directions of a file, whose own origin may be far off.
     """
+    vessel = (scenario.vessels or {})[name]
     given = vessel.wave_forces
     assert given is not None
     path = ("vessels", name, "wave_forces")
     box = vessel_hull(scenario, name, vessel).box[:, :2]
     found = []
     for train_name, train in trains.items():
-        pushed = _of_database(scenario, path, vessel, train.waves, box)
+        pushed = _of_database(scenario, name, train.waves, box, beside)
         parts.doubts += [Doubt(path, f"wave forces of {name}: {doubt}") for doubt in pushed.doubts]
         unknown = _unknown(train.waves, pushed.at_start)
         if unknown > _SILENT:
@@ -148,17 +153,18 @@ class _Pushed(NamedTuple):
 
 
 def _of_database(
-    scenario: Scenario, path: tuple[PathPart, ...], vessel: Vessel, train: Components, box: Array
+    scenario: Scenario, name: str, train: Components, box: Array, beside: SideBySide | None
 ) -> _Pushed:
     """What waves do to a vessel; phases count from the middle of its length in its centre plane.
 
     Args:
         scenario: the lift.
-        path: of its wave forces.
-        vessel: the vessel.
+        name: of the vessel.
         train: the waves.
         box: its least and largest x, y [m].
+        beside: what it lies among, if its file has others beside it.
     """
+    vessel = (scenario.vessels or {})[name]
     given = vessel.wave_forces
     assert given is not None
     density = (scenario.water or Water()).density
@@ -174,15 +180,23 @@ def _of_database(
         towards = train.direction - vessel.heading
         found, doubts = database.excitation_at(train.frequency, towards, density, phased_at)
         doubts += _of_other_waves(scenario, database, train)
-        around = database.excitation_around(train.frequency, density, phased_at)
+        if beside is None:
+            around, extent = database.excitation_around(train.frequency, density, phased_at), size
+        else:
+            around, extent = beside.forces(name, train.frequency), size + 2 * beside.extent
         drift = database.drift_around(train.frequency, density) if given.drift is not False else None
         if given.drift and drift is None:
             raise DatabaseError(f"{database.source}: has no drift forces")
         met = database.drift_around(train.frequency, density, derivative=1)
         mean = None if drift is None or met is None else Drifting(train, drift, met)
-        return _Pushed(found, around, mean, doubts + _sparse(database, around, towards, train, size))
+        return _Pushed(found, around, mean, doubts + _sparse(database, around, towards, train, extent))
 
-    return from_database(scenario, path, (given.database, given.body), forces)
+    return from_database(
+        scenario,
+        ("vessels", name, "wave_forces"),
+        (given.database, given.body, given.heading_in_file),
+        forces,
+    )
 
 
 def _of_other_waves(scenario: Scenario, database: HydrodynamicDatabase, train: Components) -> list[str]:
@@ -221,7 +235,7 @@ def _sparse(
     if shares.max() <= _MOST_SPARSE:
         return []
     longest = 2 * math.pi / float(train.frequency[is_far].min())
-    shown = f"which are {100 * shares.max():.2g} % of what moves it in {AXES[int(shares.argmax())]}"
+    shown = f"which are {100 * shares.max():.0f} % of what moves it in {AXES[int(shares.argmax())]}"
     sentence = f"frequencies or directions of {database.source} are far apart for waves of {longest:.3g} s"
     return [f"{sentence} and shorter, {shown}; forces between them may be a tenth and more off"]
 

@@ -113,6 +113,7 @@ class _Waves:
             ]
             cells.append((f"{found.periods[k]:.3f}", *row))
         runs = f"Waves that run {math.degrees(self.direction):.4g} deg from its bow: sizes of forces"
+        runs += f" beside {', '.join(found.others)} held fast," if found.others else ""
         per = "per metre of amplitude" + ("" if self.drift is None else ", drift forces per square metre")
         return ["", f"{runs} {per}", *table(tuple(names), cells, "r" * len(names))]
 
@@ -137,6 +138,8 @@ def _report(found: HydrodynamicDatabase) -> list[str]:
     if found.water_depth is not None:
         deep = math.isinf(found.water_depth)
         parts.append("deep water" if deep else f"water {found.water_depth:.4g} m deep")
+    if found.others:
+        parts.append(f"beside {', '.join(found.others)}")
     waves = (
         "no wave forces" if found.excitation is None else f"wave forces in {len(found.directions)} directions"
     )
@@ -202,4 +205,8 @@ def _as_json(found: HydrodynamicDatabase) -> dict[str, Any]:
         "excitation_real": None if excitation is None else excitation.real.tolist(),
         "excitation_imaginary": None if excitation is None else excitation.imag.tolist(),
         "drift": None if found.drift is None else found.drift.tolist(),
+        "others": {
+            name: {"added_mass": other.added_mass.tolist(), "damping": other.damping.tolist()}
+            for name, other in found.others.items()
+        },
     }

@@ -8,6 +8,7 @@ from __future__ import annotations
 from gantline.hydro.attitude import Attitude
 from gantline.hydro.database import (
     DATABASE_FORMATS,
+    Coupling,
     DatabaseError,
     HydrodynamicDatabase,
     read_database,
@@ -29,6 +30,7 @@ __all__ = [
     "Attitude",
     "CannotFloatError",
     "Closure",
+    "Coupling",
     "DatabaseError",
     "DisplacementRaos",
     "Floating",

@@ -22,7 +22,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from gantline.hydro.database.model import AXES, DatabaseError, HydrodynamicDatabase
+from gantline.hydro.database.model import AXES, Coupling, DatabaseError, HydrodynamicDatabase
 
 __all__ = ["Memory", "Misfit", "fit_memory"]
 
@@ -161,6 +161,10 @@ def fit_memory(database: HydrodynamicDatabase, density: float) -> Memory:
         directions=np.zeros(0),  # waves are none of its memory
         excitation=None,
         drift=None,
+        others={
+            name: Coupling(*(values[heard] for values in coupling))
+            for name, coupling in database.others.items()
+        },
     )
     scale, infinite = 1.0, None
     if database.infinite_added_mass is not None:

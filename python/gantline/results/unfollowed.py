@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 from gantline.results.rotation import axes, heading
 from gantline.results.variable import BoolArray, Columns, FloatArray, Names
 
-__all__ = ["unfollowed"]
+__all__ = ["parted_neighbours", "unfollowed"]
 
 #: Speed of a vessel over that of the waves, from which its speed counts.
 _FAST = 0.1
@@ -20,6 +21,9 @@ _BEHIND, _LATE = math.radians(10.0), math.pi / 2
 #: Slow places and headings are 10 ü/ω_c² behind, ω_c = 0.2 ω (`CUT_OFF` of the core's `build/trains.rs`): of
 #: the second difference over a period 2π/ω.
 _BEND = 10.0 / (0.2 * 2 * math.pi) ** 2
+#: Vessels whose file has them side by side that part or close by more than this share of the breadth of the
+#: narrower, or turn by more than that [rad], are in other waves: as `assembly/side_by_side.py` at the start.
+_OF_BREADTH, _ASKEW = 0.25, math.radians(5.0)
 #: Directions that are further apart have nothing to say of what is between them [deg].
 _WIDEST = 60.0
 
@@ -42,8 +46,7 @@ def unfollowed(document: _Json, columns: Columns, names: Names) -> list[str]:
         period = 2 * math.pi / min(wave["frequency"] for wave in waves)
         if columns["time"][-1] - columns["time"][0] < 3 * period:
             continue
-        body = next(one for one in document["bodies"] if one["name"] == force["body"])
-        arm = np.array(force["origin"]) - np.array(body.get("centre_of_gravity", (0.0, 0.0, 0.0)))
+        arm = _arm(document, force)
         time, slow = _means(columns, list(names["body"]).index(force["body"]), arm, period)
         for sentence, moments, is_so in (
             *_of_motion(waves, time, slow, period),
@@ -53,6 +56,61 @@ def unfollowed(document: _Json, columns: Columns, names: Names) -> list[str]:
                 since = float(moments[int(np.argmax(is_so))])
                 sentences.append(f"wave forces of {force['body']}: from {since:.0f} s on it {sentence}")
     return sentences
+
+
+def parted_neighbours(
+    document: _Json,
+    columns: Columns,
+    names: Names,
+    together: Sequence[Collection[str]],
+    hulls: Mapping[str, FloatArray],
+) -> list[str]:
+    """A sentence for each two vessels that part or close in a run while their waves are those side by side.
+
+    Looked at are means over a period of the slowest wave; of less than three periods nothing is said.
+
+    Args:
+        document: What has been assembled of the lift.
+        columns: What was recorded: `time`, `body_position`, `body_orientation`.
+        names: Names along their dimensions.
+        together: Names of the vessels of each file of several.
+        hulls: Vertices of the hulls of vessels by their names, vessel axes (vertices, 3) [m].
+    """
+    forces = {one["body"]: one for one in document.get("forces", ()) if one["type"] == "wave"}
+    if not forces or not together:
+        return []
+    period = 2 * math.pi / min(wave["frequency"] for wave in document["sea"]["components"])
+    if columns["time"][-1] - columns["time"][0] < 3 * period:
+        return []
+    sentences = []
+    for one, other in (pair for vessels in together for pair in combinations(sorted(vessels), 2)):
+        (time, first), (_, second) = (
+            _means(columns, list(names["body"]).index(body), _arm(document, forces[body]), period)
+            for body in (one, other)
+        )
+        between, turned = (second - first)[:, :2], (second - first)[:, 2]
+        cos, sin = np.cos(first[:, 2]), np.sin(first[:, 2])
+        lies = np.stack(
+            [cos * between[:, 0] + sin * between[:, 1], cos * between[:, 1] - sin * between[:, 0]]
+        )
+        moved, askew = np.hypot(*(lies - lies[:, :1])), np.abs(turned - turned[0])
+        narrow = min(float(np.ptp(hulls[name][:, 1])) for name in (one, other))
+        is_so = (moved > _OF_BREADTH * narrow) | (askew > _ASKEW)
+        if is_so.any():
+            since = float(time[int(np.argmax(is_so))])
+            by = f"by up to {moved.max():.1f} m and {math.degrees(askew.max()):.1f} deg"
+            sentences.append(
+                f"wave forces of {one} and {other}: from {since:.0f} s on they lie elsewhere beside each "
+                f"other than at the start, {by}, and feel waves as if they still lay there"
+            )
+    return sentences
+
+
+def _arm(document: _Json, force: _Json) -> FloatArray:
+    """The point that phases of a wave force count from, from the centre of gravity of its body (3,) [m]."""
+    body = next(one for one in document["bodies"] if one["name"] == force["body"])
+    arm: FloatArray = np.array(force["origin"]) - np.array(body.get("centre_of_gravity", (0.0, 0.0, 0.0)))
+    return arm
 
 
 def _of_motion(

@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element, Named
 from gantline.scenario.quantities import (
+    Angle,
     Damping,
     Flag,
     Inertia,
@@ -130,7 +131,17 @@ class HullShape(Element):
             raise refuse("'keel' is for a hull that is a 'box'; a mesh has 'at'", "keel")
 
 
-class _OfWater(Element):
+class _ByFile(Element):
+    """What comes from a hydrodynamic database, or may; a base."""
+
+    body: Text | None = Field(None, description="Body of the database, where it has several.")
+    heading_in_file: Angle = Field(
+        0.0,
+        description="Direction of this body's x axis in the axes of the database, from its x towards y.",
+    )
+
+
+class _OfWater(_ByFile):
     """A matrix over the motions of a body: by axes, whole, or from a hydrodynamic database."""
 
     at: Position = Field(
@@ -140,7 +151,6 @@ class _OfWater(Element):
     database: Text | None = Field(
         None, description="Hydrodynamic database beside the lift file: .nc, .h5, .dhyd or .hyd."
     )
-    body: Text | None = Field(None, description="Body of the database, where it has several.")
     period: (
         Annotated[
             float | Literal["infinite_frequency"],
@@ -165,7 +175,7 @@ class _OfWater(Element):
                 raise refuse("'at' is missing: where the database's reference point is in the body's axes")
             if "period" not in data:
                 raise refuse("'period' is missing; it is written like '9 s', or 'infinite_frequency'")
-        for key in ("body", "period"):
+        for key in ("body", "heading_in_file", "period"):
             if key in data and "database" not in data:
                 raise refuse(f"'{key}' is for a 'database'", key)
 
@@ -220,7 +230,7 @@ class WaterDamping(_OfWater):
         return self
 
 
-class Radiation(Element):
+class Radiation(_ByFile):
     """Added mass and damping of all frequencies: waves that a body makes push it until they are gone."""
 
     what: ClassVar[str] = "radiation"
@@ -229,17 +239,15 @@ class Radiation(Element):
         description="Hydrodynamic database beside the lift file, of many periods: .nc, .h5, .dhyd or .hyd."
     )
     at: Position = Field(description="Where its reference point is in the body's axes.")
-    body: Text | None = Field(None, description="Body of the database, where it has several.")
 
 
-class WaveForces(Element):
+class WaveForces(_ByFile):
     """What waves do to a vessel, by a hydrodynamic database."""
 
     what: ClassVar[str] = "wave forces"
 
     database: Text = Field(description="Hydrodynamic database beside the lift file: .nc, .h5 or .dhyd.")
     at: Position = Field(description="Where its reference point is in the vessel's axes.")
-    body: Text | None = Field(None, description="Body of the database, where it has several.")
     drift: Flag | None = Field(
         None, description="Whether its drift forces push as well; if not given, where the database has any."
     )

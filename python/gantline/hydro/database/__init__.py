@@ -6,12 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 from gantline.hydro.database.around import ForcesAround
-from gantline.hydro.database.model import AXES, DatabaseError, HydrodynamicDatabase
+from gantline.hydro.database.model import AXES, Coupling, DatabaseError, HydrodynamicDatabase
 from gantline.hydro.database.writing import write_database
 
 __all__ = [
     "AXES",
     "DATABASE_FORMATS",
+    "Coupling",
     "DatabaseError",
     "ForcesAround",
     "HydrodynamicDatabase",
@@ -42,7 +43,9 @@ def read_database(path: str | Path, body: str | None = None) -> HydrodynamicData
     names = [one.name for one in found]
     if body is None:
         if len(found) > 1:
-            raise DatabaseError(f"{place}: has several bodies, {', '.join(names)}; name one of them")
+            raise DatabaseError(
+                f"{place}: has several bodies, {', '.join(names)}; name one of them by 'body'"
+            )
         return found[0]
     if body not in names:
         raise DatabaseError(f"{place}: has no body '{body}'; it has {', '.join(names)}")

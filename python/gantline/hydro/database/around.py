@@ -40,7 +40,7 @@ def beside(known: Array, wanted: float) -> tuple[int, float, float] | None:
     return (before, float(behind[before]) / gap, gap) if gap <= _WIDEST else None
 
 
-def all_round(directions: Array, forces: Values, mirror: Array) -> tuple[Values, Array]:
+def all_round(directions: Array, forces: Values, mirror: Array | None) -> tuple[Values, Array]:
     """Forces by rising direction, mirrored where the other side has none, and these directions [rad].
 
     A file for a body with two sides alike needs half of the directions.
@@ -48,13 +48,13 @@ def all_round(directions: Array, forces: Values, mirror: Array) -> tuple[Values,
     Args:
         directions: of the file (k,) [rad].
         forces: (n, k, m).
-        mirror: sign of each on the other side (m,).
+        mirror: sign of each on the other side (m,); None of a body that has no two sides alike.
     """
-    missing = np.array([beside(directions, -angle) is None for angle in directions])
+    missing = np.array([mirror is not None and beside(directions, -angle) is None for angle in directions])
     own = np.degrees(directions)
     around = np.round(np.concatenate([own, -own[missing]]), 6) % 360.0
     order = np.unique(around, return_index=True)[1]
-    both = np.concatenate([forces, forces[:, missing] * mirror], axis=1)
+    both = np.concatenate([forces, forces[:, missing] * (1.0 if mirror is None else mirror)], axis=1)
     return both[:, order], np.radians(around[order])
 
 

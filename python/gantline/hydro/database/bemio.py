@@ -12,7 +12,7 @@ import h5py
 import numpy as np
 import numpy.typing as npt
 
-from gantline.hydro.database.model import DatabaseError, HydrodynamicDatabase
+from gantline.hydro.database.model import Coupling, DatabaseError, HydrodynamicDatabase
 from gantline.hydro.database.opening import checked_hdf5, numbers, text_of
 
 __all__ = ["read_bemio"]
@@ -31,7 +31,8 @@ def read_bemio(path: Path) -> list[HydrodynamicDatabase]:
         bodies = [key for key in file if key.startswith("body") and f"{key}/hydro_coeffs" in file]
         if not bodies or "simulation_parameters" not in file:
             raise DatabaseError(f"{path}: has no 'body1/hydro_coeffs' as BEMIO's files have")
-        return [_body(path, file, key) for key in sorted(bodies, key=lambda key: (len(key), key))]
+        bodies.sort(key=lambda key: (len(key), key))
+        return [_body(path, file, key, bodies) for key in bodies]
 
 
 def _single(file: h5py.File, name: str) -> float:
@@ -41,19 +42,19 @@ def _single(file: h5py.File, name: str) -> float:
     return float(values[0])
 
 
-def _body(path: Path, file: h5py.File, key: str) -> HydrodynamicDatabase:
+def _body(path: Path, file: h5py.File, key: str, bodies: list[str]) -> HydrodynamicDatabase:
     parameters, place = "simulation_parameters", f"{key}/hydro_coeffs"
     density, gravity = _single(file, f"{parameters}/rho"), _single(file, f"{parameters}/g")
     is_scaled = f"{parameters}/scaled" in file and bool(_single(file, f"{parameters}/scaled"))
     omega = numbers(file, f"{parameters}/w").reshape(-1)
     factor = 1.0 if is_scaled else density
-    first = 0
-    if f"{key}/properties/dof_start" in file:
-        first = int(_single(file, f"{key}/properties/dof_start")) - 1
-    mass = _own(path, numbers(file, f"{place}/added_mass/all"), first, len(omega)) * factor
-    damping = _own(path, numbers(file, f"{place}/radiation_damping/all"), first, len(omega)) * factor
-    if not is_scaled:
-        damping = damping * omega[:, None, None]
+    first = _first(file, key)
+    scales = (np.full(len(omega), factor), np.full(len(omega), factor) if is_scaled else factor * omega)
+    tables = [
+        (numbers(file, f"{place}/{name}/all"), scale[:, None, None])
+        for name, scale in zip(("added_mass", "radiation_damping"), scales, strict=True)
+    ]
+    mass, damping = (_own(path, table, first, len(omega)) * scale for table, scale in tables)
     infinite = None
     if f"{place}/added_mass/inf_freq" in file:
         table = numbers(file, f"{place}/added_mass/inf_freq")
@@ -62,11 +63,10 @@ def _body(path: Path, file: h5py.File, key: str) -> HydrodynamicDatabase:
     weight = 1.0 if is_scaled else density * gravity
     directions, excitation = _waves(file, place, weight, len(omega))
     drift = _drift(file, place, weight, (len(directions), len(omega)))
-    name = f"{key}/properties/name"
     depth = f"{parameters}/water_depth"
     volume = f"{key}/properties/disp_vol"
     return HydrodynamicDatabase(
-        name=text_of(file[name][()]) if name in file else key,
+        name=_name(file, key),
         source=f"{path.name} (BEMIO)",
         frequencies=omega[order],
         added_mass=mass[order],
@@ -81,7 +81,42 @@ def _body(path: Path, file: h5py.File, key: str) -> HydrodynamicDatabase:
         directions=directions,
         excitation=None if excitation is None else excitation[order],
         drift=None if drift is None else drift[order],
+        others=_others(path, file, tables, [other for other in bodies if other != key], order),
     )
+
+
+def _name(file: h5py.File, key: str) -> str:
+    name = f"{key}/properties/name"
+    return text_of(file[name][()]) if name in file else key
+
+
+def _first(file: h5py.File, key: str) -> int:
+    """First column of a body in the tables of all."""
+    start = f"{key}/properties/dof_start"
+    return int(_single(file, start)) - 1 if start in file else 0
+
+
+def _others(
+    path: Path,
+    file: h5py.File,
+    tables: list[tuple[Array, Array]],
+    others: list[str],
+    order: npt.NDArray[np.intp],
+) -> dict[str, Coupling]:
+    """What other bodies do to one by their names, where the file has it.
+
+    Files put together of runs of one body each have zeros there, or no columns: each body was alone.
+    """
+    found = {}
+    for other in others:
+        first = _first(file, other)
+        is_there = f"{other}/properties/dof_start" in file
+        if is_there and all(table.shape[1] >= first + 6 for table, _ in tables):
+            parts = ((_own(path, table, first, len(order)) * scale)[order] for table, scale in tables)
+            coupling = Coupling(*parts)
+            if any(table.any() for table in coupling):
+                found[_name(file, other)] = coupling
+    return found
 
 
 def _depth(file: h5py.File, name: str) -> float | None:

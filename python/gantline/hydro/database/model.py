@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from gantline.hydro.database.around import ForcesAround, all_round, beside
 from gantline.hydro.database.outlying import outliers
-from gantline.hydro.waves import wave_number
+from gantline.hydro.waves import wave_number as number_of_waves
 
-__all__ = ["AXES", "DRIFTING", "DatabaseError", "HydrodynamicDatabase"]
+__all__ = ["AXES", "DRIFTING", "Coupling", "DatabaseError", "HydrodynamicDatabase", "turn_about_z"]
 
 Array = npt.NDArray[np.float64]
 
@@ -40,6 +42,18 @@ class DatabaseError(ValueError):
     """A hydrodynamic database cannot be used; the message is one plain sentence."""
 
 
+class Coupling(NamedTuple):
+    """What motions of another body do to one, through the waves that they make.
+
+    Attributes:
+        added_mass: [force on the one, motion of the other] by frequency (n, 6, 6) [kg, kg m, kg m^2].
+        damping: The same of damping (n, 6, 6) [N s/m, N s, N m s].
+    """
+
+    added_mass: Array
+    damping: Array
+
+
 @dataclass(frozen=True, eq=False)
 class HydrodynamicDatabase:
     """Radiation, and what waves do, of one body. SI units, x forward, y to port, z up.
@@ -59,6 +73,10 @@ class HydrodynamicDatabase:
         directions: that waves run in, from x towards y (k,) [rad]; empty where there are none.
         excitation: complex force per metre of wave amplitude (n, k, 6) [N/m, N]: force Re(F exp(−iωt)) in the
             wave Re(exp(i(κx − ωt))) at the file's origin; None where there is none.
+        drift: surge, sway and yaw over the square of the amplitude (n, k, 3) [N/m^2, N/m]; None where there
+            is none.
+        others: what the other bodies of the file do to this one, by their names; empty of one that is alone.
+            All wave forces are then those beside the others held fast.
         doubts: what is doubtful, a sentence each.
     """
 
@@ -75,6 +93,7 @@ class HydrodynamicDatabase:
     directions: Array = field(default_factory=lambda: np.zeros(0))
     excitation: npt.NDArray[np.complex128] | None = None
     drift: Array | None = None
+    others: Mapping[str, Coupling] = field(default_factory=dict)
     doubts: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -100,6 +119,11 @@ class HydrodynamicDatabase:
         if self.reference is not None and self.reference.shape != (3,):
             found = f"its reference point has {self.reference.size} coordinates"
             raise DatabaseError(f"{self.source}: {found}; x, y and z are needed")
+        for name, coupling in self.others.items():
+            for values in coupling:
+                if values.shape != (count, 6, 6) or not np.isfinite(values).all():
+                    found = f"what {name} does to {self.name} is no {count} × 6 × 6 numbers that are finite"
+                    raise DatabaseError(f"{self.source}: {found}")
         self._hold_waves()
 
     def _hold_waves(self) -> None:
@@ -129,6 +153,35 @@ class HydrodynamicDatabase:
         least, most = self.periods[[-1, 0]]
         periods = f"{len(self.frequencies)} periods from {least:.4g} s to {most:.4g} s"
         return f"<HydrodynamicDatabase {self.name!r}, {self.source}: {periods}, {waves}>"
+
+    def along(self, heading: float) -> HydrodynamicDatabase:
+        """The same along axes that are turned about z.
+
+        Args:
+            heading: of the new x axis, from x towards y [rad].
+        """
+        turn = turn_about_z(heading)
+
+        def turned(matrices: Array) -> Array:
+            along: Array = turn @ matrices @ turn.T
+            return along
+
+        return replace(
+            self,
+            added_mass=turned(self.added_mass),
+            damping=turned(self.damping),
+            infinite_added_mass=(
+                None if self.infinite_added_mass is None else turned(self.infinite_added_mass)
+            ),
+            reference=None if self.reference is None else turn[:3, :3] @ self.reference,
+            directions=(self.directions - heading) % math.tau,
+            excitation=None if self.excitation is None else self.excitation @ turn.T,
+            drift=None if self.drift is None else self.drift @ turn[np.ix_([0, 1, 5], [0, 1, 5])].T,
+            others={
+                name: Coupling(turned(one.added_mass), turned(one.damping))
+                for name, one in self.others.items()
+            },
+        )
 
     @property
     def asymmetry(self) -> tuple[float, float]:
@@ -176,7 +229,12 @@ class HydrodynamicDatabase:
                 axes = ", ".join(AXES[axis] for axis in one.axes)
                 what = f"{self.source}: its added mass of {axes} at {self.periods[one.place]:.4g} s"
                 beside = f"is {one.times:.3g} times that at the periods beside it"
-                said.append(f"{what} {beside}, where it goes smoothly by nature: leave that frequency out")
+                smooth = f"{beside}, where it goes smoothly by nature"
+                if self.others:
+                    why = "but for resonances of the water between bodies: frequencies closer to it tell"
+                    said.append(f"{what} {smooth}, {why}")
+                else:
+                    said.append(f"{what} {smooth}: leave that frequency out")
         return said
 
     def damping_at(self, period: float, density: float) -> tuple[Array, list[str]]:
@@ -210,10 +268,12 @@ class HydrodynamicDatabase:
         if found is None:
             own = np.degrees(self.directions) % 360.0
             shown, wanted = ", ".join(f"{angle:.4g}" for angle in sorted(own)[:12]), math.degrees(direction)
+            why = ", and beside other bodies those of one side are no mirror image" if self.others else ""
             raise DatabaseError(
                 f"{self.source}: no waves that run {wanted % 360.0:.4g} deg from its bow; it has {shown} deg"
+                f"{why}"
             )
-        if beside(self.directions, direction) is None:
+        if beside(self.directions, direction) is None:  # never of one beside others
             doubts.append(f"{self.source}: its waves come from one side; from the other they are mirrored")
         return found, doubts
 
@@ -221,6 +281,8 @@ class HydrodynamicDatabase:
         self, frequency: Array, density: float, phased_at: npt.ArrayLike = (0.0, 0.0)
     ) -> ForcesAround:
         """Wave forces per metre in all directions of the file, and mirrored in those of its other side.
+
+        Those of a body beside others are not mirrored: what lies on one side of it does not on the other.
 
         Args:
             frequency: ω of waves (n,) [rad/s].
@@ -234,9 +296,10 @@ class HydrodynamicDatabase:
             raise DatabaseError(f"{self.source}: has no wave forces; a file of a run with waves has")
         x, y = np.asarray(phased_at, dtype=float)
         along = np.cos(self.directions) * x + np.sin(self.directions) * y
-        way = np.outer(self._wave_number(self.frequencies), along)
+        way = np.outer(self.wave_number(self.frequencies), along)
         phased = self.excitation * np.exp(-1j * way)[:, :, np.newaxis]
-        forces, directions = all_round(self.directions, phased, np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0]))
+        signs = None if self.others else np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
+        forces, directions = all_round(self.directions, phased, signs)
         scaled = forces * complex(self._denser(density))
         return ForcesAround.between(self.frequencies, scaled, frequency, directions)
 
@@ -252,7 +315,8 @@ class HydrodynamicDatabase:
         """
         if self.drift is None:
             return None
-        drifts, directions = all_round(self.directions, self.drift, np.array([1.0, -1.0, -1.0]))
+        signs = None if self.others else np.array([1.0, -1.0, -1.0])
+        drifts, directions = all_round(self.directions, self.drift, signs)
         scaled = drifts * self._denser(density)
         return ForcesAround.drifts_between(
             self.frequencies, scaled, frequency, directions, derivative=derivative
@@ -279,7 +343,7 @@ class HydrodynamicDatabase:
         rise = np.zeros(len(frequency))
         if len(self.frequencies) > 1:
             after = np.clip(np.searchsorted(self.frequencies, frequency), 1, len(self.frequencies) - 1)
-            numbers = self._wave_number(self.frequencies)
+            numbers = self.wave_number(self.frequencies)
             is_between = ~np.isclose(self.frequencies[[after - 1, after]], frequency, rtol=1e-6).any(axis=0)
             rise = np.where(is_between, numbers[after] - numbers[after - 1], 0.0)
         both = np.concatenate([self.directions, -self.directions])
@@ -290,13 +354,14 @@ class HydrodynamicDatabase:
         along, across = abs(math.cos(direction)), abs(math.sin(direction))
         turned = rise * (length / 2 * along + breadth / 2 * across)
         swept = length / 2 * np.abs(np.sin(within)) + breadth / 2 * np.abs(np.cos(within))
-        turn = np.maximum(turned, self._wave_number(frequency) * gap * swept.max())
+        turn = np.maximum(turned, self.wave_number(frequency) * gap * swept.max())
         close: npt.NDArray[np.bool_] = turn <= _FARTHEST
         return close
 
-    def _wave_number(self, frequency: Array) -> Array:
+    def wave_number(self, frequency: Array) -> Array:
+        """κ of waves in the file's depth (n,) [1/m] by ω (n,) [rad/s]."""
         depth = None if self.water_depth is None or math.isinf(self.water_depth) else self.water_depth
-        return wave_number(frequency, _GRAVITY, depth)
+        return number_of_waves(frequency, _GRAVITY, depth)
 
     def _range(self) -> str:
         longest, shortest = self.periods[0], self.periods[-1]
@@ -355,15 +420,26 @@ class HydrodynamicDatabase:
         if least >= -1e-12:
             return matrix, doubts
         if least < -_NEGATIVE * float(values[-1]):
-            raise DatabaseError(
-                f"{self.source}: its {what} has a motion that gains energy from the water, "
-                f"{100 * -least / float(values[-1]):.3g} % of the largest; another period may be better"
-            )
+            share = f"{100 * -least / float(values[-1]):.3g} % of the largest"
+            if self.others and what == "added mass":
+                swings = f"a motion whose added mass is below zero, by {share}, as water that swings beside "
+                instead = f"{', '.join(self.others)} makes it; 'radiation' or another period can have it"
+                raise DatabaseError(f"{self.source}: {swings}{instead}")
+            gains = f"its {what} has a motion that gains energy from the water, {share}"
+            raise DatabaseError(f"{self.source}: {gains}; another period may be better")
         if least < -1e-6 * float(values[-1]):
             share = f"{-100 * least / float(values[-1]):.2g} % of the largest"
             doubts.append(f"{self.source}: a motion whose {what} is below zero, by {share}, is set to zero")
         mended = (vectors * np.maximum(values, 0.0)) @ vectors.T * np.outer(scale, scale)
         return (mended + mended.T) / 2, doubts
+
+
+def turn_about_z(heading: float) -> Array:
+    """Of surge to yaw along axes into those along others (6, 6), whose x has this direction [rad]."""
+    cos, sin = math.cos(heading), math.sin(heading)
+    turn = np.zeros((6, 6))
+    turn[:3, :3] = turn[3:, 3:] = [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]]
+    return turn
 
 
 def _scale(matrix: Array) -> Array:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from gantline.hydro.database.model import AXES, DRIFTING, DatabaseError, HydrodynamicDatabase
+from gantline.hydro.database.model import AXES, DRIFTING, Coupling, DatabaseError, HydrodynamicDatabase
 from gantline.hydro.database.opening import checked_hdf5, text_of
 
 if TYPE_CHECKING:
@@ -26,6 +26,7 @@ Complex = npt.NDArray[np.complex128]
 #: Tonnes and kilonewtons.
 _DAVE = 1000.0
 _RADIATION = ("omega", "radiating_dof", "influenced_dof")
+_TABLES = ("added_mass", "radiation_damping")
 
 
 def read_capytaine(path: Path) -> list[HydrodynamicDatabase]:
@@ -58,7 +59,7 @@ def read_capytaine(path: Path) -> list[HydrodynamicDatabase]:
         single = text_of(found["body_name"].values) if "body_name" in found else ""
         result = []
         for body, dofs in bodies.items():
-            mass, damping = (_matrix(path, found[name], dofs) for name in ("added_mass", "radiation_damping"))
+            mass, damping = (_matrix(path, found[name], dofs) for name in _TABLES)
             directions, excitation = _capytaine_waves(path, found, dofs)
             drift = _drift(path, found, directions)
             result.append(
@@ -77,6 +78,11 @@ def read_capytaine(path: Path) -> list[HydrodynamicDatabase]:
                     excitation=None if excitation is None else excitation[kept],
                     # Of several bodies the file has that of all together.
                     drift=None if drift is None or len(bodies) > 1 else drift[kept],
+                    others={
+                        other: Coupling(*(_matrix(path, found[name], dofs, moving)[kept] for name in _TABLES))
+                        for other, moving in bodies.items()
+                        if other != body
+                    },
                 )
             )
         return result
@@ -147,8 +153,8 @@ def _bodies(path: Path, dofs: Sequence[str]) -> dict[str, list[str]]:
     return whole
 
 
-def _matrix(path: Path, table: Any, dofs: Sequence[str]) -> Array:
-    """(n, 6, 6): rows are forces, columns motions."""
+def _matrix(path: Path, table: Any, dofs: Sequence[str], moving: Sequence[str] | None = None) -> Array:
+    """(n, 6, 6): rows are forces, columns motions, those of the same body if no other is `moving`."""
     for name in _RADIATION:
         if name not in table.dims and table.sizes.get(name) is None:
             raise DatabaseError(f"{path}: its '{table.name}' does not run over '{name}'")
@@ -159,7 +165,7 @@ def _matrix(path: Path, table: Any, dofs: Sequence[str]) -> Array:
         table.squeeze(extra).transpose("omega", "influenced_dof", "radiating_dof").values, dtype=float
     )
     return values[:, _places(path, table, "influenced_dof", dofs)][
-        :, :, _places(path, table, "radiating_dof", dofs)
+        :, :, _places(path, table, "radiating_dof", moving or dofs)
     ]
 
 
@@ -183,25 +189,32 @@ def _scalar(path: Path, found: xr.Dataset, name: str) -> float | None:
 def _point(found: xr.Dataset, body: str, *names: str) -> Array | None:
     """A point (3,) of a body where the file has it under one of these names."""
     for name in names:
-        if name not in found:
-            continue
-        table = found[name]
-        if "body_name" in table.dims and body:
-            table = table.sel(body_name=body)
-        values = np.asarray(table.values, dtype=float).reshape(-1)
-        if values.shape == (3,) and np.isfinite(values).all():
+        values = _of_body(found, body, name)
+        if values is not None and values.shape == (3,) and np.isfinite(values).all():
             return values
     return None
 
 
 def _volume(found: xr.Dataset, body: str) -> float | None:
-    if "disp_volume" not in found:
+    values = _of_body(found, body, "disp_volume")
+    return float(values[0]) if values is not None and values.size == 1 else None
+
+
+def _of_body(found: xr.Dataset, body: str, name: str) -> Array | None:
+    """Numbers that a file has for each body, or for its only one; None where it has none of that name.
+
+    Capytaine called what they run over `body_name`, since version 3 `body`.
+    """
+    if name not in found:
         return None
-    table = found["disp_volume"]
-    if "body_name" in table.dims and body:
-        table = table.sel(body_name=body)
-    values = np.asarray(table.values, dtype=float).reshape(-1)
-    return float(values[0]) if values.size == 1 else None
+    table = found[name]
+    for over in ("body", "body_name"):
+        if over in table.dims and body:
+            known = [text_of(one) for one in table[over].values]
+            if body not in known:
+                return None
+            table = table.isel({over: known.index(body)})
+    return np.asarray(table.values, dtype=float).reshape(-1)
 
 
 def _capytaine_waves(path: Path, found: xr.Dataset, dofs: Sequence[str]) -> tuple[Array, Complex | None]:

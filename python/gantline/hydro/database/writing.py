@@ -27,7 +27,7 @@ def write_database(database: HydrodynamicDatabase, path: str | Path) -> Path:
         The path written.
 
     Raises:
-        DatabaseError: If the name does not end in `.nc`.
+        DatabaseError: If the name does not end in `.nc`, or other bodies lie beside it.
         OSError: If it cannot be written there.
     """
     import xarray
@@ -35,6 +35,9 @@ def write_database(database: HydrodynamicDatabase, path: str | Path) -> Path:
     place = Path(path)
     if place.suffix.lower() != ".nc":
         raise DatabaseError(f"{place}: has to end in '.nc'")
+    if database.others:
+        beside = f"{database.name} lies beside {', '.join(database.others)}"
+        raise DatabaseError(f"{place}: {beside} in its file; one that lies alone can be written")
     omega, mass, damping = database.frequencies, database.added_mass, database.damping
     waves, drift = database.excitation, database.drift
     if database.infinite_added_mass is not None:
