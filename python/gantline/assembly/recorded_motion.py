@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
@@ -45,13 +47,16 @@ def move_by_record(parts: Parts, scenario: Scenario, name: str, given: WaveMotio
         lasts = f"{given.record}: lasts {format_quantity(record.duration, 's', 1)}"
         longer = f"the lift {format_quantity(scenario.duration, 's', 1)}"
         raise scenario.error(path, f"{lasts} and {longer}; a record at least as long is right")
+    for sentence in _doubtful(record, waves):
+        parts.doubt(path, f"wave motion of {name}: {sentence}")
     if scenario.waves:
         parts.doubt(
             path,
             f"wave motion of {name}: a record knows nothing of 'waves' of the lift; loads in water and "
             "freeboard meet these, and other vessels move with them",
         )
-    rise_time = _PERIODS_TO_GROW * waves.period
+    # To a tenth of a second, as people are told of it.
+    rise_time = math.ceil(10.0 * _PERIODS_TO_GROW * waves.period) / 10.0
     for axis, column in zip(AXES, waves.motion.T, strict=True):
         parts.drives[wave_drive(name, axis)]["waves"] = {
             "components": [
@@ -63,6 +68,18 @@ def move_by_record(parts: Parts, scenario: Scenario, name: str, given: WaveMotio
             ],
             "rise_time": rise_time,
         }
+
+
+def _doubtful(record: MotionRecord, waves: Harmonics) -> Iterator[str]:
+    """Sentences on a record whose accelerations are of something else, or that tells too little."""
+    if waves.too_fast is not None:
+        axis, share = waves.too_fast
+        fast = f"waves shorter than 2 s make {100.0 * share:.0f} % of the acceleration of its {axis}, rms"
+        yield f"{record.source}: {fast}; no vessel moves so, it is noise of what measured it: filter it"
+    if record.coarse is not None:
+        axis, share = record.coarse
+        open_ = f"its last decimal leaves {100.0 * share:.0f} % of its {axis} open, rms"
+        yield f"{record.source}: {open_}; more decimals are right"
 
 
 @lru_cache(maxsize=4)
