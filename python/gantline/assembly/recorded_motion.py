@@ -18,10 +18,12 @@ from gantline.scenario import Scenario
 from gantline.scenario.vessel import WaveMotion
 from gantline.units import format_quantity
 
-__all__ = ["move_by_record"]
+__all__ = ["ends_too_early", "move_by_record"]
 
 #: The motion grows over so many of its mean periods.
 _PERIODS_TO_GROW = 3.0
+#: Of times, of which sums of many intervals are off by so much.
+_ROUNDING = 1e-9
 
 
 def move_by_record(parts: Parts, scenario: Scenario, name: str, given: WaveMotion) -> None:
@@ -38,15 +40,13 @@ def move_by_record(parts: Parts, scenario: Scenario, name: str, given: WaveMotio
     """
     assert given.record is not None
     path = ("vessels", name, "wave_motion", "record")
-    place = Path(scenario.source).parent / given.record
+    place = _place(scenario, given.record)
     try:
         record, waves = _read(place, stamp(place))
     except DatabaseError as problem:
         raise scenario.error(path, str(problem).replace(str(place), given.record)) from None
-    if scenario.duration > record.duration:
-        lasts = f"{given.record}: lasts {format_quantity(record.duration, 's', 1)}"
-        longer = f"the lift {format_quantity(scenario.duration, 's', 1)}"
-        raise scenario.error(path, f"{lasts} and {longer}; a record at least as long is right")
+    if too_early := _too_early(given.record, record, "the lift", scenario.duration):
+        raise scenario.error(path, too_early)
     for sentence in _doubtful(record, waves):
         parts.doubt(path, f"wave motion of {name}: {sentence}")
     if scenario.waves:
@@ -68,6 +68,32 @@ def move_by_record(parts: Parts, scenario: Scenario, name: str, given: WaveMotio
             ],
             "rise_time": rise_time,
         }
+
+
+def ends_too_early(scenario: Scenario, duration: float) -> str | None:
+    """That a record ends before a run, if one does: after its end comes its way back, which no vessel took.
+
+    Args:
+        scenario: a lift that has been assembled.
+        duration: of the run, which may be another than that of the lift [s].
+    """
+    motions = [one.wave_motion for one in (scenario.vessels or {}).values() if one.wave_motion is not None]
+    for name in (one.record for one in motions if one.record is not None):
+        place = _place(scenario, name)
+        if too_early := _too_early(name, _read(place, stamp(place))[0], "the run", duration):
+            return too_early
+    return None
+
+
+def _place(scenario: Scenario, name: str) -> Path:
+    return Path(scenario.source).parent / name
+
+
+def _too_early(name: str, record: MotionRecord, what: str, duration: float) -> str | None:
+    if duration <= record.duration * (1.0 + _ROUNDING):
+        return None
+    lasts = f"{name}: lasts {format_quantity(record.duration, 's', 1)}"
+    return f"{lasts} and {what} {format_quantity(duration, 's', 1)}; a record at least as long is right"
 
 
 def _doubtful(record: MotionRecord, waves: Harmonics) -> Iterator[str]:
