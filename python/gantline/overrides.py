@@ -11,6 +11,7 @@ from typing import Any, TypeGuard
 import numpy as np
 
 from gantline.assembly import integrator_settings
+from gantline.assembly.recorded_motion import ends_too_early
 from gantline.scenario import Scenario, resolve
 from gantline.scenario.ground import INTEGRATOR_KEYS
 from gantline.scenario.quantities import SMALLEST
@@ -140,6 +141,8 @@ def overridden(
     times = wrong_times(merged["duration"], integrator.get("step"), merged["sample_interval"])
     for name, sentence in times:
         raise SettingError([name, *_BESIDE_TIMES], sentence)
+    if too_early := ends_too_early(scenario, merged["duration"]):
+        raise SettingError(["duration"], too_early)
     return merged
 
 

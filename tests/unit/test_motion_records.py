@@ -84,7 +84,10 @@ def test_its_waves_add_up_to_it(parts: list[tuple[float, float, float]], interva
         (["time [s],heave [deg]", "0,1"], "1: 'heave [deg]' has no unit of it; 'heave [m]' is right"),
         (["time [s],z [m]", "0,1"], "1: 'z [m]' is no column of a record of motion; 'time [s]'"),
         ([HEAD, LINES[0], LINES[0]], "3: 0 s is not after the line before"),
-        ([HEAD, *LINES[:3], *LINES[4:]], "5: 1 s after the line before, and 0.5 s lie between the first two"),
+        (
+            [HEAD, *LINES[:3], *LINES[4:]],
+            "5: 1 s after the line before; most lines are 0.5 s apart, and times at even",
+        ),
         (
             [HEAD, *LINES[:9], "4.5,,1"],
             "11: '' is no number; it is the heave; a motion that there is none of",

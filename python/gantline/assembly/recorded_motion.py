@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
@@ -16,10 +18,12 @@ from gantline.scenario import Scenario
 from gantline.scenario.vessel import WaveMotion
 from gantline.units import format_quantity
 
-__all__ = ["move_by_record"]
+__all__ = ["ends_too_early", "move_by_record"]
 
 #: The motion grows over so many of its mean periods.
 _PERIODS_TO_GROW = 3.0
+#: Of times, of which sums of many intervals are off by so much.
+_ROUNDING = 1e-9
 
 
 def move_by_record(parts: Parts, scenario: Scenario, name: str, given: WaveMotion) -> None:
@@ -36,22 +40,23 @@ def move_by_record(parts: Parts, scenario: Scenario, name: str, given: WaveMotio
     """
     assert given.record is not None
     path = ("vessels", name, "wave_motion", "record")
-    place = Path(scenario.source).parent / given.record
+    place = _place(scenario, given.record)
     try:
         record, waves = _read(place, stamp(place))
     except DatabaseError as problem:
         raise scenario.error(path, str(problem).replace(str(place), given.record)) from None
-    if scenario.duration > record.duration:
-        lasts = f"{given.record}: lasts {format_quantity(record.duration, 's', 1)}"
-        longer = f"the lift {format_quantity(scenario.duration, 's', 1)}"
-        raise scenario.error(path, f"{lasts} and {longer}; a record at least as long is right")
+    if too_early := _too_early(given.record, record, "the lift", scenario.duration):
+        raise scenario.error(path, too_early)
+    for sentence in _doubtful(record, waves):
+        parts.doubt(path, f"wave motion of {name}: {sentence}")
     if scenario.waves:
         parts.doubt(
             path,
             f"wave motion of {name}: a record knows nothing of 'waves' of the lift; loads in water and "
             "freeboard meet these, and other vessels move with them",
         )
-    rise_time = _PERIODS_TO_GROW * waves.period
+    # To a tenth of a second, as people are told of it.
+    rise_time = math.ceil(10.0 * _PERIODS_TO_GROW * waves.period) / 10.0
     for axis, column in zip(AXES, waves.motion.T, strict=True):
         parts.drives[wave_drive(name, axis)]["waves"] = {
             "components": [
@@ -63,6 +68,44 @@ def move_by_record(parts: Parts, scenario: Scenario, name: str, given: WaveMotio
             ],
             "rise_time": rise_time,
         }
+
+
+def ends_too_early(scenario: Scenario, duration: float) -> str | None:
+    """That a record ends before a run, if one does: after its end comes its way back, which no vessel took.
+
+    Args:
+        scenario: a lift that has been assembled.
+        duration: of the run, which may be another than that of the lift [s].
+    """
+    motions = [one.wave_motion for one in (scenario.vessels or {}).values() if one.wave_motion is not None]
+    for name in (one.record for one in motions if one.record is not None):
+        place = _place(scenario, name)
+        if too_early := _too_early(name, _read(place, stamp(place))[0], "the run", duration):
+            return too_early
+    return None
+
+
+def _place(scenario: Scenario, name: str) -> Path:
+    return Path(scenario.source).parent / name
+
+
+def _too_early(name: str, record: MotionRecord, what: str, duration: float) -> str | None:
+    if duration <= record.duration * (1.0 + _ROUNDING):
+        return None
+    lasts = f"{name}: lasts {format_quantity(record.duration, 's', 1)}"
+    return f"{lasts} and {what} {format_quantity(duration, 's', 1)}; a record at least as long is right"
+
+
+def _doubtful(record: MotionRecord, waves: Harmonics) -> Iterator[str]:
+    """Sentences on a record whose accelerations are of something else, or that tells too little."""
+    if waves.too_fast is not None:
+        axis, share = waves.too_fast
+        fast = f"waves shorter than 2 s make {100.0 * share:.0f} % of the acceleration of its {axis}, rms"
+        yield f"{record.source}: {fast}; no vessel moves so, it is noise of what measured it: filter it"
+    if record.coarse is not None:
+        axis, share = record.coarse
+        open_ = f"its last decimal leaves {100.0 * share:.0f} % of its {axis} open, rms"
+        yield f"{record.source}: {open_}; more decimals are right"
 
 
 @lru_cache(maxsize=4)

@@ -7,13 +7,14 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from gantline.assembly.carriers import add_carried_vessel
+from gantline.assembly.carriers import add_carried_vessel, wave_drive
 from gantline.assembly.deck import bottom_edge, deck_edge, sunk_share
 from gantline.assembly.hulls import HullMesh, hull_mesh, hull_shape
 from gantline.assembly.parts import Json, Parts, box_shape
 from gantline.assembly.spatial import Array, about_axis, quaternion_product, rotation_matrix
 from gantline.assembly.water import hull_name
 from gantline.hydro import Attitude, Hull, Hydrostatics, hydrostatics
+from gantline.hydro.database import AXES
 from gantline.hydro.waves import wave_number
 from gantline.scenario import Scenario
 from gantline.scenario.check_vessels import check_inside
@@ -177,9 +178,17 @@ def vessel_rig(scenario: Scenario, parts: Parts) -> list[Json]:
                 "hull": hull_name(name),
                 "marks": _marks(scenario, name),
                 **({"is_carried": True} if vessel.is_carried else {}),
+                **_of_record(parts, name, vessel),
             }
         )
     return found
+
+
+def _of_record(parts: Parts, name: str, vessel: Vessel) -> Json:
+    """How long the record grows by which a vessel goes, if it goes by one."""
+    if vessel.wave_motion is None or vessel.wave_motion.record is None:
+        return {}
+    return {"grows_over": parts.drives[wave_drive(name, AXES[0])]["waves"]["rise_time"]}
 
 
 def _marks(scenario: Scenario, name: str) -> dict[str, list[list[float]]]:

@@ -117,6 +117,7 @@ def _look_over(simulation: Simulation) -> None:
     """What a lift file describes, all of which has been found right."""
     from gantline.cli.summary import heading, weights
     from gantline.cli.table import show, table
+    from gantline.cli.vessels import recorded_motions
     from gantline.results.rig import Rig
     from gantline.study.heave_demand import doubts_of_demand, heave_demands
 
@@ -138,6 +139,7 @@ def _look_over(simulation: Simulation) -> None:
     centre = _centre_from_cad(simulation)
     demands = heave_demands(simulation.scenario)
     lines = [*heading(rig), *weights(rig), *centre, *ropes, *_rope_weights(rig), *later, *_sheaves(rig)]
+    lines += recorded_motions(rig)
     typer.echo("\n".join([*lines, *_heave(demands)]))
     for doubt in simulation.assembly.doubts:
         warn(doubt.of(simulation.scenario.source))

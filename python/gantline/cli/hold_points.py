@@ -36,7 +36,7 @@ class _Named(Protocol):
 def hold_points(recording: Recording) -> list[str]:
     """What is read off at the end of every step that holds or reports, and what hangs in hooks then."""
     lines: list[str] = []
-    by = recording.rig.comes_in_trains
+    by = recording.rig.growing
     moment = f", as {' and '.join(by)} have it then" if by else ""
     for point in held(recording):
         sample = int(np.argmax(point.at))

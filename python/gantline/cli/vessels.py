@@ -10,6 +10,7 @@ import numpy as np
 
 from gantline.cli.table import table
 from gantline.results.recording import Recording
+from gantline.results.rig import Rig
 from gantline.results.rotation import heading
 from gantline.results.series import mean_over
 from gantline.results.vessels import AS_CARRIED
@@ -30,6 +31,14 @@ _LIES = (
     ("vessel_heel", "heel to starboard", "deg", 3),
     ("vessel_trim", "trim by the stern", "deg", 3),
 )
+
+
+def recorded_motions(rig: Rig) -> list[str]:
+    """Which vessels move by records, and until when these grow; a load is not to be lifted before."""
+    rows = [
+        (one.name, format_quantity(one.grows_over, "s", 1)) for one in rig.vessels if one.grows_over > 0.0
+    ]
+    return table(("Vessel that moves by a record", "which grows until"), rows, "lr") if rows else []
 
 
 def vessels(recording: Recording) -> list[str]:

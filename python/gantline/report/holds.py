@@ -35,7 +35,7 @@ class HoldPoints(Section):
         has_heights = "hook_height" in subject.recording
         return {
             "points": points,
-            "by": " and ".join(rig.comes_in_trains),
+            "by": " and ".join(rig.growing),
             "has_heights": has_heights,
             "has_booms": bool(rig.booms),
             "has_charts": bool(rig.rating_charts),

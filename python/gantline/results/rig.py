@@ -22,7 +22,6 @@ from gantline.results.rating_chart import RatingChart
 from gantline.results.sea import Sea
 from gantline.results.strength import Bend, Factor, FromJson, HasLugs, Lug, Rating, SideLoad
 from gantline.results.tag_lines import TagLine
-from gantline.results.trains import Trains
 from gantline.results.vessels import Vessel
 from gantline.results.wind import Current, Wind
 
@@ -319,15 +318,20 @@ class Rig(FromJson):
         return super().from_json({**document, **parts})
 
     @property
-    def comes_in_trains(self) -> dict[str, Trains]:
-        """Waves and gusts by these words, as far as there are any: they make one moment unlike the next."""
-        found = {"waves": self.sea, "gusts": None if self.wind is None else self.wind.gusts}
-        return {name: trains for name, trains in found.items() if trains is not None}
+    def growing(self) -> dict[str, float]:
+        """Waves, gusts and motions of vessels by records, by these words, and how long they grow [s].
+
+        They make one moment unlike the next.
+        """
+        trains = {"waves": self.sea, "gusts": None if self.wind is None else self.wind.gusts}
+        found = {name: one.rise_time for name, one in trains.items() if one is not None}
+        of_records = max((vessel.grows_over for vessel in self.vessels), default=0.0)
+        return {**found, **({"recorded motions": of_records} if of_records > 0.0 else {})}
 
     @property
     def time_to_average(self) -> float:
-        """Time over which what waves and gusts do averages [s]; 0 where there are none."""
-        return max((trains.rise_time for trains in self.comes_in_trains.values()), default=0.0)
+        """Time over which what waves, gusts and records do averages [s]; 0 where there are none."""
+        return max(self.growing.values(), default=0.0)
 
     @property
     def carried_hooks(self) -> list[CraneHook]:

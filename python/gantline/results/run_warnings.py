@@ -127,9 +127,9 @@ def missed_crests(rig: Rig, columns: Columns) -> list[str]:
 
 
 def still_growing(document: Mapping[str, Any], rig: Rig, columns: Columns, names: Names) -> list[str]:
-    """Warnings of a run that sees little of its waves or gusts, and of loads lifted before they are whole.
+    """Warnings of runs that see little of waves, gusts or records, and of loads lifted before they are whole.
 
-    Both grow at the start. They should be whole for as long again, over which what they do averages.
+    All grow at the start. They should be whole for as long again, over which what they do averages.
 
     Args:
         document: What has been assembled of the lift.
@@ -138,17 +138,17 @@ def still_growing(document: Mapping[str, Any], rig: Rig, columns: Columns, names
         names: Names along their dimensions.
     """
     forces = document.get("forces", ())
-    gusts = None if rig.wind is None else rig.wind.gusts
-    grow = {
-        "waves": (rig.sea, any(one["type"] == "wave" for one in forces)),
-        "gusts": (gusts, any(one.get("gusty", False) for one in forces)),
+    by_raos = any(vessel.is_carried and vessel.grows_over == 0.0 for vessel in rig.vessels)
+    push = {
+        "waves": by_raos or any(one["type"] == "wave" for one in forces),
+        "gusts": any(one.get("gusty", False) for one in forces),
     }
     time, found = columns["time"], []
     events = list(zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True))
-    for what, (trains, push) in grow.items():
-        if trains is None or not push or not len(time):
+    for what, whole in rig.growing.items():
+        if not push.get(what, True) or not len(time):
             continue
-        whole, end = trains.rise_time, float(time[-1])
+        end = float(time[-1])
         if end < 2 * whole:
             there = f"the run ends at {end:g} s, and its {what} grow until {whole:g} s"
             found.append(f"{there}: it sees little of them; {2 * whole:g} s at least are right")

@@ -42,6 +42,7 @@ class Vessel(FromJson):
         righting: Moments [s] with its metacentric heights for heel and trim then [m], of a start at rest and
             of the end: where a lift sets a limit for them, or one is below zero.
         is_carried: Whether its motion is given, so that nothing that hangs from it, or rights it, counts.
+        grows_over: How long the motion of a record grows by which it goes [s]; 0 if it goes by none.
     """
 
     name: str
@@ -54,6 +55,7 @@ class Vessel(FromJson):
     marks: Mapping[str, Sequence[Vector]] = field(default_factory=dict)
     righting: Sequence[Vector] = ()
     is_carried: bool = False
+    grows_over: float = 0.0
 
 
 def with_righting(

@@ -6,17 +6,21 @@ docs/concepts/rope.md has the equations. The core has the same curve for its row
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import Annotated, ClassVar
+from typing import Annotated, Any, ClassVar
 
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element
+from gantline.scenario.errors import shorten
 from gantline.scenario.quantities import ListOf, Quantity, Share, refuse
 
 __all__ = ["RopeCurve", "energy_stiffness"]
 
+#: Zero, with a unit or without.
+_NOTHING = re.compile(r"\s*0+(\.0*)?\s*(%|[A-Za-z]*)\s*")
 _Strains = Annotated[tuple[float, ...], ListOf(Share(sign="positive"))]
 _Forces = Annotated[tuple[float, ...], ListOf(Quantity("force", "positive"))]
 
@@ -28,6 +32,24 @@ class RopeCurve(Element):
 
     strain: _Strains = Field(description="Strains, rising, such as '[1 %, 2 %, 3 %]'; 0 is before them.")
     tension: _Forces = Field(description="Tensions at these strains, rising.")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _as_makers_have_it(cls, data: Any) -> Any:
+        """Tables of makers begin at nothing, and have tensions as shares of what breaks the rope."""
+        given = data if isinstance(data, dict) else {}
+        for key in ("strain", "tension"):
+            values = given.get(key)
+            if not isinstance(values, list) or not values:
+                continue
+            if _NOTHING.fullmatch(str(values[0])):
+                sentence = f"item 1: '{values[0]}' is zero; a curve begins there by itself"
+                raise refuse(f"{sentence}: leave this point out of strains and tensions", key)
+            share = next((one for one in values if key == "tension" and "%" in str(one)), None)
+            if share is not None:
+                sentence = f"'{shorten(str(share))}' is a share; a force is needed, such as '10 kN'"
+                raise refuse(f"{sentence}: multiply by the breaking force that the maker's table is for", key)
+        return data
 
     @model_validator(mode="after")
     def _rises(self) -> RopeCurve:
