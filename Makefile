@@ -54,7 +54,7 @@ bench: setup ## race with other codes on the benchmark lifts, growth, stages, ti
 	python benchmarks/speed.py
 
 docs: setup ## the documentation as web pages in build/docs
-	sphinx-build -W --keep-going -q -j auto -b html docs build/docs
+	sphinx-build -W --keep-going -q -b html docs build/docs
 	@echo "build/docs/index.html"
 
 packages: setup ## sdist and wheel in build/packages, and whether they are whole
