@@ -47,4 +47,8 @@ def test_a_centre_of_gravity_beside_its_supports_is_told_as_that() -> None:
 
 
 def test_supports_to_either_side_hold_it() -> None:
-    assemble(parse_scenario(_LIFT.format(y="[-0.8 m, 0.8 m]", end="17 m")))
+    """Springs k, four, b from the middle, under W, a from it: W/4k, and W a²/4kb² more below the weight."""
+    held = assemble(parse_scenario(_LIFT.format(y="[-0.8 m, 0.8 m]", end="17 m")))
+    (girder,) = (body for body in held.document["bodies"] if body["name"] == "girder")
+    sinks = 84e3 * 9.81 / (4 * 100e6) * (1 + 1 / 17**2)
+    assert girder["joint"]["position"][2] == pytest.approx(0.5 + 1.5 - sinks, abs=1e-9)
