@@ -17,7 +17,7 @@ from gantline.assembly.spatial import Array
 from gantline.assembly.vessels import upright_hydrostatics, vessel_hull
 from gantline.hydro.database import DatabaseError, ForcesAround, HydrodynamicDatabase
 from gantline.hydro.database.model import turn_about_z
-from gantline.hydro.side_by_side import Neighbour, asymmetries, forces_side_by_side
+from gantline.hydro.side_by_side import ELSEWHERE, Neighbour, asymmetries, forces_side_by_side
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt, PathPart
 from gantline.scenario.vessel import Vessel
@@ -26,11 +26,9 @@ from gantline.units import format_quantity
 
 __all__ = ["SideBySide", "shared_files", "vessels_side_by_side"]
 
-#: A vessel that lies farther from where a file has it beside another one is told [m], and refused from this
-#: share of the breadth of the narrower hull on: waves between hulls are those of another gap.
-_APART, _OF_BREADTH = 0.2, 0.25
-#: The same of their headings [rad].
-_TURNED, _ASKEW = math.radians(0.5), math.radians(5.0)
+#: A vessel that lies farther than this from where a file has it beside another one is told [m], and so is one
+#: with another heading [rad]; past `ELSEWHERE` it is refused.
+_APART, _TURNED = 0.2, math.radians(0.5)
 #: What bodies do to each other is alike there and back; differences from which on they are told, and refused.
 _UNLIKE, _CONTRADICTS = 0.05, 0.25
 #: A load stands aboard where more than this share of it is missing to what the hull displaces.
@@ -271,7 +269,7 @@ def _placed(
         sentence = f"the reference point of {other} lies {here} from that of {one}, along the axes of {file}"
         said = f"{sentence}; there it is {there}, {format_quantity(apart, 'm', 2)} from there"
         path = ("vessels", other, "position")
-        if apart > _OF_BREADTH * narrow:
+        if apart > ELSEWHERE.of_breadth * narrow:
             raise scenario.error(path, f"{said}: see 'position' and 'at', or compute the file as they lie")
         yield Doubt(path, said)
     unlike, where = asymmetries(bodies[0].database, bodies[1].database)
@@ -304,6 +302,6 @@ def _turned(
         return
     by_lift, there = (f"{math.degrees(angle):.3g} deg" for angle in (lies, by_file))
     said = f"{other} has a heading of {by_lift} from that of {one}, and by their 'heading_in_file' {there}"
-    if abs(math.remainder(lies - by_file, math.tau)) > _ASKEW:
+    if abs(math.remainder(lies - by_file, math.tau)) > ELSEWHERE.askew:
         raise scenario.error(("vessels", other, "heading"), f"{said}; they have to be the same")
     yield Doubt(("vessels", other, "heading"), said)

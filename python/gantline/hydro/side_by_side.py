@@ -29,10 +29,27 @@ from gantline.hydro.database import AXES, ForcesAround, HydrodynamicDatabase
 from gantline.hydro.database.around import cubics_around
 from gantline.hydro.database.model import turn_about_z
 
-__all__ = ["Neighbour", "asymmetries", "forces_side_by_side"]
+__all__ = ["ELSEWHERE", "Elsewhere", "Neighbour", "asymmetries", "forces_side_by_side"]
 
 Array = npt.NDArray[np.float64]
 Complex = npt.NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class Elsewhere:
+    """From where on two vessels are in other waves than those that their file has between them.
+
+    Attributes:
+        of_breadth: how far one is from its place beside the other, of the breadth of the narrower hull.
+        askew: how far it is turned [rad].
+    """
+
+    of_breadth: float
+    askew: float
+
+
+#: Of a lift at its start, and of a run: waves between hulls are those of the gap between them.
+ELSEWHERE = Elsewhere(of_breadth=0.25, askew=math.radians(5.0))
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.hydro.side_by_side import ELSEWHERE
 from gantline.results.rotation import axes, heading
 from gantline.results.variable import BoolArray, Columns, FloatArray, Names
 
@@ -21,9 +22,6 @@ _BEHIND, _LATE = math.radians(10.0), math.pi / 2
 #: Slow places and headings are 10 ü/ω_c² behind, ω_c = 0.2 ω (`CUT_OFF` of the core's `build/trains.rs`): of
 #: the second difference over a period 2π/ω.
 _BEND = 10.0 / (0.2 * 2 * math.pi) ** 2
-#: Vessels whose file has them side by side that part or close by more than this share of the breadth of the
-#: narrower, or turn by more than that [rad], are in other waves: as `assembly/side_by_side.py` at the start.
-_OF_BREADTH, _ASKEW = 0.25, math.radians(5.0)
 #: Directions that are further apart have nothing to say of what is between them [deg].
 _WIDEST = 60.0
 
@@ -95,7 +93,7 @@ def parted_neighbours(
         )
         moved, askew = np.hypot(*(lies - lies[:, :1])), np.abs(turned - turned[0])
         narrow = min(float(np.ptp(hulls[name][:, 1])) for name in (one, other))
-        is_so = (moved > _OF_BREADTH * narrow) | (askew > _ASKEW)
+        is_so = (moved > ELSEWHERE.of_breadth * narrow) | (askew > ELSEWHERE.askew)
         if is_so.any():
             since = float(time[int(np.argmax(is_so))])
             by = f"by up to {moved.max():.1f} m and {math.degrees(askew.max()):.1f} deg"
