@@ -24,9 +24,11 @@ DIPS = ", ".join(
 )
 
 
-def told(plan: str, motion: str, *, height: float = 0.3, hook: float = 7.3) -> dict[str, Check]:
+def told(
+    plan: str, motion: str, *, height: float = 0.3, hook: float = 7.3, waves: str = ""
+) -> dict[str, Check]:
     """What is said of a load that is set down, by the name of the check."""
-    text = onto_a_deck(plan, motion, height=height, hook=hook)
+    text = onto_a_deck(plan, motion, height=height, hook=hook) + waves
     names = ("set_down_softly", "stays_set_down")
     return {one.name: one for one in check_recording(simulate(parse_scenario(text))) if one.name in names}
 
@@ -68,3 +70,21 @@ def test_a_deck_that_comes_up_under_what_has_just_lifted_off() -> None:
     found = told(off, rises, height=0.0, hook=6.8)
     assert "stays_set_down" not in found
     assert found["set_down_softly"].remark.endswith("; it had just lifted off; hoist it off faster")
+
+
+def test_a_deck_that_comes_up_a_wave_later() -> None:
+    """It hoists on at 1.2 m/min for 8 s, 0.16 m, and the deck is back then; "no step lowers it then; keep it
+    farther away" was what `off_a_barge` said of 5.1 s.
+
+    Without waves what hung for as long had come off for good, and met something else.
+    """
+    off = "  - {step: off, hoist: hook, speed: 1.2 m/min, by: 0.4 m}"
+    rises = ", ".join(
+        f"{{at: {at} s, duration: 0.5 s, velocity: {speed} m/s}}"
+        for at, speed in ((11, -0.4), (12, 0.0), (19, 0.4), (20.5, 0.0))
+    )
+    assert told(off, rises, height=0.0, hook=6.8)["set_down_softly"].remark.endswith("keep it farther away")
+    waves = "waves: {swell: {height: 1 m, period: 8 s, direction: 0 deg}}\n"
+    found = told(off, rises, height=0.0, hook=6.8, waves=waves)
+    helps = "hoist it off faster, or wait for less sea"
+    assert found["set_down_softly"].remark.endswith(f"; it had just lifted off; {helps}")

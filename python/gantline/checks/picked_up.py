@@ -16,6 +16,8 @@ __all__ = ["picked_up", "what_helps"]
 
 #: A load that has hung clear for so long was not just coming off; one that does bounces for less [s].
 _HUNG = 5.0
+#: In waves the deck comes up to it for longer, a wave or two after it came off, while it is hoisted [s].
+_HUNG_IN_WAVES = 15.0
 #: One that is clear for less after it has been set down bounces on what it stands on [s].
 _BOUNCES = 0.5
 #: One that is lowered on past what it met comes lower than this there [m].
@@ -85,11 +87,13 @@ def what_helps(recording: Recording, load: Load, time: float) -> str:
     hung = next((one for one in clear if one.end == time), None)
     if hung is not None and hung.landed is not None:
         return "it had been set down, and was picked up again"
-    if any(kinds.get(step) not in ("hoist", "hold") for step in _steps_at(recording, time)):
+    doing = {kinds.get(step) for step in _steps_at(recording, time)}
+    if doing - {"hoist", "hold"}:
         return "creep, or a brake before it, is usual"
     if hung is not None and (came_down := _came_down(clear, hung)) is not None:
         return f"it came down at {came_down:.2f} s, and bounces"
-    if hung is not None and hung.came_off and hung.end - hung.begin < _HUNG:
+    just = _HUNG_IN_WAVES if recording.rig.sea and "hoist" in doing else _HUNG
+    if hung is not None and hung.came_off and hung.end - hung.begin < just:
         less = ", or wait for less sea" if recording.rig.sea else ""
         if not less and recording.rig.wind is not None:
             less = ", or wait for less wind"
