@@ -4,11 +4,12 @@
     python tools/barge_databases.py
 
 A boundary element method. Meshes are the boxes below the water, with a lid inside against irregular
-frequencies; reference points are the middles of the waterlines. Each barge is computed by itself. Drift
-forces are those of the crane barge as it floats with its crane and what hangs from it, without moorings. Some
-minutes.
+frequencies; reference points are the middles of the waterlines. Each barge is computed by itself, and both as
+they lie in `off_a_barge`. Drift forces are those of the crane barge as it floats with its crane and what
+hangs from it, without moorings. Some ten minutes.
 """
 
+from dataclasses import dataclass
 from pathlib import Path
 
 import capytaine as cpt
@@ -21,6 +22,10 @@ DENSITY, GRAVITY = 1025.0, 9.81
 #: [s]; faces of 1.25 m by 1.25 m or less are an eleventh of the shortest wave. With 1.7 m by 1.5 m A and B of
 #: surge and pitch, equal by nature, differed by 3.5 % of the largest, now by 0.6 %.
 PERIODS = [*np.arange(3.0, 9.1, 0.5), 10.0, 11.0, 12.5, 14.5, 18.0, 25.0]
+#: More of them for two barges [s]: the water in the gap of 1 m between them swings at 3.8 s.
+OF_THE_GAP = [*np.arange(3.1, 4.45, 0.1), 4.25, 4.75]
+#: Radius of the faces of their lids [m].
+OF_LID = 2.0
 #: Directions in which waves that bodies send out are known [rad], a little beyond a turn as Capytaine asks.
 AROUND = np.radians(np.arange(-4.0, 364.1, 2.0))
 SCENARIOS = Path(__file__).parents[1] / "scenarios"
@@ -65,53 +70,96 @@ def stiffness() -> np.ndarray:
     return found
 
 
-def database(
-    file: Path, draft_box: tuple[float, float, float], faces: tuple[int, int, int], *, drift: bool
-) -> None:
-    """Write the database of a barge.
+@dataclass(frozen=True)
+class Barge:
+    """A box.
+
+    Attributes:
+        size: Length, breadth and draft [m].
+        faces: Along them; as many above the water, which are taken off.
+    """
+
+    size: tuple[float, float, float]
+    faces: tuple[int, int, int]
+
+    def body(
+        self,
+        name: str,
+        at: tuple[float, float] = (0.0, 0.0),
+        heading: float = 0.0,
+        of_lid: float | None = None,
+    ) -> cpt.FloatingBody:
+        """Its hull below the water and a lid inside.
+
+        Args:
+            name: Of the body.
+            at: Middle of its waterline [m].
+            heading: Of its length [rad].
+            of_lid: Radius of faces of the lid [m]; as those of the hull if not given.
+        """
+        length, breadth, draft = self.size
+        box = cpt.mesh_parallelepiped(size=(length, breadth, 2 * draft), resolution=self.faces)
+        below = box.immersed_part()
+        hull, lid = (
+            mesh.rotated_z(heading).translated((*at, 0.0))
+            for mesh in (below, below.generate_lid(z=-0.05, faces_max_radius=of_lid))
+        )
+        dofs = cpt.rigid_body_dofs(rotation_center=(*at, 0.0))
+        return cpt.FloatingBody(mesh=hull, lid_mesh=lid, dofs=dofs, name=name)
+
+
+CRANE_BARGE = Barge((LENGTH, BREADTH, DRAFT), (72, 24, 8))
+CARGO_BARGE = Barge((60.0, 24.0, 2.0), (48, 24, 6))
+
+
+def computed(
+    body: cpt.FloatingBody, periods: list[float], directions: np.ndarray, around: np.ndarray | None = None
+) -> xr.Dataset:
+    """What waves do to a body, or to several joined ones, and they to the water.
 
     Args:
-        file: Where to.
-        draft_box: Length, breadth and draft [m].
-        faces: Along them; as many above the water, which are taken off.
-        drift: Whether with drift forces.
+        body: Of one hull or more.
+        periods: Of waves [s].
+        directions: Of waves [rad].
+        around: Directions in which waves that it sends out are wanted, if they are [rad].
     """
-    length, breadth, draft = draft_box
-    mesh = cpt.mesh_parallelepiped(size=(length, breadth, 2 * draft), resolution=faces).immersed_part()
-    body = cpt.FloatingBody(
-        mesh=mesh,
-        lid_mesh=mesh.generate_lid(z=-0.05),
-        dofs=cpt.rigid_body_dofs(rotation_center=(0.0, 0.0, 0.0)),
-        name="barge",
-    )
-    wanted = xr.Dataset(
-        coords={
-            "omega": 2 * np.pi / np.array(sorted(PERIODS, reverse=True)),
-            "wave_direction": np.radians(np.arange(0, 181, 15)),
-            "radiating_dof": list(body.dofs),
-            "theta": AROUND,
-            "water_depth": [np.inf],
-            "rho": [DENSITY],
-            "g": [GRAVITY],
-        }
-    )
-    found = cpt.BEMSolver().fill_dataset(wanted, body)
-    if drift:
-        motions = ("influenced_dof", "radiating_dof")
-        found["inertia_matrix"], found["hydrostatic_stiffness"] = (motions, inertia()), (motions, stiffness())
-        pairs = far_field_mean_drift_force(rao(found), found)
-        # Of waves that go together with themselves alone; waves that bodies send out are not needed any more.
-        for name, table in pairs.items():
-            over = table.squeeze().transpose("omega", "wave_direction_k", "wave_direction_l").values
-            found[name] = ("omega", "wave_direction"), np.einsum("nkk->nk", over).real
-    cpt.export_dataset(file, found.drop_dims("theta"))
+    coords = {
+        "omega": 2 * np.pi / np.unique(np.round(periods, 3))[::-1],
+        "wave_direction": directions,
+        "radiating_dof": list(body.dofs),
+        "water_depth": [np.inf],
+        "rho": [DENSITY],
+        "g": [GRAVITY],
+    }
+    if around is not None:
+        coords["theta"] = around
+    return cpt.BEMSolver().fill_dataset(xr.Dataset(coords=coords), body)
+
+
+def with_drift(found: xr.Dataset) -> xr.Dataset:
+    """Of the crane barge, with mean drift forces in place of the waves that it sends out."""
+    motions = ("influenced_dof", "radiating_dof")
+    found["inertia_matrix"], found["hydrostatic_stiffness"] = (motions, inertia()), (motions, stiffness())
+    pairs = far_field_mean_drift_force(rao(found), found)
+    # Of waves that go together with themselves alone; waves that bodies send out are not needed any more.
+    for name, table in pairs.items():
+        over = table.squeeze().transpose("omega", "wave_direction_k", "wave_direction_l").values
+        found[name] = ("omega", "wave_direction"), np.einsum("nkk->nk", over).real
+    return found.drop_dims("theta")
 
 
 if __name__ == "__main__":
-    database(
-        SCENARIOS / "crane_barge_in_swell" / "crane_barge.nc",
-        (LENGTH, BREADTH, DRAFT),
-        (72, 24, 8),
-        drift=True,
+    half, whole = np.radians(np.arange(0, 181, 15)), np.radians(np.arange(0, 360, 15))
+    crane = computed(CRANE_BARGE.body("barge"), PERIODS, half, AROUND)
+    cpt.export_dataset(SCENARIOS / "crane_barge_in_swell" / "crane_barge.nc", with_drift(crane))
+    cargo = computed(CARGO_BARGE.body("barge"), PERIODS, half)
+    cpt.export_dataset(SCENARIOS / "off_a_barge" / "cargo_barge.nc", cargo)
+    # Places and headings of the scenario. Lids need no finer faces than keep what goes on inside away from
+    # the waves of the sea, and cost time.
+    both = cpt.FloatingBody.join_bodies(
+        CRANE_BARGE.body("barge", (LENGTH / 2, 0.0), of_lid=OF_LID),
+        CARGO_BARGE.body("cargo", (103.0, 0.0), np.pi / 2, of_lid=OF_LID),
     )
-    database(SCENARIOS / "off_a_barge" / "cargo_barge.nc", (60.0, 24.0, 2.0), (48, 24, 6), drift=False)
+    together = computed(both, PERIODS + OF_THE_GAP, whole)
+    # `excitation_force` is the sum of two others.
+    cpt.export_dataset(SCENARIOS / "off_a_barge" / "both_barges.nc", together.drop_vars("excitation_force"))

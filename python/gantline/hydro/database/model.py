@@ -29,6 +29,9 @@ _UNSYMMETRIC = 0.02
 _CONTRADICTS = 0.25
 #: Directions are within a turn to either side, but for rounding [rad].
 _ONE_TURN = 2 * math.pi * (1 + 1e-6)
+#: Frequencies that are nearer than this share of them are one but for rounding: cubics through two values
+#: there have any slope, and swing as far as the next frequencies.
+_ONE_FREQUENCY = 1e-6
 #: Turn of the phase at a corner from one point of a file to the next that leaves nine of ten forces between
 #: them within 4 %, and all within a tenth [rad]: docs/concepts/waves.md.
 _FARTHEST = 1.5
@@ -110,6 +113,11 @@ class HydrodynamicDatabase:
                 raise DatabaseError(f"{self.source}: its {what} has numbers that are not finite")
         if not (np.isfinite(self.frequencies).all() and np.all(np.diff(self.frequencies, prepend=0.0) > 0)):
             raise DatabaseError(f"{self.source}: its frequencies do not rise from above zero")
+        gaps = np.diff(self.frequencies)
+        if count > 1 and (gaps / self.frequencies[1:]).min() < _ONE_FREQUENCY:
+            twice = f"{self.frequencies[int(gaps.argmin())]:.6g} rad/s"
+            sentence = f"it has two frequencies of {twice} that differ by rounding"
+            raise DatabaseError(f"{self.source}: {sentence}; leave one of them out")
         if self.density is not None and not 0 < self.density < 1e5:
             raise DatabaseError(f"{self.source}: {self.density:g} kg/m^3 is not the density of water")
         if self.infinite_added_mass is not None and not (

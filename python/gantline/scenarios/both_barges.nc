@@ -1,0 +1,1 @@
+../../../scenarios/off_a_barge/both_barges.nc
