@@ -133,7 +133,8 @@ def computed(
     }
     if around is not None:
         coords["theta"] = around
-    return cpt.BEMSolver().fill_dataset(xr.Dataset(coords=coords), body)
+    found: xr.Dataset = cpt.BEMSolver().fill_dataset(xr.Dataset(coords=coords), body)
+    return found
 
 
 def with_drift(found: xr.Dataset) -> xr.Dataset:

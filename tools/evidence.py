@@ -2,12 +2,14 @@
 
 `order.png`: rms error of sling tensions over tolerance and over steps, by `adaptive`.
 `sideways.png`: a chain of masses 1,000,000 : 1 by `del` at h = 0.1 s, with and without geometric stiffness.
+`measured_section.png`: motions of a floating section in waves, measured and simulated.
 """
 
 from __future__ import annotations
 
 import json
 import sys
+import tempfile
 from pathlib import Path
 
 import matplotlib
@@ -24,12 +26,13 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tests" / "support")]
 
 from chain import STEP, shake  # noqa: E402
+from ship_section import MEASURED, simulated  # noqa: E402
 from swinging import EA, RINGING, swinging  # noqa: E402
 
 FloatArray = npt.NDArray[np.float64]
 FOLDER = ROOT / "docs" / "images"
 DOTS_PER_INCH = 150
-BLUE, ORANGE, GREY = "#0072b2", "#d55e00", "#777777"
+BLUE, ORANGE, GREEN, GREY = "#0072b2", "#d55e00", "#009e73", "#777777"
 FACTORS = (30.0, 10.0, 3.0, 1.0, 0.3, 0.1, 0.03, 0.01, 1e-3)
 #: Tolerances that count as no error: further below the last of the factors than it matters.
 EXACT = 1e-4
@@ -135,6 +138,50 @@ def draw_sideways() -> Figure:
     return figure
 
 
+#: Look of a set-up of the measured section by the motion that is held.
+SET_UPS = {
+    None: ("free to sway, heave and roll", BLUE, "o"),
+    "roll": ("roll held", ORANGE, "s"),
+    "sway": ("sway held", GREEN, "^"),
+}
+
+
+def draw_section() -> Figure:
+    """Motions of a floating section over the period of waves, measured and simulated."""
+    figure = Figure(figsize=(9.0, 3.9), layout="constrained")
+    panels = figure.subplots(1, 3)
+    motions = (
+        ("sway / wave amplitude", "linear", (0.0, 1.0)),
+        ("heave / wave amplitude", "linear", (0.0, 2.2)),
+        ("roll / wave slope", "log", (0.03, 30.0)),
+    )
+    for held, (label, colour, marker) in SET_UPS.items():
+        measured = [one for one in MEASURED if one.held == held]
+        periods = np.unique(np.concatenate([np.linspace(0.62, 1.54, 24), np.linspace(1.14, 1.36, 23)]))
+        with tempfile.TemporaryDirectory() as folder:
+            runs = [simulated(Path(folder), 2 * np.pi / period, 0.012, held) for period in periods]
+        for axes, found, known in zip(
+            panels, zip(*runs, strict=True), ("sway", "heave", "roll"), strict=True
+        ):
+            if known == held:
+                continue
+            axes.plot(periods, found, color=colour, lw=1.4)
+            values = [getattr(one, known) for one in measured]
+            places = [one.period for one in measured]
+            axes.plot(
+                places, values, color=colour, marker=marker, ls="", ms=5.5, mfc="white", mew=1.4, label=label
+            )
+    for axes, (label, scale, limits) in zip(panels, motions, strict=True):
+        axes.set_xlabel("period of waves [s]")
+        axes.set_ylabel(label)
+        axes.set_ylim(*limits)
+        axes.set_yscale(scale)
+        tidy(axes)
+    handles, labels = (panels[1].get_legend_handles_labels()[k] for k in (0, 1))
+    figure.legend(handles, labels, loc="outside upper center", ncols=3, frameon=False, fontsize=9)
+    return figure
+
+
 def tidy(axes: Axes) -> None:
     """Light grid behind, no box."""
     axes.grid(True, which="major", color="#dddddd", lw=0.6)
@@ -143,8 +190,9 @@ def tidy(axes: Axes) -> None:
 
 
 def main() -> None:
-    """Draw both."""
-    for name, draw in (("order", draw_order), ("sideways", draw_sideways)):
+    """Draw all."""
+    pictures = (("order", draw_order), ("sideways", draw_sideways), ("measured_section", draw_section))
+    for name, draw in pictures:
         with matplotlib.rc_context(RC):
             draw().savefig(FOLDER / f"{name}.png", dpi=DOTS_PER_INCH, metadata={"Software": None})
 
