@@ -42,6 +42,8 @@ def said_of(
     document: dict[str, Any] = assemble(load_scenario(path)).document
     force = document["forces"][-1]
     force |= changes
+    # Off the point of the forces: what turns moves its centre, and not that point.
+    document["bodies"][0]["centre_of_gravity"] = [38.0, 1.0, 5.0]
     time = np.linspace(0.0, 200.0, 801)
     by = math.radians(20.0) + turning * time**2 / 2 + 0.05 * np.sin(OMEGA * time)
     along, across = 0.7 * np.cos(OMEGA * time), speed * time + acceleration * time**2 / 2

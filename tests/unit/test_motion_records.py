@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gantline.hydro import DatabaseError, MotionRecord, read_motion_record, write_motion_record
+from gantline.hydro.motion_record import Harmonics
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation
 from hooked_lift import TWO_HOOKS, TWO_HOOKS_LUGS, TWO_HOOKS_SLINGS, hooked_lift
@@ -176,3 +177,28 @@ def test_waves_of_the_lift_are_none_of_the_record(tmp_path: Path) -> None:
     )
     told = Simulation(parse_scenario(text, str(tmp_path / "lift.yaml"))).assembly.warnings
     assert any("a record knows nothing of 'waves' of the lift" in one for one in told)
+    calm = Simulation(parse_scenario(lift(PLACED), str(tmp_path / "lift.yaml"))).assembly.warnings
+    assert not any("record" in one for one in calm)
+
+
+@pytest.mark.parametrize(
+    ("period", "share", "told"), [(1.99, 0.201, True), (1.99, 0.199, False), (2.01, 0.9, False)]
+)
+def test_waves_of_which_no_vessel_moves(period: float, share: float, told: bool) -> None:
+    """Of accelerations ω²X, one of 10 s and a short one, that has a share s = F/√(F² + S²) of both: S = 1."""
+    omega = 2.0 * math.pi / np.array([10.0, period])
+    motion = np.zeros((2, 6), dtype=complex)
+    motion[:, 4] = np.array([1j, share / math.sqrt(1.0 - share**2)]) / omega**2
+    found: Any = Harmonics(omega, motion, 10.0).too_fast
+    assert found == (("pitch", pytest.approx(share, rel=1e-12)) if told else None)
+
+
+@pytest.mark.parametrize(("share", "told"), [(0.0501, True), (0.0499, False)])
+def test_decimals_that_tell_too_little(share: float, told: bool) -> None:
+    """A decimal d leaves d/√12 open, rms; of yaw of -1 and 1, whose rms is 1; surge is 3 times that."""
+    motion = np.zeros((16, 6))
+    motion[:, 5] = np.tile([-1.0, 1.0], 8)
+    motion[:, 0] = 3.0 * motion[:, 5]
+    decimal = np.full(6, share * math.sqrt(12.0))
+    found: Any = MotionRecord("record", 1.0, motion, np.zeros(6), decimal).coarse
+    assert found == (("yaw", pytest.approx(share, rel=1e-12)) if told else None)
