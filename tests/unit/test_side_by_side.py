@@ -225,29 +225,34 @@ def test_headings_in_a_file_that_differ_by_key(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("across", "turning", "since", "by"),
-    [(0.1, 0.0, 80.0, "10.8 m and 0.0 deg"), (0.0, 0.1, 56.0, "0.0 m and 10.8 deg"), (0.05, 0.03, None, "")],
+    [(0.1, 0.0, 87.0, "10.8 m and 0.0 deg"), (0.0, 0.1, 63.0, "0.0 m and 10.8 deg"), (0.05, 0.03, None, "")],
 )
 def test_neighbours_that_part_in_a_run(
     tmp_path: Path, across: float, turning: float, since: float | None, by: str
 ) -> None:
     """Of 120 s in which the right one goes across [m/s] or turns about its middle [deg/s], while it sways by
-    5 m in each wave of 8 s: from 7.5 m on, a quarter of the breadth, or 5 deg, by means over a wave,
-    the first at 4 s, the next half a wave later and so on to 112 s. Both lie at a bearing
-    of their own.
+    5 m in each wave of 8 s: from 7.5 m on, a quarter of the breadth of the narrower, or 5 deg, by means over
+    the longest wave, the first 4 s after the start at 7 s, the next half a wave later and so on. Both lie at
+    a bearing of their own. Of a run of less than three waves nothing is said.
     """
     two_hulls.database(tmp_path / "two.nc")
     assembly = assemble(load_scenario(two_hulls.in_waves(tmp_path, SWELL, bearing=0.3)))
-    time = np.arange(0.0, 120.01, 0.25)
+    run = np.arange(0.0, 120.01, 0.25)
     along, aside = np.array([math.cos(0.3), math.sin(0.3)]), np.array([-math.sin(0.3), math.cos(0.3)])
-    position, orientation = np.zeros((len(time), 2, 3)), np.zeros((len(time), 2, 4))
-    away = across * time + 5.0 * np.sin(2 * math.pi / 8.0 * time)
+    position, orientation = np.zeros((len(run), 2, 3)), np.zeros((len(run), 2, 4))
+    away = across * run + 5.0 * np.sin(2 * math.pi / 8.0 * run)
     position[:, 1, :2] = 5.0 * along + np.outer(40.0 + away, aside)
-    for k, turned in enumerate((0.3 + 0.0 * time, 0.3 + np.radians(turning) * time)):
+    for k, turned in enumerate((0.3 + 0.0 * run, 0.3 + np.radians(turning) * run)):
         orientation[:, k, 0], orientation[:, k, 3] = np.cos(turned / 2), np.sin(turned / 2)
-    columns = {"time": time, "body_position": position, "body_orientation": orientation}
-    hulls = {name: np.array([[0.0, -15.0, 0.0], [100.0, 15.0, 8.0]]) for name in two_hulls.BODIES}
+    columns = {"time": 7.0 + run, "body_position": position, "body_orientation": orientation}
+    left, right = two_hulls.BODIES
+    half = {left: 20.0, right: 15.0}
+    hulls = {name: np.array([[0.0, -y, 0.0], [100.0, y, 8.0]]) for name, y in half.items()}
     names = {"body": list(two_hulls.BODIES)}
-    document = assembly.document
+    document: Any = assembly.document
+    swell = document["sea"]["components"][0]
+    document["sea"]["components"].append({**swell, "frequency": 2.0 * swell["frequency"]})
+    document["forces"].append({"type": "drag", "body": right})
     said = parted_neighbours(document, columns, names, [set(two_hulls.BODIES)], hulls)
     if since is None:
         assert said == []
@@ -259,6 +264,10 @@ def test_neighbours_that_part_in_a_run(
             f"{sentence} than at the start, by up to {by}, and feel waves as if they still lay there"
         ]
     assert parted_neighbours(document, columns, names, [], hulls) == []
+    position[:, 1, :2] += np.outer(run, aside)
+    for short, is_told in ((run < 23.9, False), (run < 24.6, True)):
+        few = {name: values[short] for name, values in columns.items()}
+        assert bool(parted_neighbours(document, few, names, [set(two_hulls.BODIES)], hulls)) == is_told
 
 
 def test_a_run_of_neighbours_says_nothing(tmp_path: Path) -> None:
