@@ -89,6 +89,9 @@ def test_what_is_not_followed_is_told(tmp_path: Path) -> None:
     known["directions"] = np.radians([-61.0, -11.0, 50.0, 100.0, 160.0, 220.0, 270.0]).tolist()
     (unknown,) = said_of(tmp_path, turning=0.5 * most, **known)
     assert "turns to where their file has no waves, in a gap of more than 60 deg" in unknown
+    # From 320° on to the first one is a gap, too.
+    known["directions"] = np.radians([50.0, 110.0, 160.0, 220.0, 270.0, 320.0]).tolist()
+    assert said_of(tmp_path, turning=0.5 * most, **known) == [unknown]
 
 
 def test_a_run_that_stays_says_nothing(tmp_path: Path) -> None:

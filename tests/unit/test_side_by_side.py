@@ -225,7 +225,12 @@ def test_headings_in_a_file_that_differ_by_key(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("across", "turning", "since", "by"),
-    [(0.1, 0.0, 87.0, "10.8 m and 0.0 deg"), (0.0, 0.1, 63.0, "0.0 m and 10.8 deg"), (0.05, 0.03, None, "")],
+    [
+        (0.1, 0.0, 87.0, "10.8 m and 0.0 deg"),
+        (0.0, 0.1, 63.0, "0.0 m and 10.8 deg"),
+        (0.0, -0.1, 63.0, "0.0 m and 10.8 deg"),
+        (0.05, 0.03, None, ""),
+    ],
 )
 def test_neighbours_that_part_in_a_run(
     tmp_path: Path, across: float, turning: float, since: float | None, by: str
@@ -233,7 +238,8 @@ def test_neighbours_that_part_in_a_run(
     """Of 120 s in which the right one goes across [m/s] or turns about its middle [deg/s], while it sways by
     5 m in each wave of 8 s: from 7.5 m on, a quarter of the breadth of the narrower, or 5 deg, by means over
     the longest wave, the first 4 s after the start at 7 s, the next half a wave later and so on. Both lie at
-    a bearing of their own. Of a run of less than three waves nothing is said.
+    a bearing of their own. Of a run of less than three waves nothing is said. The centre of gravity of the
+    right one lies 10 m ahead of its middle.
     """
     two_hulls.database(tmp_path / "two.nc")
     assembly = assemble(load_scenario(two_hulls.in_waves(tmp_path, SWELL, bearing=0.3)))
@@ -244,12 +250,15 @@ def test_neighbours_that_part_in_a_run(
     position[:, 1, :2] = 5.0 * along + np.outer(40.0 + away, aside)
     for k, turned in enumerate((0.3 + 0.0 * run, 0.3 + np.radians(turning) * run)):
         orientation[:, k, 0], orientation[:, k, 3] = np.cos(turned / 2), np.sin(turned / 2)
+        position[:, k, :2] += (0.0, 10.0)[k] * np.column_stack([np.cos(turned), np.sin(turned)])
     columns = {"time": 7.0 + run, "body_position": position, "body_orientation": orientation}
     left, right = two_hulls.BODIES
     half = {left: 20.0, right: 15.0}
     hulls = {name: np.array([[0.0, -y, 0.0], [100.0, y, 8.0]]) for name, y in half.items()}
     names = {"body": list(two_hulls.BODIES)}
     document: Any = assembly.document
+    for one in document["bodies"]:
+        one["centre_of_gravity"] = [60.0 if one["name"] == right else 50.0, 0.0, 5.0]
     swell = document["sea"]["components"][0]
     document["sea"]["components"].append({**swell, "frequency": 2.0 * swell["frequency"]})
     document["forces"].append({"type": "drag", "body": right})
