@@ -37,11 +37,13 @@ def said_of(
     speed: float = 0.0,
     acceleration: float = 0.0,
     turning: float = 0.0,
+    begins: float = 0.0,
     lasts: float = 200.0,
     **changes: Any,
 ) -> list[str]:
     """What is said of 200 s from 5 s on in which the point of the forces goes across [m/s] and from there
     ever faster [m/s^2], and the barge turns ever faster [rad/s^2], while it surges and yaws in each wave.
+    What grows faster begins so many seconds later.
     """
     path = waves.in_waves(folder, {"swell": SWELL}, {"heading": "20 deg"})
     document: dict[str, Any] = assemble(load_scenario(path)).document
@@ -53,8 +55,9 @@ def said_of(
     # Off the point of the forces: what turns moves its centre, and not that point.
     document["bodies"][0]["centre_of_gravity"] = [38.0, 1.0, 5.0]
     time = np.linspace(0.0, 200.0, 801)
-    by = math.radians(20.0) + turning * time**2 / 2 + 0.05 * np.sin(OMEGA * time)
-    along, across = 0.7 * np.cos(OMEGA * time), speed * time + acceleration * time**2 / 2
+    grown = np.maximum(time - begins, 0.0) ** 2 / 2
+    by = math.radians(20.0) + turning * grown + 0.05 * np.sin(OMEGA * time)
+    along, across = 0.7 * np.cos(OMEGA * time), speed * time + acceleration * grown
     arm = (np.array(force["origin"]) - np.array(document["bodies"][0]["centre_of_gravity"]))[:2]
     shift = np.array([np.cos(by) * arm[0] - np.sin(by) * arm[1], np.sin(by) * arm[0] + np.cos(by) * arm[1]])
     place = np.column_stack([along - shift[0], across - shift[1], np.zeros_like(time)])
@@ -79,10 +82,15 @@ def test_what_is_not_followed_is_told(tmp_path: Path) -> None:
     assert said_of(tmp_path, turning=0.98 * most) == []
     (turns,) = said_of(tmp_path, turning=-1.02 * most)
     assert "turns so fast that they feel a heading up to 10 deg behind" in turns
+    # The largest is told, and since when: three means over 8 s, 8 s apart, reach 12 s to either side.
+    (later,) = said_of(tmp_path, turning=-1.02 * most, begins=92.0)
+    assert later == turns.replace("from 17 s", "from 109 s")
     quarter = math.pi / 2 * SPEED / OMEGA / BEHIND
     assert not any("gathers way" in text for text in said_of(tmp_path, acceleration=0.98 * quarter))
     both = said_of(tmp_path, acceleration=1.02 * quarter)
     assert any("gathers way so fast that they feel a place up to 25 m behind" in text for text in both)
+    later = said_of(tmp_path, acceleration=1.02 * quarter, begins=92.0)[-1]
+    assert "from 109 s on it gathers way so fast that they feel a place up to 25 m behind" in later
     # Waves run 70° from the bow; the barge turns by 26°, so that they run 44° from it in the end.
     known = {"directions": np.radians([0.0, 50.0, 100.0, 160.0, 220.0, 280.0, 340.0]).tolist()}
     assert said_of(tmp_path, turning=0.5 * most, **known) == []

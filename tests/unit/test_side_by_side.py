@@ -224,31 +224,35 @@ def test_headings_in_a_file_that_differ_by_key(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("across", "turning", "since", "by"),
+    ("across", "turns", "since", "by"),
     [
-        (0.1, 0.0, 87.0, "10.8 m and 0.0 deg"),
-        (0.0, 0.1, 63.0, "0.0 m and 10.8 deg"),
-        (0.0, -0.1, 63.0, "0.0 m and 10.8 deg"),
-        (0.05, 0.03, None, ""),
+        (0.1, (0.0, 0.0), 87.0, "10.8 m and 0.0 deg"),
+        (0.0, (0.0, 0.1), 63.0, "0.0 m and 10.8 deg"),
+        (0.0, (0.0, -0.1), 63.0, "0.0 m and 10.8 deg"),
+        (0.05, (0.0, 0.03), None, ""),
+        (0.0, (0.1, 0.1), None, ""),
+        (0.1, (0.3, 0.3), 87.0, "10.8 m and 0.0 deg"),
     ],
 )
 def test_neighbours_that_part_in_a_run(
-    tmp_path: Path, across: float, turning: float, since: float | None, by: str
+    tmp_path: Path, across: float, turns: tuple[float, float], since: float | None, by: str
 ) -> None:
-    """Of 120 s in which the right one goes across [m/s] or turns about its middle [deg/s], while it sways by
-    5 m in each wave of 8 s: from 7.5 m on, a quarter of the breadth of the narrower, or 5 deg, by means over
-    the longest wave, the first 4 s after the start at 7 s, the next half a wave later and so on. Both lie at
-    a bearing of their own. Of a run of less than three waves nothing is said. The centre of gravity of the
-    right one lies 10 m ahead of its middle.
+    """Of 120 s in which the right one goes across [m/s], while it sways by 5 m in each wave of 8 s, and each
+    turns about its middle [deg/s], the right one going round with the left one: from 7.5 m on, a quarter of
+    the breadth of the narrower, or 5 deg, by means over the longest wave, the first 4 s after the start at
+    7 s, the next half a wave later and so on. Both lie at a bearing of their own. Of a run of less than three
+    waves nothing is said. The centre of gravity of the right one lies 10 m ahead of its middle.
     """
     two_hulls.database(tmp_path / "two.nc")
     assembly = assemble(load_scenario(two_hulls.in_waves(tmp_path, SWELL, bearing=0.3)))
     run = np.arange(0.0, 120.01, 0.25)
-    along, aside = np.array([math.cos(0.3), math.sin(0.3)]), np.array([-math.sin(0.3), math.cos(0.3)])
+    headings = [0.3 + math.radians(turning) * run for turning in turns]
+    along = np.column_stack([np.cos(headings[0]), np.sin(headings[0])])
+    aside = np.column_stack([-along[:, 1], along[:, 0]])
     position, orientation = np.zeros((len(run), 2, 3)), np.zeros((len(run), 2, 4))
     away = across * run + 5.0 * np.sin(2 * math.pi / 8.0 * run)
-    position[:, 1, :2] = 5.0 * along + np.outer(40.0 + away, aside)
-    for k, turned in enumerate((0.3 + 0.0 * run, 0.3 + np.radians(turning) * run)):
+    position[:, 1, :2] = 5.0 * along + (40.0 + away)[:, np.newaxis] * aside
+    for k, turned in enumerate(headings):
         orientation[:, k, 0], orientation[:, k, 3] = np.cos(turned / 2), np.sin(turned / 2)
         position[:, k, :2] += (0.0, 10.0)[k] * np.column_stack([np.cos(turned), np.sin(turned)])
     columns = {"time": 7.0 + run, "body_position": position, "body_orientation": orientation}
@@ -273,7 +277,7 @@ def test_neighbours_that_part_in_a_run(
             f"{sentence} than at the start, by up to {by}, and feel waves as if they still lay there"
         ]
     assert parted_neighbours(document, columns, names, [], hulls) == []
-    position[:, 1, :2] += np.outer(run, aside)
+    position[:, 1, :2] += run[:, np.newaxis] * aside
     for short, is_told in ((run < 23.9, False), (run < 24.6, True)):
         few = {name: values[short] for name, values in columns.items()}
         assert bool(parted_neighbours(document, few, names, [set(two_hulls.BODIES)], hulls)) == is_told
