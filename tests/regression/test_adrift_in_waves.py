@@ -89,6 +89,8 @@ def test_what_is_not_followed_is_told(tmp_path: Path) -> None:
     assert not any("gathers way" in text for text in said_of(tmp_path, acceleration=0.98 * quarter))
     both = said_of(tmp_path, acceleration=1.02 * quarter)
     assert any("gathers way so fast that they feel a place up to 25 m behind" in text for text in both)
+    # Ways over 8 s have their middle at 188 s at last.
+    assert f"moves at up to {1.02 * quarter * 188.0:.2g} m/s" in both[0]
     later = said_of(tmp_path, acceleration=1.02 * quarter, begins=92.0)[-1]
     assert "from 109 s on it gathers way so fast that they feel a place up to 25 m behind" in later
     # Waves run 70° from the bow; the barge turns by 26°, so that they run 44° from it in the end.
