@@ -68,24 +68,29 @@ def test_a_third_one_is_alone(tmp_path: Path) -> None:
 def test_a_little_elsewhere_is_a_warning(tmp_path: Path) -> None:
     """From 0.2 m on; (3, 4) m are 5 m."""
     two_hulls.database(tmp_path / "two.nc")
-    assert "lies" not in placed(two_hulls.in_waves(tmp_path, SWELL, right=at(0.1, 0.15)))
+    assert "lies" not in placed(two_hulls.in_waves(tmp_path, SWELL, right=at(-0.14, 0.14)))
+    assert "0.21 m from there" in placed(two_hulls.in_waves(tmp_path, SWELL, right=at(0.15, -0.15)))
     said = placed(two_hulls.in_waves(tmp_path, SWELL, right=at(3.0, 4.0)))
     lies = "the reference point of right lies (8.00, 44.00) m from that of left, along the axes of two.nc"
     assert f"{lies}; there it is (5.00, 40.00) m, 5.00 m from there" in said
 
 
 def test_far_elsewhere_is_refused(tmp_path: Path) -> None:
-    """From a quarter of the breadth on, 7.5 m of 30 m."""
+    """From a quarter of the breadth of the narrower on, 7.5 m of 30 m."""
     two_hulls.database(tmp_path / "two.nc")
-    said = refused(two_hulls.in_waves(tmp_path, SWELL, right=at(0.0, 7.6)))
+    wide = {"hull": {"box": ["100 m", "36 m", "8 m"]}}
+    said = refused(two_hulls.in_waves(tmp_path, SWELL, left=wide, right=at(0.0, 7.6)))
     assert (
         "vessels.right.position: the reference point of right lies (5.00, 47.60) m from that of left" in said
     )
     assert "7.60 m from there: see 'position' and 'at', or compute the file as they lie" in said
-    placed(two_hulls.in_waves(tmp_path, SWELL, right=at(0.0, 7.4)))
+    placed(two_hulls.in_waves(tmp_path, SWELL, left=wide, right=at(0.0, 7.4)))
 
 
-@pytest.mark.parametrize(("degrees", "refuses"), [(0.4, None), (3.0, False), (-6.0, True)])
+@pytest.mark.parametrize(
+    ("degrees", "refuses"),
+    [(0.49, None), (-0.49, None), (0.51, False), (-0.51, False), (4.9, False), (5.1, True), (-5.1, True)],
+)
 def test_headings(tmp_path: Path, degrees: float, refuses: bool | None) -> None:
     """The right one turned about its reference point."""
     two_hulls.database(tmp_path / "two.nc")
@@ -139,6 +144,59 @@ def test_what_one_does_to_the_other_goes_both_ways(tmp_path: Path) -> None:
     share, said = asymmetries(left, replace(right, others=one_way))
     assert share == pytest.approx(0.3, rel=1e-12)
     assert said == f"damping of left's heave and right's heave at {2 * math.pi / 0.55:.4g} s"
+
+
+def askew(monkeypatch: pytest.MonkeyPatch, there: float, back: float) -> None:
+    """Let files have so much more damping of the left heave by the right one, and back, of the largest."""
+    given = two_hulls.radiation
+
+    def radiation(*which: Any) -> Any:
+        added, damping = given(*which)
+        scale = damping[:, 2, 2].max()
+        damping[10, 2, 8] += there * scale
+        damping[10, 8, 2] += back * scale
+        return added, damping
+
+    monkeypatch.setattr(two_hulls, "radiation", radiation)
+
+
+@pytest.mark.parametrize(("share", "refuses"), [(0.049, None), (0.051, False), (0.249, False), (0.251, True)])
+def test_what_goes_both_ways_unlike_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, share: float, refuses: bool | None
+) -> None:
+    """From 5 % of the diagonal on, and refused from 25 %; at 0.2 + 10 · 0.05 rad/s."""
+    askew(monkeypatch, share, 0.0)
+    two_hulls.database(tmp_path / "two.nc")
+    path = two_hulls.in_waves(tmp_path, SWELL)
+    said = refused(path) if refuses else placed(path)
+    what = f"damping of left's heave and right's heave at {2 * math.pi / 0.7:.4g} s"
+    sentence = (
+        f"two.nc: {what}, the same there and back by nature, differ by {100 * share:.2g} % of the diagonal"
+    )
+    right = {
+        None: "differ by",
+        False: f"{sentence}; their mean is taken",
+        True: f"{sentence}; finer panels agree",
+    }
+    assert (right[refuses] in said) == (refuses is not None)
+    assert ("vessels.right.wave_forces.database" in said) == bool(refuses)
+
+
+def test_the_mean_of_what_goes_both_ways_is_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """0.2 there and none back push as 0.1 both ways do, and otherwise than none."""
+    swell = {**SWELL, "period": f"{2 * math.pi / 0.7!r} s"}
+    pushed = []
+    for there, back in ((0.2, 0.0), (0.1, 0.1), (0.0, 0.0)):
+        with monkeypatch.context() as patch:
+            askew(patch, there, back)
+            two_hulls.database(tmp_path / "two.nc")
+            document: Any = assemble(load_scenario(two_hulls.in_waves(tmp_path, swell))).document
+            phasors = [one["phasors"] for one in document["forces"] if one["type"] == "wave"]
+            pushed.append(np.array(phasors))
+    one_way, mean, none = pushed
+    scale = np.abs(none).max(axis=(1, 2, 3, 5), keepdims=True)
+    assert np.abs(one_way - mean).max() < 1e-9 * scale.min()
+    assert np.abs((none - mean) / scale).max() > 0.01
 
 
 def test_a_matrix_of_another_file_is_no_matter(tmp_path: Path) -> None:
@@ -318,12 +376,13 @@ def test_one_file_by_two_paths(tmp_path: Path) -> None:
     assert "as if alone" not in placed(two_hulls.in_waves(tmp_path, SWELL, right={"wave_forces": right}))
 
 
-@pytest.mark.parametrize("ballast", [0.0, 2e6])
+@pytest.mark.parametrize(("ballast", "bears"), [(0.0, True), (2e6, False), (0.98e6, True), (1.02e6, False)])
 def test_a_load_that_stands_aboard_moves_with_its_vessel(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ballast: float
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ballast: float, bears: bool
 ) -> None:
     """2000 t, 3 m over the deck, on a vessel that floats as deep as with them; what has its mass without them
-    bears none yet. About the reference point, 4 m over the keel, its moment is that of hull and load.
+    bears none yet, and half of it is the bound. About the reference point, 4 m over the keel, its moment is
+    that of hull and load.
     """
     two_hulls.database(tmp_path / "two.nc")
     x, y = two_hulls.REFERENCES[1, :2]
@@ -356,9 +415,9 @@ def test_a_load_that_stands_aboard_moves_with_its_vessel(
     path = two_hulls.in_waves(tmp_path, SWELL, right={"masses": hull}, load=load, mechanics=mechanics)
     assemble(load_scenario(path))
     inertia = seen[0][1].inertia
-    assert inertia[0, 0] == pytest.approx(MASS, rel=1e-12)
+    assert inertia[0, 0] == pytest.approx(own + (2e6 if bears else 0.0), rel=1e-12)
     # Surge with pitch is m z: hull 1 m, load 8 + 3 - 4 m over the point.
-    moment = own * 1.0 + (0.0 if ballast else 2e6 * 7.0)
+    moment = own * 1.0 + (2e6 * 7.0 if bears else 0.0)
     assert inertia[0, 4] == pytest.approx(moment, rel=1e-9)
 
 
