@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -116,6 +117,76 @@ def test_what_has_no_waves_is_said(tmp_path: Path, heave: Any, said: str) -> Non
     lines = [f"{0.1 * k:.1f},{value:.6g}" for k, value in enumerate(heave)]
     with pytest.raises(DatabaseError, match=said):
         read_motion_record(written(tmp_path, "time [s],heave [m]", *lines)).harmonics()
+
+
+def test_how_far_a_motion_may_go(tmp_path: Path) -> None:
+    """1000 m and 1.6 rad from its mean, in as few as 16 samples."""
+    head = "time [s],sway [m],yaw [rad]"
+    for sway, yaw, said in (
+        (999.0, 1.599, ""),
+        (1001.0, 1.0, "sway goes 1e+03 m"),
+        (1.0, 1.601, "yaw goes 1.6 rad"),
+    ):
+        lines = [f"{k},{sway * (-1) ** k},{yaw * (-1) ** k}" for k in range(16)]
+        path = written(tmp_path, head, *lines)
+        if not said:
+            assert np.abs(read_motion_record(path).motion[:, [1, 5]]).max(axis=0) == pytest.approx(
+                [sway, yaw]
+            )
+            continue
+        with pytest.raises(DatabaseError, match=re.escape(said)):
+            read_motion_record(path)
+
+
+def test_how_many_samples_a_record_may_have(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("gantline.hydro.motion_record._MOST_SAMPLES", 20)
+    assert len(read_motion_record(written(tmp_path, HEAD, *LINES[:20])).motion) == 20
+    with pytest.raises(DatabaseError, match=r":22: more than 20 samples; leave every other out"):
+        read_motion_record(written(tmp_path, HEAD, *LINES[:21]))
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_how_uneven_times_may_be(tmp_path: Path, sign: float) -> None:
+    """One of 400 is away from its place by less or more than 0.1 % of the interval, √2/3 s."""
+    for share, is_even in ((0.97e-3, True), (1.03e-3, False)):
+        times = math.sqrt(2.0) / 3.0 * (np.arange(400) + sign * share * (np.arange(400) == 200))
+        path = written(tmp_path, HEAD, *(f"{time:.12g},{k % 3},0" for k, time in enumerate(times)))
+        if is_even:
+            assert read_motion_record(path).interval == pytest.approx(math.sqrt(2.0) / 3.0, rel=1e-7)
+            continue
+        with pytest.raises(DatabaseError, match="times at even intervals are right"):
+            read_motion_record(path)
+
+
+def test_a_decimal_as_wide_as_the_interval_leaves_times_open(tmp_path: Path) -> None:
+    """0.1 s is 62.5 % of 0.16 s, which is read (tests/regression/test_record_of_few_decimals.py), and 67 % of
+    0.15 s: a line of those that is missing could be rounding.
+    """
+    lines = [f"{0.15 * k:.1f},{k % 3},0" for k in range(400)]
+    with pytest.raises(DatabaseError, match="times at even intervals are right"):
+        read_motion_record(written(tmp_path, HEAD, *lines))
+
+
+def test_its_way_back_takes_three_periods() -> None:
+    """Ten waves of 8 s from 0 to 80 s every 0.1 s, and 24 s back: harmonics of 104 s."""
+    motion = np.zeros((801, 6))
+    motion[:, 4] = 0.1 * np.cos(2.0 * math.pi * np.arange(801) / 80.0)
+    waves = MotionRecord("record", 0.1, motion - motion.mean(axis=0), np.zeros(6)).harmonics()
+    assert waves.period == pytest.approx(8.0, rel=1e-12)
+    assert waves.frequency[:2] == pytest.approx([2.0 * math.pi / 104.0, 4.0 * math.pi / 104.0], rel=1e-12)
+
+
+@pytest.mark.parametrize(("samples", "waves"), [(3950, None), (4050, r"it takes 20\d\d waves")])
+def test_how_many_waves_a_record_may_take(samples: int, waves: str | None) -> None:
+    """Of noise all harmonics are needed, half as many as samples there and back; 2000 are allowed."""
+    motion = np.zeros((samples, 6))
+    motion[:, 0] = np.random.default_rng(6).standard_normal(samples)
+    record = MotionRecord("record", 0.1, motion - motion.mean(axis=0), np.zeros(6))
+    if waves is None:
+        assert 0.5 * samples - 5 <= len(record.harmonics().frequency) <= 2000
+        return
+    with pytest.raises(DatabaseError, match=waves):
+        record.harmonics()
 
 
 def lift(motion: str, waves: str = "") -> str:
