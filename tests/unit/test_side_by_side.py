@@ -17,7 +17,8 @@ import two_hulls
 import waves
 from afloat import MASS
 from gantline.assembly import assemble
-from gantline.hydro import DatabaseError, read_database, write_database
+from gantline.hydro import DatabaseError, HydrodynamicDatabase, read_database, write_database
+from gantline.hydro.database.model import Coupling
 from gantline.hydro.side_by_side import asymmetries, forces_side_by_side
 from gantline.results.unfollowed import parted_neighbours
 from gantline.scenario import ScenarioError, load_scenario
@@ -419,6 +420,38 @@ def test_a_load_that_stands_aboard_moves_with_its_vessel(
     # Surge with pitch is m z: hull 1 m, load 8 + 3 - 4 m over the point.
     moment = own * 1.0 + (2e6 * 7.0 if bears else 0.0)
     assert inertia[0, 4] == pytest.approx(moment, rel=1e-9)
+
+
+def thinner(database: HydrodynamicDatabase) -> HydrodynamicDatabase:
+    """The same hull in a water of half its density."""
+    assert database.density is not None and database.excitation is not None
+    others = {name: Coupling(*(0.5 * values for values in one)) for name, one in database.others.items()}
+    return replace(
+        database,
+        density=0.5 * database.density,
+        added_mass=0.5 * database.added_mass,
+        damping=0.5 * database.damping,
+        excitation=0.5 * database.excitation,
+        others=others,
+    )
+
+
+def test_a_file_of_another_water(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """All that water does goes with its density: a file of half of it pushes as the file of that water."""
+    two_hulls.database(tmp_path / "two.nc")
+    asked: list[Any] = []
+
+    def watched(*of: Any) -> Any:
+        asked.append((of, forces_side_by_side(*of)))
+        return asked[-1][1]
+
+    monkeypatch.setattr("gantline.assembly.side_by_side.forces_side_by_side", watched)
+    assemble(load_scenario(two_hulls.in_waves(tmp_path, SWELL)))
+    assert len(asked) == 2
+    for (bodies, *rest), found in asked:
+        thin = [replace(body, database=thinner(body.database)) for body in bodies]
+        again = forces_side_by_side(thin, *rest)
+        assert np.abs(again.cubics - found.cubics).max() < 1e-9 * np.abs(found.cubics).max()
 
 
 @pytest.mark.parametrize("held", [True, False])
