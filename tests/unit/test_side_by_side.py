@@ -18,7 +18,7 @@ import waves
 from afloat import MASS
 from gantline.assembly import assemble
 from gantline.hydro import DatabaseError, HydrodynamicDatabase, read_database, write_database
-from gantline.hydro.database.model import Coupling
+from gantline.hydro.database.model import AXES, Coupling
 from gantline.hydro.side_by_side import asymmetries, forces_side_by_side
 from gantline.results.unfollowed import parted_neighbours
 from gantline.scenario import ScenarioError, load_scenario
@@ -133,18 +133,40 @@ def test_a_body_by_no_name_or_another(tmp_path: Path) -> None:
     assert "left.wave_forces.database: two.nc: has no body 'wrong'; it has left, right" in said
 
 
-def test_what_one_does_to_the_other_goes_both_ways(tmp_path: Path) -> None:
-    """0.3 of the largest damping of shifts more there than back."""
+@pytest.mark.parametrize(
+    ("kind", "axes", "largest"),
+    [
+        ("damping", ("heave", "heave"), ("heave", "heave")),
+        ("damping", ("sway", "roll"), ("heave", "pitch")),
+        ("added_mass", ("roll", "surge"), ("pitch", "heave")),
+    ],
+)
+def test_what_one_does_to_the_other_goes_both_ways(
+    tmp_path: Path, kind: str, axes: tuple[str, str], largest: tuple[str, str]
+) -> None:
+    """0.3 more there than back of what shifts and turns have at most, heave and pitch; water that swings in
+    a gap, whose added mass is below zero, counts by its size.
+    """
     path = two_hulls.database(tmp_path / "two.nc")
     left, right = (read_database(path, body) for body in two_hulls.BODIES)
     assert asymmetries(left, right)[0] < 1e-12
-    crooked = right.others["left"].damping.copy()
-    scale = right.damping[:, 2, 2].max()
-    crooked[7, 2, 2] += 0.3 * scale
-    one_way = {"left": right.others["left"]._replace(damping=crooked)}
-    share, said = asymmetries(left, replace(right, others=one_way))
-    assert share == pytest.approx(0.3, rel=1e-12)
-    assert said == f"damping of left's heave and right's heave at {2 * math.pi / 0.55:.4g} s"
+    by_left, by_right = (AXES.index(axis) for axis in axes)
+    of_left, of_right = (AXES.index(axis) for axis in largest)
+    crooked = getattr(right.others["left"], kind).copy()
+    own = np.abs(getattr(right, kind))
+    crooked[7, by_right, by_left] += 0.3 * math.sqrt(
+        own[:, of_left, of_left].max() * own[:, of_right, of_right].max()
+    )
+    one_way = {"left": right.others["left"]._replace(**{kind: crooked})}
+    swings = (
+        replace(left, added_mass=-left.added_mass),
+        replace(right, added_mass=-right.added_mass, others=one_way),
+    )
+    for one, other in ((left, replace(right, others=one_way)), swings):
+        share, said = asymmetries(one, other)
+        assert share == pytest.approx(0.3, rel=1e-12)
+        what = f"{kind.replace('_', ' ')} of left's {axes[0]} and right's {axes[1]}"
+        assert said == f"{what} at {2 * math.pi / 0.55:.4g} s"
 
 
 def askew(monkeypatch: pytest.MonkeyPatch, there: float, back: float) -> None:
