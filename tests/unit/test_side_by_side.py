@@ -471,9 +471,13 @@ def test_a_file_of_another_water(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     assemble(load_scenario(two_hulls.in_waves(tmp_path, SWELL)))
     assert len(asked) == 2
     for (bodies, *rest), found in asked:
-        thin = [replace(body, database=thinner(body.database)) for body in bodies]
-        again = forces_side_by_side(thin, *rest)
-        assert np.abs(again.cubics - found.cubics).max() < 1e-9 * np.abs(found.cubics).max()
+        thin = [thinner(body.database) for body in bodies]
+        # A file that does not say is of the water of the lift.
+        unsaid = [replace(body.database, density=None) for body in bodies]
+        for files in (thin, unsaid):
+            of_file = [replace(body, database=file) for body, file in zip(bodies, files, strict=True)]
+            again = forces_side_by_side(of_file, *rest)
+            assert np.abs(again.cubics - found.cubics).max() < 1e-9 * np.abs(found.cubics).max()
 
 
 @pytest.mark.parametrize("held", [True, False])
