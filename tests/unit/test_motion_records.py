@@ -266,10 +266,17 @@ def test_waves_of_which_no_vessel_moves(period: float, share: float, told: bool)
 
 @pytest.mark.parametrize(("share", "told"), [(0.0501, True), (0.0499, False)])
 def test_decimals_that_tell_too_little(share: float, told: bool) -> None:
-    """A decimal d leaves d/√12 open, rms; of yaw of -1 and 1, whose rms is 1; surge is 3 times that."""
+    """A decimal d leaves d/√12 open, rms; of yaw of ±0.01 rad, whose rms that is; surge is 3 times it."""
     motion = np.zeros((16, 6))
-    motion[:, 5] = np.tile([-1.0, 1.0], 8)
+    motion[:, 5] = np.tile([-0.01, 0.01], 8)
     motion[:, 0] = 3.0 * motion[:, 5]
-    decimal = np.full(6, share * math.sqrt(12.0))
+    decimal = np.full(6, share * 0.01 * math.sqrt(12.0))
     found: Any = MotionRecord("record", 1.0, motion, np.zeros(6), decimal).coarse
     assert found == (("yaw", pytest.approx(share, rel=1e-12)) if told else None)
+
+
+def test_decimals_of_turns_are_those_of_their_unit(tmp_path: Path) -> None:
+    """0.1 deg of a roll of 12.3 deg, which is any number of rad; 0.001 rad of a pitch of 0.123 rad."""
+    lines = [f"{k},{12.3 * (-1) ** k},{0.123 * (-1) ** k}" for k in range(16)]
+    found = read_motion_record(written(tmp_path, "time [s],roll [deg],pitch [rad]", *lines)).decimal
+    assert found[3:5] == pytest.approx([math.radians(0.1), 1e-3], rel=1e-12)
