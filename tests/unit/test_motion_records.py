@@ -176,6 +176,21 @@ def test_its_way_back_takes_three_periods() -> None:
     assert waves.frequency[:2] == pytest.approx([2.0 * math.pi / 104.0, 4.0 * math.pi / 104.0], rel=1e-12)
 
 
+@pytest.mark.parametrize("period", [4.0, 8.0, 16.0])
+def test_accelerations_within_two_seconds_of_its_ends(period: float) -> None:
+    """-ω² cos(ωt + 1) to 3 %: the way back goes on with its derivatives, each by a power of half a fitted
+    stretch of half a period. One that is 10 % too long or too short leaves 6 %.
+    """
+    omega, time = 2.0 * math.pi / period, 0.1 * np.arange(int(103 * period))
+    motion = np.zeros((len(time), 6))
+    motion[:, 2] = np.cos(omega * time + 1.0)
+    waves = MotionRecord("record", 0.1, motion - motion.mean(axis=0), np.zeros(6)).harmonics()
+    turns = np.exp(-1j * np.outer(time, waves.frequency))
+    acceleration = (turns @ (-(waves.frequency**2) * waves.motion[:, 2])).real
+    missed = np.abs(acceleration + omega**2 * motion[:, 2])[[*range(20), *range(-20, 0)]]
+    assert missed.max() < 0.03 * omega**2
+
+
 @pytest.mark.parametrize(("samples", "waves"), [(3950, None), (4050, r"it takes 20\d\d waves")])
 def test_how_many_waves_a_record_may_take(samples: int, waves: str | None) -> None:
     """Of noise all harmonics are needed, half as many as samples there and back; 2000 are allowed."""
