@@ -192,7 +192,7 @@ def test_accelerations_within_two_seconds_of_its_ends(period: float) -> None:
 
 
 def test_waves_that_ride_on_a_drift_keep_their_ends() -> None:
-    """Waves of 4 s on a drift of 5 m, whose mean period counts as 20 s: half of that has two and a half waves,
+    """Waves of 4 s on a drift of 5 m, whose mean period counts as 20 s: half of that has 2.5 of them,
     which no polynomial of degree 7 follows, and one through less of it does. What is left out is 1.4 mm rms,
     which at the ends comes to a fifth of the acceleration; of one through all of it that is 2 to 10 times.
     """
