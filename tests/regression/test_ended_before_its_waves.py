@@ -11,12 +11,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from four_slings import LIFT
 from gantline.results.recording import Recording
 from gantline.scenario import Scenario, parse_scenario
 from gantline.simulation import simulate
+from recorded_motion import written_record
 
 FILE = Path(__file__).parents[2] / "scenarios" / "crane_barge_in_swell" / "scenario.yaml"
 WIND = "wind: {speed: 12 m/s, direction: 60 deg, gusts: {speed: 18 m/s}}\n"
@@ -59,3 +61,37 @@ def test_gusts_of_a_short_run() -> None:
     text = LIFT[: LIFT.index("plan:")] + "plan: [{step: wait, hold: until_end}]\n"
     (said,) = told(simulate(blown(text), duration=15.0))
     assert said == f"the run ends at 15 s, and its gusts grow until 20 s: {LITTLE}; 40 s at least are right"
+
+
+BARGE = """\
+vessels:
+  barge:
+    position: [0 m, 60 m]
+    draft: 4 m
+    hull: {box: [100 m, 30 m, 8 m]}
+    wave_motion: {record: motion.csv, at: [50 m, 0 m, 4 m]}
+plan:
+"""
+
+
+def test_records(tmp_path: Path) -> None:
+    """A heave of 7.33 s grows over three of its periods, to the next tenth of a second 22.0 s; what lifts off
+    half a second before is told.
+    """
+    motion = np.zeros((734, 6))
+    motion[:, 2] = np.cos(2 * np.pi * np.arange(734) / 73.3)
+    written_record(motion, 0.1, tmp_path / "motion.csv")
+
+    def after(hold: float) -> list[str]:
+        wait = f"  - {{step: wait, hold: {hold:.3f} s}}\n" if hold else ""
+        return told(
+            simulate(parse_scenario(LIFT.replace("plan:\n", BARGE + wait), str(tmp_path / "lift.yaml")))
+        )
+
+    (at_once,) = after(0.0)
+    lifts, rest = at_once.split(" s, while recorded motions grow, until 22 s: ")
+    assert rest == "smaller than the lift file has them; hold it that long first"
+    way = 22.0 - float(lifts.removeprefix("module lifts off at "))
+    (late,) = after(way - 0.5)
+    assert late.startswith("module lifts off at 21.50 s")
+    assert not after(way + 0.5)

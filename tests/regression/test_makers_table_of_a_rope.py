@@ -38,6 +38,9 @@ mechanics:
             "{strain: [5 %, 10 %], tension: [3 %, 9 %]}",
             "curve.tension: '3 %' is a share; a force is needed, such as '10 kN': multiply by",
         ),
+        ("{strain: 0 %, tension: [3 kN]}", "curve.strain: found '0 %'; a list is needed, such as [5 %]"),
+        ("{strain: [], tension: [3 kN]}", "curve.strain: found a list of 0; at least 1 are needed"),
+        ("{strain: 0.05, tension: [3 kN]}", "curve.strain: found '0.05'; a list is needed"),
     ],
 )
 def test_what_is_right_is_said(curve: str, said: str) -> None:

@@ -101,3 +101,28 @@ def test_a_step_that_requires_a_share_of_the_chart_has_them(lift: Recording, ste
     # As simulated it is 42 %: load and hook block alone.
     assert (LOAD + HOOK_BLOCK) / RATED < 0.5 < by_rule()
     assert check.verdict is Verdict.FAILED
+
+
+def test_two_cranes_that_lift_together_have_them_too() -> None:
+    """Each has half of the girder by a sling of its own, plumb above its lug; as simulated that is 22 %."""
+    crane = LIFT[LIFT.index("  crane:\n") : LIFT.index("slings:\n")]
+    first, second = (
+        crane.replace("crane:", f"{name}:").replace("[0 m, 0 m]", f"[{x} m, 0 m]")
+        for name, x in (("west", -4), ("east", 4))
+    )
+    plan = "plan:\n  - {step: hold point, hold: 20 s, require: {hoist_load_of_rating: below 25 %}}\n"
+    slings = "".join(
+        f"  {lug}: {{from: {name}.H, to: girder.{lug}, length: {(6.4**2 - 16) ** 0.5} m, rope: sling}}\n"
+        for lug, name in (("W", "west"), ("E", "east"))
+    )
+    text = LIFT.replace(crane, first + second)
+    text = (
+        text[: text.index("slings:\n")]
+        + f"slings:\n{slings}"
+        + text[text.index("rules:") : text.index("plan:")]
+    )
+    text += plan + "  - {step: hoist, hoist: [west.H, east.H], speed: 4 m/min, by: 1 m}\n"
+    checks = check_recording(gantline.simulate(parse_scenario(text), duration=45.0))
+    (check,) = (one for one in checks if one.step == "hold point")
+    assert check.value == pytest.approx((LOAD / 2 * CONTINGENCY * DYNAMIC + HOOK_BLOCK) / RATED, rel=1e-3)
+    assert check.verdict is Verdict.FAILED

@@ -9,12 +9,16 @@ the motion, and not in its accelerations, of which the noise of 1 mm made 2.5 ti
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from gantline.hydro import MotionRecord
+from afloat import barge, lift_of, written
+from gantline.assembly import assemble
+from gantline.hydro import MotionRecord, write_motion_record
+from gantline.scenario import load_scenario
 
 RNG = np.random.default_rng(1)
 FREQUENCIES = RNG.uniform(0.5, 1.2, 30)
@@ -51,3 +55,13 @@ def test_noise_that_makes_accelerations_is_told() -> None:
     assert told is not None
     assert told[0] == "heave"
     assert told[1] > 0.9
+
+
+@pytest.mark.parametrize("noise", [2e-4, 2e-3])
+def test_a_lift_is_told(tmp_path: Path, noise: float) -> None:
+    """White noise of 2 mm up to ω = π/0.05 s has accelerations of 2 mm · ω²/√5, 3.5 m/s²; the vessel, 0.2."""
+    write_motion_record(record(noise), tmp_path / "motion.csv")
+    vessel = barge(wave_motion={"record": "motion.csv", "at": ["50 m", "0 m", "4 m"]})
+    warnings = assemble(load_scenario(written(tmp_path, lift_of(vessel)))).warnings
+    said = "motion.csv: waves shorter than 2 s make 100 % of the acceleration of its heave, rms"
+    assert any(said in one for one in warnings) == (noise > 1e-3)

@@ -28,7 +28,8 @@ RIGHT = "motion.csv: lasts 300.0 s and the run 300.1 s; a record at least as lon
 def lift(tmp_path: Path) -> Path:
     written_record(SAMPLES, 0.2, tmp_path / "motion.csv")
     vessel = barge(wave_motion={"record": "motion.csv", "at": ["50 m", "0 m", "4 m"]})
-    return written(tmp_path, lift_of(vessel, duration="60 s"))
+    afloat = barge(position=["0 m", "100 m"])
+    return written(tmp_path, lift_of(vessel, duration="60 s", vessels={"tug": afloat, "barge": vessel}))
 
 
 def test_it_is_refused(lift: Path) -> None:

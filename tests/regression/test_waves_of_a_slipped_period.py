@@ -29,8 +29,11 @@ def told(waves: str) -> str:
             "swell has a peak period of 480 s, longer than waves of wind and swell",
         ),
         ("height: 1.5 m, period: 80 s", "swell has a period of 80 s, longer than waves of wind and swell"),
+        ("significant_height: 1.5 m, peak_period: 30.5 s", "swell has a peak period of 30.5 s"),
+        ("height: 1.5 m, period: 61 s", "swell has a period of 61 s"),
         # A length of 9.81 m/s^2 (8 s)^2/2 pi = 99.9 m, 67,000 times as much.
         ("significant_height: 1.5 mm, peak_period: 8 s", "swell is 0.0015 m high at a peak of 8 s: no sea"),
+        ("significant_height: 4.9 mm, peak_period: 8 s", "swell is 0.0049 m high at a peak of 8 s: no sea"),
     ],
 )
 def test_waves_that_none_are_are_told(waves: str, said: str) -> None:
@@ -43,6 +46,10 @@ def test_waves_that_none_are_are_told(waves: str, said: str) -> None:
     [
         "significant_height: 0.1 m, peak_period: 18 s",
         "significant_height: 2 m, peak_period: 25 s",
+        "significant_height: 2 m, peak_period: 29.5 s",
+        "significant_height: 5.1 mm, peak_period: 8 s",
+        "height: 1.5 mm, period: 8 s",
+        "height: 1 m, period: 59 s",
         "significant_height: 20 mm, peak_period: 1.5 s",
         "height: 1 m, period: 40 s",
     ],

@@ -26,6 +26,7 @@ CURVE = RopeCurve.model_construct(strain=(0.01, 0.02, 0.03), tension=(1e5, 3e5, 
 )
 def test_tension_slope_and_energy_by_hand(strain: float, tension: float, slope: float, energy: float) -> None:
     assert CURVE.pull(strain) == pytest.approx((tension, slope, energy), rel=1e-12)
+    assert CURVE.strain_under(tension) == pytest.approx(strain, rel=1e-12)
 
 
 def test_the_stiffness_that_stands_for_it_has_its_energy() -> None:

@@ -17,7 +17,8 @@ import two_hulls
 import waves
 from afloat import MASS
 from gantline.assembly import assemble
-from gantline.hydro import DatabaseError, read_database, write_database
+from gantline.hydro import DatabaseError, HydrodynamicDatabase, read_database, write_database
+from gantline.hydro.database.model import AXES, Coupling
 from gantline.hydro.side_by_side import asymmetries, forces_side_by_side
 from gantline.results.unfollowed import parted_neighbours
 from gantline.scenario import ScenarioError, load_scenario
@@ -68,24 +69,29 @@ def test_a_third_one_is_alone(tmp_path: Path) -> None:
 def test_a_little_elsewhere_is_a_warning(tmp_path: Path) -> None:
     """From 0.2 m on; (3, 4) m are 5 m."""
     two_hulls.database(tmp_path / "two.nc")
-    assert "lies" not in placed(two_hulls.in_waves(tmp_path, SWELL, right=at(0.1, 0.15)))
+    assert "lies" not in placed(two_hulls.in_waves(tmp_path, SWELL, right=at(-0.14, 0.14)))
+    assert "0.21 m from there" in placed(two_hulls.in_waves(tmp_path, SWELL, right=at(0.15, -0.15)))
     said = placed(two_hulls.in_waves(tmp_path, SWELL, right=at(3.0, 4.0)))
     lies = "the reference point of right lies (8.00, 44.00) m from that of left, along the axes of two.nc"
     assert f"{lies}; there it is (5.00, 40.00) m, 5.00 m from there" in said
 
 
 def test_far_elsewhere_is_refused(tmp_path: Path) -> None:
-    """From a quarter of the breadth on, 7.5 m of 30 m."""
+    """From a quarter of the breadth of the narrower on, 7.5 m of 30 m."""
     two_hulls.database(tmp_path / "two.nc")
-    said = refused(two_hulls.in_waves(tmp_path, SWELL, right=at(0.0, 7.6)))
+    wide = {"hull": {"box": ["100 m", "36 m", "8 m"]}}
+    said = refused(two_hulls.in_waves(tmp_path, SWELL, left=wide, right=at(0.0, 7.6)))
     assert (
         "vessels.right.position: the reference point of right lies (5.00, 47.60) m from that of left" in said
     )
     assert "7.60 m from there: see 'position' and 'at', or compute the file as they lie" in said
-    placed(two_hulls.in_waves(tmp_path, SWELL, right=at(0.0, 7.4)))
+    placed(two_hulls.in_waves(tmp_path, SWELL, left=wide, right=at(0.0, 7.4)))
 
 
-@pytest.mark.parametrize(("degrees", "refuses"), [(0.4, None), (3.0, False), (-6.0, True)])
+@pytest.mark.parametrize(
+    ("degrees", "refuses"),
+    [(0.49, None), (-0.49, None), (0.51, False), (-0.51, False), (4.9, False), (5.1, True), (-5.1, True)],
+)
 def test_headings(tmp_path: Path, degrees: float, refuses: bool | None) -> None:
     """The right one turned about its reference point."""
     two_hulls.database(tmp_path / "two.nc")
@@ -127,18 +133,93 @@ def test_a_body_by_no_name_or_another(tmp_path: Path) -> None:
     assert "left.wave_forces.database: two.nc: has no body 'wrong'; it has left, right" in said
 
 
-def test_what_one_does_to_the_other_goes_both_ways(tmp_path: Path) -> None:
-    """0.3 of the largest damping of shifts more there than back."""
+@pytest.mark.parametrize(
+    ("kind", "axes", "largest"),
+    [
+        ("damping", ("heave", "heave"), ("heave", "heave")),
+        ("damping", ("sway", "roll"), ("heave", "pitch")),
+        ("added_mass", ("roll", "surge"), ("pitch", "heave")),
+    ],
+)
+def test_what_one_does_to_the_other_goes_both_ways(
+    tmp_path: Path, kind: str, axes: tuple[str, str], largest: tuple[str, str]
+) -> None:
+    """0.3 more there than back of what shifts and turns have at most, heave and pitch; water that swings in
+    a gap, whose added mass is below zero, counts by its size.
+    """
     path = two_hulls.database(tmp_path / "two.nc")
     left, right = (read_database(path, body) for body in two_hulls.BODIES)
     assert asymmetries(left, right)[0] < 1e-12
-    crooked = right.others["left"].damping.copy()
-    scale = right.damping[:, 2, 2].max()
-    crooked[7, 2, 2] += 0.3 * scale
-    one_way = {"left": right.others["left"]._replace(damping=crooked)}
-    share, said = asymmetries(left, replace(right, others=one_way))
-    assert share == pytest.approx(0.3, rel=1e-12)
-    assert said == f"damping of left's heave and right's heave at {2 * math.pi / 0.55:.4g} s"
+    by_left, by_right = (AXES.index(axis) for axis in axes)
+    of_left, of_right = (AXES.index(axis) for axis in largest)
+    crooked = getattr(right.others["left"], kind).copy()
+    own = np.abs(getattr(right, kind))
+    crooked[7, by_right, by_left] += 0.3 * math.sqrt(
+        own[:, of_left, of_left].max() * own[:, of_right, of_right].max()
+    )
+    one_way = {"left": right.others["left"]._replace(**{kind: crooked})}
+    swings = (
+        replace(left, added_mass=-left.added_mass),
+        replace(right, added_mass=-right.added_mass, others=one_way),
+    )
+    for one, other in ((left, replace(right, others=one_way)), swings):
+        share, said = asymmetries(one, other)
+        assert share == pytest.approx(0.3, rel=1e-12)
+        what = f"{kind.replace('_', ' ')} of left's {axes[0]} and right's {axes[1]}"
+        assert said == f"{what} at {2 * math.pi / 0.55:.4g} s"
+
+
+def askew(monkeypatch: pytest.MonkeyPatch, there: float, back: float) -> None:
+    """Let files have so much more damping of the left heave by the right one, and back, of the largest."""
+    given = two_hulls.radiation
+
+    def radiation(*which: Any) -> Any:
+        added, damping = given(*which)
+        scale = damping[:, 2, 2].max()
+        damping[10, 2, 8] += there * scale
+        damping[10, 8, 2] += back * scale
+        return added, damping
+
+    monkeypatch.setattr(two_hulls, "radiation", radiation)
+
+
+@pytest.mark.parametrize(("share", "refuses"), [(0.049, None), (0.051, False), (0.249, False), (0.251, True)])
+def test_what_goes_both_ways_unlike_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, share: float, refuses: bool | None
+) -> None:
+    """From 5 % of the diagonal on, and refused from 25 %; at 0.2 + 10 · 0.05 rad/s."""
+    askew(monkeypatch, share, 0.0)
+    two_hulls.database(tmp_path / "two.nc")
+    path = two_hulls.in_waves(tmp_path, SWELL)
+    said = refused(path) if refuses else placed(path)
+    what = f"damping of left's heave and right's heave at {2 * math.pi / 0.7:.4g} s"
+    sentence = (
+        f"two.nc: {what}, the same there and back by nature, differ by {100 * share:.2g} % of the diagonal"
+    )
+    right = {
+        None: "differ by",
+        False: f"{sentence}; their mean is taken",
+        True: f"{sentence}; finer panels agree",
+    }
+    assert (right[refuses] in said) == (refuses is not None)
+    assert ("vessels.right.wave_forces.database" in said) == bool(refuses)
+
+
+def test_the_mean_of_what_goes_both_ways_is_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """0.2 there and none back push as 0.1 both ways do, and otherwise than none."""
+    swell = {**SWELL, "period": f"{2 * math.pi / 0.7!r} s"}
+    pushed = []
+    for there, back in ((0.2, 0.0), (0.1, 0.1), (0.0, 0.0)):
+        with monkeypatch.context() as patch:
+            askew(patch, there, back)
+            two_hulls.database(tmp_path / "two.nc")
+            document: Any = assemble(load_scenario(two_hulls.in_waves(tmp_path, swell))).document
+            phasors = [one["phasors"] for one in document["forces"] if one["type"] == "wave"]
+            pushed.append(np.array(phasors))
+    one_way, mean, none = pushed
+    scale = np.abs(none).max(axis=(1, 2, 3, 5), keepdims=True)
+    assert np.abs(one_way - mean).max() < 1e-9 * scale.min()
+    assert np.abs((none - mean) / scale).max() > 0.01
 
 
 def test_a_matrix_of_another_file_is_no_matter(tmp_path: Path) -> None:
@@ -224,30 +305,48 @@ def test_headings_in_a_file_that_differ_by_key(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("across", "turning", "since", "by"),
-    [(0.1, 0.0, 80.0, "10.8 m and 0.0 deg"), (0.0, 0.1, 56.0, "0.0 m and 10.8 deg"), (0.05, 0.03, None, "")],
+    ("across", "turns", "since", "by"),
+    [
+        (0.1, (0.0, 0.0), 87.0, "10.8 m and 0.0 deg"),
+        (0.0, (0.0, 0.1), 63.0, "0.0 m and 10.8 deg"),
+        (0.0, (0.0, -0.1), 63.0, "0.0 m and 10.8 deg"),
+        (0.05, (0.0, 0.03), None, ""),
+        (0.0, (0.1, 0.1), None, ""),
+        (0.1, (0.3, 0.3), 87.0, "10.8 m and 0.0 deg"),
+    ],
 )
 def test_neighbours_that_part_in_a_run(
-    tmp_path: Path, across: float, turning: float, since: float | None, by: str
+    tmp_path: Path, across: float, turns: tuple[float, float], since: float | None, by: str
 ) -> None:
-    """Of 120 s in which the right one goes across [m/s] or turns about its middle [deg/s], while it sways by
-    5 m in each wave of 8 s: from 7.5 m on, a quarter of the breadth, or 5 deg, by means over a wave,
-    the first at 4 s, the next half a wave later and so on to 112 s. Both lie at a bearing
-    of their own.
+    """Of 120 s in which the right one goes across [m/s], while it sways by 5 m in each wave of 8 s, and each
+    turns about its middle [deg/s], the right one going round with the left one: from 7.5 m on, a quarter of
+    the breadth of the narrower, or 5 deg, by means over the longest wave, the first 4 s after the start at
+    7 s, the next half a wave later and so on. Both lie at a bearing of their own. Of a run of less than three
+    waves nothing is said. The centre of gravity of the right one lies 10 m ahead of its middle.
     """
     two_hulls.database(tmp_path / "two.nc")
     assembly = assemble(load_scenario(two_hulls.in_waves(tmp_path, SWELL, bearing=0.3)))
-    time = np.arange(0.0, 120.01, 0.25)
-    along, aside = np.array([math.cos(0.3), math.sin(0.3)]), np.array([-math.sin(0.3), math.cos(0.3)])
-    position, orientation = np.zeros((len(time), 2, 3)), np.zeros((len(time), 2, 4))
-    away = across * time + 5.0 * np.sin(2 * math.pi / 8.0 * time)
-    position[:, 1, :2] = 5.0 * along + np.outer(40.0 + away, aside)
-    for k, turned in enumerate((0.3 + 0.0 * time, 0.3 + np.radians(turning) * time)):
+    run = np.arange(0.0, 120.01, 0.25)
+    headings = [0.3 + math.radians(turning) * run for turning in turns]
+    along = np.column_stack([np.cos(headings[0]), np.sin(headings[0])])
+    aside = np.column_stack([-along[:, 1], along[:, 0]])
+    position, orientation = np.zeros((len(run), 2, 3)), np.zeros((len(run), 2, 4))
+    away = across * run + 5.0 * np.sin(2 * math.pi / 8.0 * run)
+    position[:, 1, :2] = 5.0 * along + (40.0 + away)[:, np.newaxis] * aside
+    for k, turned in enumerate(headings):
         orientation[:, k, 0], orientation[:, k, 3] = np.cos(turned / 2), np.sin(turned / 2)
-    columns = {"time": time, "body_position": position, "body_orientation": orientation}
-    hulls = {name: np.array([[0.0, -15.0, 0.0], [100.0, 15.0, 8.0]]) for name in two_hulls.BODIES}
+        position[:, k, :2] += (0.0, 10.0)[k] * np.column_stack([np.cos(turned), np.sin(turned)])
+    columns = {"time": 7.0 + run, "body_position": position, "body_orientation": orientation}
+    left, right = two_hulls.BODIES
+    half = {left: 20.0, right: 15.0}
+    hulls = {name: np.array([[0.0, -y, 0.0], [100.0, y, 8.0]]) for name, y in half.items()}
     names = {"body": list(two_hulls.BODIES)}
-    document = assembly.document
+    document: Any = assembly.document
+    for one in document["bodies"]:
+        one["centre_of_gravity"] = [60.0 if one["name"] == right else 50.0, 0.0, 5.0]
+    swell = document["sea"]["components"][0]
+    document["sea"]["components"].append({**swell, "frequency": 2.0 * swell["frequency"]})
+    document["forces"].append({"type": "drag", "body": right})
     said = parted_neighbours(document, columns, names, [set(two_hulls.BODIES)], hulls)
     if since is None:
         assert said == []
@@ -259,6 +358,10 @@ def test_neighbours_that_part_in_a_run(
             f"{sentence} than at the start, by up to {by}, and feel waves as if they still lay there"
         ]
     assert parted_neighbours(document, columns, names, [], hulls) == []
+    position[:, 1, :2] += run[:, np.newaxis] * aside
+    for short, is_told in ((run < 23.9, False), (run < 24.6, True)):
+        few = {name: values[short] for name, values in columns.items()}
+        assert bool(parted_neighbours(document, few, names, [set(two_hulls.BODIES)], hulls)) == is_told
 
 
 def test_a_run_of_neighbours_says_nothing(tmp_path: Path) -> None:
@@ -296,12 +399,13 @@ def test_one_file_by_two_paths(tmp_path: Path) -> None:
     assert "as if alone" not in placed(two_hulls.in_waves(tmp_path, SWELL, right={"wave_forces": right}))
 
 
-@pytest.mark.parametrize("ballast", [0.0, 2e6])
+@pytest.mark.parametrize(("ballast", "bears"), [(0.0, True), (2e6, False), (0.98e6, True), (1.02e6, False)])
 def test_a_load_that_stands_aboard_moves_with_its_vessel(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ballast: float
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ballast: float, bears: bool
 ) -> None:
     """2000 t, 3 m over the deck, on a vessel that floats as deep as with them; what has its mass without them
-    bears none yet. About the reference point, 4 m over the keel, its moment is that of hull and load.
+    bears none yet, and half of it is the bound. About the reference point, 4 m over the keel, its moment is
+    that of hull and load.
     """
     two_hulls.database(tmp_path / "two.nc")
     x, y = two_hulls.REFERENCES[1, :2]
@@ -334,10 +438,46 @@ def test_a_load_that_stands_aboard_moves_with_its_vessel(
     path = two_hulls.in_waves(tmp_path, SWELL, right={"masses": hull}, load=load, mechanics=mechanics)
     assemble(load_scenario(path))
     inertia = seen[0][1].inertia
-    assert inertia[0, 0] == pytest.approx(MASS, rel=1e-12)
+    assert inertia[0, 0] == pytest.approx(own + (2e6 if bears else 0.0), rel=1e-12)
     # Surge with pitch is m z: hull 1 m, load 8 + 3 - 4 m over the point.
-    moment = own * 1.0 + (0.0 if ballast else 2e6 * 7.0)
+    moment = own * 1.0 + (2e6 * 7.0 if bears else 0.0)
     assert inertia[0, 4] == pytest.approx(moment, rel=1e-9)
+
+
+def thinner(database: HydrodynamicDatabase) -> HydrodynamicDatabase:
+    """The same hull in a water of half its density."""
+    assert database.density is not None and database.excitation is not None
+    others = {name: Coupling(*(0.5 * values for values in one)) for name, one in database.others.items()}
+    return replace(
+        database,
+        density=0.5 * database.density,
+        added_mass=0.5 * database.added_mass,
+        damping=0.5 * database.damping,
+        excitation=0.5 * database.excitation,
+        others=others,
+    )
+
+
+def test_a_file_of_another_water(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """All that water does goes with its density: a file of half of it pushes as the file of that water."""
+    two_hulls.database(tmp_path / "two.nc")
+    asked: list[Any] = []
+
+    def watched(*of: Any) -> Any:
+        asked.append((of, forces_side_by_side(*of)))
+        return asked[-1][1]
+
+    monkeypatch.setattr("gantline.assembly.side_by_side.forces_side_by_side", watched)
+    assemble(load_scenario(two_hulls.in_waves(tmp_path, SWELL)))
+    assert len(asked) == 2
+    for (bodies, *rest), found in asked:
+        thin = [thinner(body.database) for body in bodies]
+        # A file that does not say is of the water of the lift.
+        unsaid = [replace(body.database, density=None) for body in bodies]
+        for files in (thin, unsaid):
+            of_file = [replace(body, database=file) for body, file in zip(bodies, files, strict=True)]
+            again = forces_side_by_side(of_file, *rest)
+            assert np.abs(again.cubics - found.cubics).max() < 1e-9 * np.abs(found.cubics).max()
 
 
 @pytest.mark.parametrize("held", [True, False])

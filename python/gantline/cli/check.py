@@ -145,6 +145,7 @@ def _look_over(simulation: Simulation) -> None:
         warn(doubt.of(simulation.scenario.source))
     for found in doubts_of_demand(demands):
         warn(simulation.scenario.problem(*found).of(simulation.scenario.source))
+    _warn_of_curves(simulation, rig)
     _warn_of_time(simulation)
     _warn_of_winches(simulation.scenario)
     nodes = sum(rope.nodes for rope in rig.ropes)
@@ -158,6 +159,23 @@ def _look_over(simulation: Simulation) -> None:
     }
     counts = ", ".join(f"{number} {what[number > 1]}" for what, number in numbers.items() if number)
     typer.echo(f"{simulation.scenario.source}: in order ({counts}; {simulation.duration:g} s to simulate)")
+
+
+def _warn_of_curves(simulation: Simulation, rig: Rig) -> None:
+    """Tell of ropes that pull more at the start than their curve has, as a run does of all its time."""
+    from gantline.results.beyond_curve import beyond_curve_at_start
+
+    scenario = simulation.scenario
+    curves = {
+        name: [list(point) for point in kind.curve.points]
+        for name, kind in (scenario.ropes or {}).items()
+        if kind.curve is not None
+    }
+    bent = [rope for rope in rig.ropes if rope.curve]
+    tensions = {rope.name: float(simulation.now("rope_tension", rope.name)) for rope in bent}
+    for rope, sentence in beyond_curve_at_start(bent, tensions):
+        kind = next(name for name, points in curves.items() if points == [list(one) for one in rope.curve])
+        warn(scenario.problem(("ropes", kind, "curve"), sentence).of(scenario.source))
 
 
 def _warn_of_time(simulation: Simulation) -> None:

@@ -63,7 +63,7 @@ impl Curve {
         let (mut strain, mut tension, mut energy) = (0.0, 0.0, 0.0);
         for &[next, force] in points {
             let slope = (force - tension) / (next - strain);
-            if !(next > strain && slope > 0.0 && slope.is_finite()) {
+            if !(next > strain && slope > 0.0) {
                 return None;
             }
             knots.push(Knot { strain, tension, energy, slope });
@@ -71,7 +71,8 @@ impl Curve {
             (strain, tension) = (next, force);
         }
         let axial_stiffness = 0.5 * tension * tension / energy;
-        (!knots.is_empty() && axial_stiffness.is_finite()).then_some(Self { axial_stiffness, knots })
+        // Of no points, or of ones that are no numbers, it is none either.
+        axial_stiffness.is_finite().then_some(Self { axial_stiffness, knots })
     }
 
     /// The last of its lines that begins where `of` is no more than `most`.
@@ -130,6 +131,10 @@ mod tests {
             assert!((still.scale / bent.scale - 1.0).abs() < 1e-14, "at {strain}");
         }
         assert_eq!(curve.at(-0.5).value, -0.5 * curve.at(0.005).scale);
+        // Slack, however far: what pulls back would have the energy of its last line.
+        let slack = curve.under(curve.axial_stiffness * curve.at(-0.5).value);
+        assert!((slack.strain / -0.5 - 1.0).abs() < 1e-14 && (slack.tension / -5e6 - 1.0).abs() < 1e-14);
+        assert_eq!((curve.under(0.0).strain, curve.under(0.0).scale), (0.0, curve.at(0.0).scale));
         assert!((curve.at(0.03).scale - 1.0).abs() < 1e-15);
     }
 
@@ -159,6 +164,8 @@ mod tests {
             &[[0.01, 1e5], [0.02, 1e5]],
             &[],
             &[[0.01, f64::NAN]],
+            &[[0.01, f64::INFINITY]],
+            &[[1e-310, 1e5]],
         ] {
             assert_eq!(Curve::through(points), None);
         }
