@@ -8,6 +8,7 @@ and, check by check, that no static force was known; nothing said that the load 
 from __future__ import annotations
 
 from gantline.checks import Check, Verdict, check_recording
+from gantline.report import render_report
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
@@ -58,6 +59,15 @@ def test_a_load_that_stands_again_is_told() -> None:
     remark = str(told["hangs_still"].remark)
     assert remark.startswith("no static force is known: hold the load still for 5 s, clear of its supports; ")
     assert f"at the end with {100.0 * share:.2f} % of its weight: hoist it farther" in remark
+
+
+def test_the_first_page_says_it_before_what_is_not_known_for_it() -> None:
+    """Its three places were taken by checks that have no static force, and said no more than that."""
+    text = _LIFT + "rules: {preset: nd_0027_onshore, termination_factor: 1.0}\n"
+    page = render_report(simulate(parse_scenario(text))).split("Weights")[0]
+    first, _, rest = page.partition("stands on its supports again")
+    assert rest
+    assert "peak of the simulated weight alone" not in first
 
 
 def test_a_load_that_is_hoisted_on_is_not() -> None:

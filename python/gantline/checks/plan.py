@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from gantline.checks.check import LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
+from gantline.checks.check import HANGS_STILL, LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
 from gantline.checks.picked_up import what_helps
 from gantline.results import progress, series
@@ -135,7 +135,7 @@ def never_still(recording: Recording) -> list[Check]:
         remark += "".join(f"; {again}" for again in _back_on_supports(recording))
     else:
         return []
-    return [Check("hangs_still", Verdict.WARNING, f"the load hangs still for {least} once", remark=remark)]
+    return [Check(HANGS_STILL, Verdict.WARNING, f"the load hangs still for {least} once", remark=remark)]
 
 
 def _has_come_off(recording: Recording) -> bool:
