@@ -136,6 +136,8 @@ _ELSEWHERE: Final[dict[str, dict[str, tuple[float, str]]]] = {
         "psi": (6.894757293168, "kPa"),
     },
 }
+#: Those that are metric: speeds of strand jacks are given in m/h, and miles per hour look like it.
+_METRIC_ELSEWHERE: Final = frozenset({"m/h"})
 #: Units that are smaller than any of a yard, in units of here. One of them may stand for a unit whose letters
 #: differ by their case alone, which is a thousand million times as large.
 _TINY: Final[dict[str, dict[str, tuple[float, str]]]] = {
@@ -371,7 +373,8 @@ def _wrong_unit(shown: str, number: float, unit: str, dimension: str) -> str:
     powers = _POWER.sub(r"^\1", unit)
     if powers in (elsewhere := _ELSEWHERE.get(dimension, {})):
         factor, here = elsewhere[powers]
-        return f"'{shown}' is {number * factor:.7g} {here}; units are metric: {example(dimension)}"
+        why = "" if powers in _METRIC_ELSEWHERE else "units are metric: "
+        return f"'{shown}' is {number * factor:.7g} {here}; {why}{example(dimension)}"
     if unit in (tiny := _TINY.get(dimension, {})):
         factor, here = tiny[unit]
         alike = [other for other in DIMENSIONS[dimension] if other.lower() == unit.lower()]

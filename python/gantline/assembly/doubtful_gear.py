@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+import numpy as np
+
+from gantline.assembly.load_body import radii_of_another
 from gantline.cad.assumptions import STEEL
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.errors import Doubt
@@ -51,12 +54,13 @@ def doubtful_gear(scenario: Scenario, rigging: Rigging) -> list[Doubt]:
     light = [
         doubt
         for name, one in spreaders
-        for doubt in _light(("spreaders", name), f"spreader {name}", one.mass, one.rated_capacity)
+        for doubt in _of_its_rating(("spreaders", name), f"spreader {name}", one.mass, one.rated_capacity)
     ]
     return [
         *gear,
         *_frames(rigging),
         *light,
+        *_spreaders_of_another_inertia(scenario),
         *_off_spreaders(scenario),
         *_rough(scenario),
         *_smooth(scenario),
@@ -163,7 +167,7 @@ def _frames(rigging: Rigging) -> Iterator[Doubt]:
     for name, equalizer in rigging.equalizers.items():
         frame, rated = equalizer.frame, equalizer.rated_capacity
         path = ("equalizers", name)
-        yield from _light(path, f"the frame of {name}", frame.mass, rated)
+        yield from _of_its_rating(path, f"the frame of {name}", frame.mass, rated)
         if frame.inertia_about_vertical is None:
             continue
         radius = math.sqrt(frame.inertia_about_vertical / frame.mass)
@@ -172,10 +176,26 @@ def _frames(rigging: Rigging) -> Iterator[Doubt]:
             yield Doubt(path, f"the frame of {name} {figures}; a unit of its inertia or mass has slipped")
 
 
-def _light(path: Path, what: str, mass: float, rated: float | None) -> Iterator[Doubt]:
-    if rated is not None and mass < _LIGHTEST * rated:
-        sentence = f"{what} weighs {_mass(mass)} and may carry {_mass(rated)}; a unit has slipped, kg for t"
-        yield Doubt(path, sentence)
+def _of_its_rating(path: Path, what: str, mass: float, rated: float | None) -> Iterator[Doubt]:
+    """A frame or spreader that is too light for what it may carry, or heavier than that."""
+    if rated is None or _LIGHTEST * rated <= mass <= rated:
+        return
+    slipped = "a unit has slipped, kg for t" if mass < rated else "a unit or digit has slipped"
+    yield Doubt(path, f"{what} weighs {_mass(mass)} and may carry {_mass(rated)}; {slipped}")
+
+
+def _spreaders_of_another_inertia(scenario: Scenario) -> Iterator[Doubt]:
+    for name, one in (scenario.spreaders or {}).items():
+        if one.inertia is None:
+            continue
+        half = np.array(one.size) / 2.0
+        box = np.array([-half, half])
+        found = radii_of_another(one.inertia, one.mass, np.array(one.centre_of_gravity), box)
+        if found:
+            radii = "make radii of gyration that its box does not allow"
+            said = f"the inertia and the mass of spreader {name} {radii}"
+            sentence = f"{said}: {', '.join(found)}; a unit or digit of one of both has slipped"
+            yield Doubt(("spreaders", name, "inertia"), sentence)
 
 
 def _off_spreaders(scenario: Scenario) -> Iterator[Doubt]:

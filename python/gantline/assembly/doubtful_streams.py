@@ -11,6 +11,7 @@ from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Parts
 from gantline.assembly.vessels import vessel_hull
 from gantline.scenario import Scenario
+from gantline.scenario.crane import FixedHook
 from gantline.scenario.errors import Doubt
 from gantline.scenario.load import Load
 from gantline.scenario.stream import Stream, StreamArea
@@ -48,7 +49,32 @@ def doubtful_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None
     doubts += _off_the_hull(scenario)
     if scenario.load is not None and lifted is not None:
         doubts += _off_the_load(scenario.load, lifted)
+        doubts += _falls_that_stand(scenario, scenario.load)
     return doubts
+
+
+def _falls_that_stand(scenario: Scenario, load: Load) -> Iterator[Doubt]:
+    """Of fixed hooks in falls, which go up and down only, while wind pushes what hangs below them.
+
+    On such a hook the load swings below its slings alone, and drifts by so much less.
+    """
+    wind = scenario.wind
+    if not (isinstance(wind, Stream) and wind.speed > 0.0 and load.wind_areas):
+        return
+    lengths = {
+        name: (crane.reeving.upper_sheaves_at or 0.0) - crane.at[2] - crane.hook_block.height
+        for name, crane in (scenario.cranes or {}).items()
+        if isinstance(crane, FixedHook) and crane.reeving is not None and crane.hook_block is not None
+    }
+    if not lengths:
+        return
+    longest = format_quantity(max(lengths.values()), "m", 1)
+    yield Doubt(
+        ("cranes", next(iter(lengths)), "reeving"),
+        f"falls of a hook of 'type: fixed_hook' do not swing, {longest} long here: what the wind "
+        f"pushes swings below {', '.join(lengths)} on its slings alone, faster and less far than it would; "
+        "hooks of trolleys and booms swing",
+    )
 
 
 def _fast(kind: str, stream: Stream) -> Iterator[Doubt]:

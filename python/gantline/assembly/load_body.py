@@ -140,20 +140,34 @@ def _inertia_of_another(load: Load, box: Array) -> list[Doubt]:
     """Of stated inertias that nothing of this weight in this box has, or nothing that fills some of it."""
     if not isinstance(load.inertia, LoadInertia) or load.centre_of_gravity.at == "from_cad":
         return []
-    mass, centre, sizes = load.weight.calculated, np.array(load.centre_of_gravity.at), box[1] - box[0]
-    reach = np.maximum(np.abs(box[0] - centre), np.abs(box[1] - centre))
-    found = []
-    for axis, key in enumerate(("xx", "yy", "zz")):
-        across = [i for i in range(3) if i != axis]
-        radius = float(np.sqrt(getattr(load.inertia, key) / mass))
-        farthest, solid = float(np.hypot(*reach[across])), float(np.hypot(*sizes[across]) / np.sqrt(12.0))
-        if radius > farthest + _OFF or radius < _THINNEST * solid:
-            found.append(f"{key} {radius:.3g} m (a solid box {solid:.3g} m)")
+    centre = np.array(load.centre_of_gravity.at)
+    found = radii_of_another(load.inertia, load.weight.calculated, centre, box)
     if not found:
         return []
     said = "the inertia and the weight of the load make radii of gyration that its box does not allow"
     sentence = f"{said}: {', '.join(found)}; a unit has slipped, or the weight"
     return [Doubt(("load", "inertia"), sentence)]
+
+
+def radii_of_another(inertia: LoadInertia, mass: float, centre: Array, box: Array) -> list[str]:
+    """Radii of gyration that nothing in a box has, or nothing that fills some of it, in words.
+
+    Args:
+        inertia: About the centre of gravity, along the axes of the box.
+        mass: Of the body [kg].
+        centre: Its centre of gravity, shape (3,) [m].
+        box: Its least and largest corner, shape (2, 3) [m].
+    """
+    sizes = box[1] - box[0]
+    reach = np.maximum(np.abs(box[0] - centre), np.abs(box[1] - centre))
+    found = []
+    for axis, key in enumerate(("xx", "yy", "zz")):
+        across = [i for i in range(3) if i != axis]
+        radius = float(np.sqrt(getattr(inertia, key) / mass))
+        farthest, solid = float(np.hypot(*reach[across])), float(np.hypot(*sizes[across]) / np.sqrt(12.0))
+        if radius > farthest + _OFF or radius < _THINNEST * solid:
+            found.append(f"{key} {radius:.3g} m (a solid box {solid:.3g} m)")
+    return found
 
 
 def _lugs_at_one_place(load: Load) -> list[Doubt]:

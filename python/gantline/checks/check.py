@@ -13,6 +13,7 @@ from gantline.units import format_quantity, telling_digits
 
 #: Checks that a run got through its plan, that it lifted what it should, and that nothing of it is lost.
 PLAN_FINISHED, LOAD_LIFTED, ALL_KNOWN = "plan_finished", "load_lifted", "all_known"
+HANGS_STILL = "hangs_still"
 #: Checks that hold what hooks, slings, shackles and lugs bear against what they may bear.
 _STRENGTHS = frozenset(
     {

@@ -175,44 +175,51 @@ def sling_forces(
     return forces
 
 
-def force_together(recording: Recording, slings: Sequence[Sling], during: BoolArray) -> Force:
-    """Static and dynamic force of several slings that pull at one place, added up as they are at one time.
+def force_together(
+    recording: Recording, slings: Sequence[Sling], together: FloatArray, during: BoolArray
+) -> Force:
+    """Static and dynamic force of several slings that pull at one place, as they are at one time.
 
-    Static is that of the time that the loads hung still at which it is largest. A peak between samples counts
-    where one sling alone had it.
+    Static is that of the time that the loads hung still at which it is largest. Factors and contingency raise
+    the sling forces; of their sum counts the share that the slings pull together, and no less than the force
+    of one alone. A peak between samples counts where one sling alone had it.
 
     Args:
         recording: The recording.
         slings: At least one.
+        together: What they pull together in their directions, shape (time,) [N].
         during: Samples whose peak counts.
     """
+    size = np.sum([series.sling_tension(recording, sling) for sling in slings], axis=0)
     alone: list[Force] = []
-    sums: list[Force] = []
+    found: list[Force] = []
     windows: list[BoolArray | None] = [*series.quiet_windows(recording)]
     for window in windows or [None]:
         forces = sling_forces(recording, during, window)
         alone = [forces[sling.name] for sling in slings]
-        sums.append(_sum(alone))
-    force = max(sums, key=lambda one: one.rule or one.static or 0.0)
-    total = np.sum([series.sling_tension(recording, sling) for sling in slings], axis=0)
-    force = _with_peak_of(recording, force, total, during)
+        sums = 0.0 if window is None else float(size[window].sum())
+        share = 1.0 if window is None or sums <= 0.0 else float(together[window].sum()) / sums
+        found += [_sum(alone, share), *(replace(one, peak=None, time=None) for one in alone)]
+    force = max(found, key=lambda one: one.rule or one.static or 0.0)
+    force = _with_peak_of(recording, force, together, during)
     # Peaks of each alone are the same whatever the window.
     highest = max([force, *alone], key=lambda one: one.peak or 0.0)
     return _under_pins(recording, replace(force, peak=highest.peak, time=highest.time))
 
 
-def _sum(forces: Sequence[Force]) -> Force:
-    """Forces of one time, without peaks."""
+def _sum(forces: Sequence[Force], share: float) -> Force:
+    """What share of forces of one time pulls together, without peaks."""
 
     def total(values: Iterable[float | None]) -> float | None:
         known = [value for value in values if value is not None]
-        return sum(known) if len(known) == len(forces) else None
+        return share * sum(known) if len(known) == len(forces) else None
 
+    aslant = f" x {share:.4g} as vectors" if share < 0.99995 else ""
     return Force(
         static=total(one.static for one in forces),
-        static_text=f"({' + '.join(one.static_text for one in forces)})",
+        static_text=f"({' + '.join(one.static_text for one in forces)}){aslant}",
         rule=total(one.rule for one in forces),
-        rule_text=f"({' + '.join(one.rule_text for one in forces)})",
+        rule_text=f"({' + '.join(one.rule_text for one in forces)}){aslant}",
         factors=tuple(dict.fromkeys(name for one in forces for name in one.factors)),
         window=forces[0].window,
         lacks_static=any(one.lacks_static for one in forces),

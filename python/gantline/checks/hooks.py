@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
 
 from gantline.checks.forces import HUNG_OTHERWISE, NO_STATIC, Raised, as_it_is, hook_force, kilonewton, over
-from gantline.checks.measure import Finding, Found, Missing, extreme
+from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.checks.ratings import SEVERAL, crane_of, kept_back
 from gantline.results import series
 from gantline.results.gear import Hook
 from gantline.results.parting import DETACHED, while_there
+from gantline.results.pulled_aside import hooks_that_stay, pull_aside
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
+from gantline.units import format_quantity
 
 #: Levels of rated capacities, that of most first.
 _LEVELS = ("crane", "trolley", "hook")
+#: Share of its largest load from which the pull at a hook counts, and how many times its upright part what
+#: pulls along a hook's own ropes may be before it is told [1]; 1.05 is 18 deg.
+_BEARS, _ASLANT = 0.25, 1.05
 
 
 def hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -184,3 +189,24 @@ def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Findi
             yield from cautions if rating.level == "crane" else ()
             raised = Raised(kept, f" x {kept:.4g}", (SEVERAL,)) if kept > 1.0 else raised
         yield from over(force, rating.rated_capacity, element, raised)
+        yield from _aslant(recording, during, rating.hooks) if rating.level == "hook" else ()
+
+
+def _aslant(recording: Recording, during: BoolArray, names: Sequence[str]) -> Iterator[Caution]:
+    """That hooks which stay where they are, of chain hoists for one, are pulled aside by much.
+
+    A crane is rated for what hangs, upright; a chain hoist for what pulls along its chain, which is more.
+    """
+    for hook in (one for one in hooks_that_stay(recording) if one.name in names):
+        upright, aside = recording.column("hook_load", hook.name), pull_aside(recording, hook)
+        counts = during & (upright > _BEARS * np.max(upright, initial=0.0))
+        if not counts.any():
+            continue
+        most = float(np.max(aside[counts] / upright[counts]))
+        times = float(np.hypot(1.0, most))
+        if times > _ASLANT:
+            lean = format_quantity(float(np.arctan(most)), "deg", 0)
+            yield Caution(
+                f"{hook.name} is pulled {lean} aside, and what is compared is the upright part: along the "
+                f"pull, which a chain hoist is rated for, it is up to {times:.3g} times as much"
+            )

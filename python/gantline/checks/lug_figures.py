@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.checks.forces import NO_DYNAMIC, NO_STATIC
-from gantline.checks.lugs import LugForce, consequence_of, lug_forces
+from gantline.checks.lugs import LugForce, consequence_of, lug_forces, pull_at_lug
 from gantline.results import series
 from gantline.results.form import Vector
 from gantline.results.recording import Recording
@@ -59,9 +59,10 @@ class LugFigures:
 def lug_figures(recording: Recording) -> list[LugFigures]:
     """Figures of all lugs of loads and spreaders at which slings pull, by the order of the slings.
 
-    Forces of several slings at one lug are added up as sizes, and their pull has the direction of what they
-    pull together. Where the force is a simulated peak the direction is that of the sample nearest to it, else
-    the mean over the time that the load hung still.
+    Several slings on one side of a lug are added up as vectors of one time, what pulls from above and what
+    pulls from below as sizes; their pull has the direction of what they all pull together. Where the force is
+    a simulated peak the direction is that of the sample nearest to it, else the mean over the time that the
+    load hung still.
 
     Args:
         recording: Of a run, or of an equilibrium, of which the last sample counts.
@@ -99,9 +100,7 @@ def _direction(recording: Recording, one: LugForce, body: str) -> FloatArray:
     """Unit vector from a lug to what its slings pull at together, axes of its body; zero if none pulls."""
     pull = np.zeros((len(recording.time), 3))
     for sling, end in one.ends:
-        # A sling pulls up at the lug below it, and down at one of a spreader above.
-        tension = series.sling_tension(recording, sling) * (-1.0 if one.is_above(sling) else 1.0)
-        pull += tension[:, None] * series.sling_direction(recording, sling, end)
+        pull += pull_at_lug(recording, sling, end, (one.of, one.name))
     own = np.einsum("tij,ti->tj", axes(recording.column("body_orientation", body)), pull)
     if one.force.moment is not None:
         mean = own[int(np.argmin(np.abs(recording.time - one.force.moment)))]

@@ -14,7 +14,7 @@ from gantline.results.gear import Sling
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes
-from gantline.results.variable import BoolArray
+from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
 _CONSEQUENCE = "lug_consequence_factor"
@@ -80,7 +80,7 @@ class LugForce:
         of: The load or spreader that has it.
         name: Its name there.
         ends: The slings made fast to it, each with the number of its lower end, 0 at its upper one.
-        force: Their forces, added up as they are at one time.
+        force: Their forces together: as vectors on each side of the lug, as sizes above and below it.
     """
 
     of: str
@@ -93,10 +93,6 @@ class LugForce:
         """Its name among all lugs, `<load or spreader>.<lug>`."""
         return f"{self.of}.{self.name}"
 
-    def is_above(self, sling: Sling) -> bool:
-        """Whether the sling hangs down from it."""
-        return (sling.from_body, sling.from_lug) == (self.of, self.name)
-
 
 def lug_forces(recording: Recording, during: BoolArray) -> Iterator[LugForce]:
     """Forces of the lugs of loads and spreaders, by the order of the slings."""
@@ -107,8 +103,42 @@ def lug_forces(recording: Recording, during: BoolArray) -> Iterator[LugForce]:
             at.setdefault((of, lug), []).append((sling, end))
     for (of, lug), ends in at.items():
         own = [sling for sling, _ in ends]
-        force = forces[own[0].name] if len(own) == 1 else force_together(recording, own, during)
+        force = forces[own[0].name]
+        if len(own) > 1:
+            force = force_together(recording, own, _together(recording, (of, lug), ends), during)
         yield LugForce(of, lug, ends, force)
+
+
+def _together(recording: Recording, at: tuple[str, str], ends: Sequence[tuple[Sling, int]]) -> FloatArray:
+    """What slings pull at a lug, shape (time,) [N].
+
+    Those on one side of it pull as vectors. What pulls from above and what pulls from below is added up as
+    sizes: the two are made fast in holes of their own, and do not relieve the lug of each other.
+    """
+    sides = [[one for one in ends if _is_above(at, one[0]) == above] for above in (True, False)]
+    pulls = [[pull_at_lug(recording, sling, end, at) for sling, end in side] for side in sides if side]
+    total: FloatArray = np.sum([np.linalg.norm(np.sum(side, axis=0), axis=1) for side in pulls], axis=0)
+    return total
+
+
+def _is_above(at: tuple[str, str], sling: Sling) -> bool:
+    """Whether a sling hangs down from a lug."""
+    return (sling.from_body, sling.from_lug) == at
+
+
+def pull_at_lug(recording: Recording, sling: Sling, end: int, at: tuple[str, str]) -> FloatArray:
+    """The pull of a sling at a lug, from the lug towards it, shape (time, 3) [N], world axes.
+
+    Args:
+        recording: The recording.
+        sling: The sling.
+        end: Number of its lower end, 0 at its upper one.
+        at: Load or spreader, and the lug on it.
+    """
+    # It pulls up at the lug below it, and down at one of a spreader above.
+    tension = series.sling_tension(recording, sling) * (-1.0 if _is_above(at, sling) else 1.0)
+    pull: FloatArray = tension[:, None] * series.sling_direction(recording, sling, end)
+    return pull
 
 
 def consequence_of(recording: Recording) -> Raised:
@@ -118,7 +148,7 @@ def consequence_of(recording: Recording) -> Raised:
 
 
 def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Load of a lug of load or spreader over its capacity; forces of several slings at one lug add up."""
+    """Load of a lug of load or spreader over its capacity; several slings at one lug pull together."""
     raised = consequence_of(recording)
     for one in lug_forces(recording, during):
         holder = recording.rig.with_lugs(one.of)

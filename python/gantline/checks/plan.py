@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from gantline.checks.check import LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
+from gantline.checks.check import HANGS_STILL, LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
 from gantline.checks.measure import named
 from gantline.checks.picked_up import what_helps
 from gantline.results import progress, series
 from gantline.results.gear import Drum
-from gantline.results.lift_off import hangs_from_the_start
+from gantline.results.lift_off import hangs_from_the_start, lift_off_time
 from gantline.results.parting import PLANNED, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
@@ -119,14 +119,46 @@ def stood_still(recording: Recording) -> list[Check]:
 
 
 def never_still(recording: Recording) -> list[Check]:
-    """A warning where static values are means over motion: the shorter it is, the more of it they have."""
-    if not series.moves_all_along(recording):
-        return []
-    times = recording.time[series.quiet_window(recording)]
+    """A warning where static values are means over motion, or not known: nothing hung clear for long enough.
+
+    The shorter the time is over which they are means, the more of the motion they have.
+    """
     least = format_quantity(series.time_to_hang_still(recording.rig), "s", 0)
-    over = f"{times[0]:.4g} to {times[-1]:.4g} s, in which the plan moves it"
-    remark = f"static forces are means over {over}: hold the load still for {least}, clear of its supports"
-    return [Check("hangs_still", Verdict.WARNING, f"the load hangs still for {least} once", remark=remark)]
+    if series.moves_all_along(recording):
+        times = recording.time[series.quiet_window(recording)]
+        over = f"{times[0]:.4g} to {times[-1]:.4g} s, in which the plan moves it"
+        remark = (
+            f"static forces are means over {over}: hold the load still for {least}, clear of its supports"
+        )
+    elif not recording.is_equilibrium and not series.quiet_windows(recording) and _has_come_off(recording):
+        remark = f"no static force is known: hold the load still for {least}, clear of its supports"
+        remark += "".join(f"; {again}" for again in _back_on_supports(recording))
+    else:
+        return []
+    return [Check(HANGS_STILL, Verdict.WARNING, f"the load hangs still for {least} once", remark=remark)]
+
+
+def _has_come_off(recording: Recording) -> bool:
+    """Whether loads came clear of their supports, by slings; a mechanism has nothing to hang still."""
+    return bool(recording.rig.slings) and lift_off_time(recording) is not None
+
+
+def _back_on_supports(recording: Recording) -> Iterator[str]:
+    """Loads that hardly came off: a bounce freed them, no step lowers them after it, and they stand again.
+
+    `until: {supports: clear}` holds at the top of such a bounce, and the hook brakes there.
+    """
+    kinds = {step.step: step.kind for step in recording.rig.plan}
+    first = lift_off_time(recording)
+    for load in recording.rig.loads:
+        share = float(series.support_force(recording, load)[-1]) / load.weight
+        spans = progress.spans(recording).items()
+        is_lowered = any(kinds.get(step) in _LOWERS and end > (first or 0.0) for step, (_, end) in spans)
+        if share > 0.0 and not is_lowered and first is not None:
+            yield (
+                f"{load.name} comes off at {first:.4g} s and stands on its supports again, at the end with "
+                f"{format_quantity(share, '%', 2)} of its weight: hoist it farther once they are clear"
+            )
 
 
 def came_down(recording: Recording) -> list[Check]:

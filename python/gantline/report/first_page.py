@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from gantline.checks import NO_WARNINGS, Check, Verdict, foremost, outcome_of, past_limits
+from gantline.checks.check import HANGS_STILL
 from gantline.checks.forces import hook_force
 from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.attitude import attitude
@@ -151,9 +152,13 @@ def _named_failures(failed: list[Check]) -> str:
 
 
 def _foremost_warnings(checks: list[Check]) -> list[Check]:
-    """Warnings that the first page spells out: what is past its limit, and what has a remark of its own."""
+    """Warnings that the first page spells out: what is past its limit, and what has a remark of its own.
+
+    That a load never hung still stands before what all is not known for that.
+    """
     past = past_limits(checks)
     others = [one for one in checks if one.verdict is Verdict.WARNING and one not in past and one.remark]
+    others.sort(key=lambda one: one.name != HANGS_STILL)
     return [*past, *others][:_MOST_WARNINGS]
 
 

@@ -172,6 +172,8 @@ def _tries(x: float, y: float, wide: float, right: float) -> list[tuple[float, f
     """Left ends and heights of a text beside a dot, the best first."""
     found = []
     for down in _DOWN:
+        if y + down < _LINE / 2:
+            continue  # above the end of the paper
         # Above or below its dot a name may reach back over it from the end of the paper.
         start = x + _BESIDE if down == 0.0 else min(x + _BESIDE, right - wide)
         for left, side in ((start, "start"), (x - _BESIDE - wide, "end")):

@@ -13,6 +13,12 @@ from gantline.scenario.steps import AlongStep, HoldStep
 
 __all__ = ["check_kept_plumb"]
 
+#: What is right where no other hook has slings on the load; a foot or a hinge holds falls askew too.
+_ALONE = (
+    "falls of one hook alone come plumb by themselves, and while something else holds the load, a foot that "
+    "stands or ropes of 'mechanics', nothing is followed: 'to' or 'by' gives the way"
+)
+
 
 def check_kept_plumb(findings: Findings, rigging: Rigging) -> None:
     """Note hooks that a step cannot keep plumb: the load hangs in falls between them and others."""
@@ -36,7 +42,7 @@ def check_kept_plumb(findings: Findings, rigging: Rigging) -> None:
         others = hooks_beside(scenario, rigging, one)
         if not others:
             sentence = f"no load hangs between hooks of '{one.name}' and others"
-            findings.add(path, f"{sentence}; falls of one hook alone come plumb by themselves")
+            findings.add(path, f"{sentence}; {_ALONE}")
         elif not any(sling.name in on for hook in others for sling in slings_under(rigging, hook)):
             names = " and ".join(f"'{hook}'" for hook in others)
             sentence = f"no sling of {names} is on in this step, so that nothing leads the load there"

@@ -16,6 +16,8 @@ __all__ = ["check_beside", "check_places", "check_supports", "foot_of", "top_of"
 _ROUNDING = 1e-9
 #: A top higher than this over the underside of a load is in the load and not under it [m].
 _INSIDE = 0.1
+#: How to say what a load stands on later.
+_LATER = "what it comes down on elsewhere is a group with 'measured_from: world', places in the world"
 
 
 def check_supports(findings: Findings) -> None:
@@ -145,4 +147,4 @@ def check_places(findings: Findings, least: Sequence[float], most: Sequence[floa
             if any(not low - _ROUNDING <= at <= high + _ROUNDING for at, low, high in sides):
                 sentence = f"'{one.name}' at ({one.at[0]:g}, {one.at[1]:g}) m is not under the load"
                 from_to = f"x {least[0]:g} to {most[0]:g} m, y {least[1]:g} to {most[1]:g} m from its datum"
-                findings.add(("supports", group), f"{sentence}, which is at {from_to}")
+                findings.add(("supports", group), f"{sentence}, which is at {from_to}; {_LATER}")

@@ -143,7 +143,9 @@ class FixedHook(Element):
         if self.reeving is None:
             for key, given in parts.items():
                 if given is not None:
-                    raise refuse(f"'{key}' is given without 'reeving', the ropes that the hook hangs in", key)
+                    mass = "; 'hook_block_mass' says what it weighs" if key == "block" else ""
+                    without = f"'{key}' is given without 'reeving', the ropes that the hook hangs in"
+                    raise refuse(f"{without}{mass}", key)
             if self.hoist.capacity is not None:
                 sentence = (
                     "'hoist.capacity' is given without 'reeving'; a hook that moves as told has no limit"
