@@ -159,7 +159,9 @@ def _inertia_of_another(load: Load, box: Array) -> list[Doubt]:
 def _lugs_at_one_place(load: Load) -> list[Doubt]:
     pairs = combinations(load.lugs.items(), 2)
     same = [
-        (one, other) for (one, a), (other, b) in pairs if np.allclose(a.at, b.at, rtol=0, atol=_ONE_PLACE)
+        (one, other)
+        for (one, a), (other, b) in pairs
+        if all(abs(x - y) <= _ONE_PLACE for x, y in zip(a.at, b.at, strict=True))
     ]
     without = "one lug would bear the slings of both"
     return [
