@@ -10,6 +10,7 @@ from __future__ import annotations
 import difflib
 import math
 import re
+from collections.abc import Iterable
 from typing import Final
 
 __all__ = [
@@ -192,13 +193,17 @@ def example(dimension: str) -> str:
     return f"{name} is written like {examples}"
 
 
-def common_dimension(*texts: str) -> str:
+def common_dimension(*texts: str, among: Iterable[str] = DIMENSIONS) -> str:
     """Dimension in which all of some quantities are written; a bare zero has any.
+
+    Args:
+        texts: as written.
+        among: those that it may be, keys of `DIMENSIONS`; one that a share may be ends with `ratio`.
 
     Raises:
         UnitError: if one is no quantity, or they have no dimension in common.
     """
-    common = list(DIMENSIONS)
+    common = list(among)
     for text in texts:
         fitting = [dimension for dimension in common if _is_quantity(text, dimension)]
         if not fitting:

@@ -47,32 +47,47 @@ def test_an_arrow_that_points_backwards_is_found(tmp_path: Path) -> None:
     assert "2 kept, 2 broken" in result.stdout, result.stdout + result.stderr
 
 
-def imports_of(path: Path) -> set[str]:
-    """Dotted names of all that a module imports, inside functions too."""
+Import = ast.Import | ast.ImportFrom
+
+
+def imports_of(path: Path) -> list[Import]:
+    """All imports of a module, inside functions too."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    return [node for node in ast.walk(tree) if isinstance(node, (ast.Import, ast.ImportFrom))]
+
+
+def names_of(imports: list[Import]) -> set[str]:
+    """Dotted names of all that absolute imports bring."""
     names: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in imports:
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
+        elif node.level == 0 and node.module:
             names.add(node.module)
             names.update(f"{node.module}.{alias.name}" for alias in node.names)
     return names
 
 
-def test_only_the_simulation_uses_the_compiled_core() -> None:
+@pytest.fixture(scope="module")
+def imports() -> dict[Path, list[Import]]:
+    """Imports of all modules of the package."""
+    return {path: imports_of(path) for path in PACKAGE.rglob("*.py")}
+
+
+def test_only_the_simulation_uses_the_compiled_core(imports: dict[Path, list[Import]]) -> None:
     users = set()
-    for path in PACKAGE.rglob("*.py"):
-        if any(name.split(".")[:2] == ["gantline", "_core"] for name in imports_of(path)):
+    for path, of_module in imports.items():
+        if any(name.split(".")[:2] == ["gantline", "_core"] for name in names_of(of_module)):
             users.add(".".join(path.relative_to(ROOT / "python").with_suffix("").parts))
     assert users and {".".join(user.split(".")[:2]) for user in users} <= USERS_OF_THE_CORE
 
 
-def test_imports_are_absolute() -> None:
+def test_imports_are_absolute(imports: dict[Path, list[Import]]) -> None:
     """Relative imports would hide a module from the reader of a contract."""
     relative = [
         str(path.relative_to(ROOT))
-        for path in PACKAGE.rglob("*.py")
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for path, of_module in imports.items()
+        for node in of_module
         if isinstance(node, ast.ImportFrom) and node.level > 0
     ]
     assert relative == []
@@ -84,4 +99,4 @@ def test_imports_are_absolute() -> None:
 def test_a_use_of_the_core_is_found(source: str, tmp_path: Path) -> None:
     path = tmp_path / "module.py"
     path.write_text(source)
-    assert "gantline._core" in imports_of(path)
+    assert "gantline._core" in names_of(imports_of(path))

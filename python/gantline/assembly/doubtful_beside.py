@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import combinations
 
 import numpy as np
 
@@ -228,22 +227,14 @@ def _meeting(lugs: Array, lengths: Array) -> Array:
 
 def _way_into(point: Array, places: Sequence[Array]) -> Array:
     """From a point to the nearest place of the area between places, all in a plane (2,) [m]; 0 within."""
-    ways = [place - point for place in places]
-    for one, other in combinations(ways, 2):
-        along = other - one
-        square = float(along @ along)
-        if square > 0.0:
-            ways.append(one + along * min(max(-float(one @ along) / square, 0.0), 1.0))
-    if any(_is_within(*three) for three in combinations([place - point for place in places], 3)):
+    ways = np.array(places) - point
+    directions = np.sort(np.arctan2(ways[:, 1], ways[:, 0]))
+    # Within where no half plane is without a place; on an edge the nearest place is where the point is.
+    if max(np.diff(directions, append=directions[0] + 2.0 * math.pi)) < math.pi:
         return np.zeros(2)
-    return min(ways, key=lambda way: float(np.linalg.norm(way)))
-
-
-def _is_within(a: Array, b: Array, c: Array) -> bool:
-    """Whether the origin lies within a triangle (2,) each."""
-
-    def side(one: Array, other: Array) -> float:
-        return float(one[0] * other[1] - one[1] * other[0])
-
-    sides = [side(a, b), side(b, c), side(c, a)]
-    return min(sides) > 0.0 or max(sides) < 0.0
+    ones, along = ways[:, None], ways - ways[:, None]
+    square = np.sum(along**2, axis=2)
+    share = np.clip(-np.sum(ones * along, axis=2) / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
+    nearest = (ones + share[:, :, None] * along).reshape(-1, 2)
+    way: Array = nearest[np.argmin(np.linalg.norm(nearest, axis=1))]
+    return way

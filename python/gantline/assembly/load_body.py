@@ -173,7 +173,9 @@ def radii_of_another(inertia: LoadInertia, mass: float, centre: Array, box: Arra
 def _lugs_at_one_place(load: Load) -> list[Doubt]:
     pairs = combinations(load.lugs.items(), 2)
     same = [
-        (one, other) for (one, a), (other, b) in pairs if np.allclose(a.at, b.at, rtol=0, atol=_ONE_PLACE)
+        (one, other)
+        for (one, a), (other, b) in pairs
+        if all(abs(x - y) <= _ONE_PLACE for x, y in zip(a.at, b.at, strict=True))
     ]
     without = "one lug would bear the slings of both"
     return [

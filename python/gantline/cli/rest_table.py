@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from gantline.checks import Check, check_recording, outcome_of, verdict_of
+from gantline.checks import Check, outcome_of, verdict_of
 from gantline.cli.check_table import check_table, width_of_terminal
 from gantline.cli.friction import slid_loads, stands_loosely
 from gantline.cli.summary import heading, weights
@@ -199,13 +199,15 @@ _SLIPPING = {"forward": "along the rope", "backward": "against the rope"}
 
 
 def bounds_at_rest(
-    rest: Equilibrium, bounds: Sequence[Equilibrium], nowhere: Mapping[Losses, NoEquilibriumError]
+    rest: Equilibrium,
+    bounds: Sequence[Equilibrium],
+    of_bounds: Sequence[Sequence[Check]],
+    nowhere: Mapping[Losses, NoEquilibriumError],
 ) -> list[str]:
     """The verdict with all sheaves slipping one way, and the other: losses may hold as much."""
     lines = []
-    for bound in bounds:
-        verdict = verdict_of(check_recording(bound.recording))
-        said = f"With all sheaves slipping {_SLIPPING[bound.losses]}: {verdict}"
+    for bound, checks in zip(bounds, of_bounds, strict=True):
+        said = f"With all sheaves slipping {_SLIPPING[bound.losses]}: {verdict_of(checks)}"
         lines += wrapped(said, width_of_terminal())
         still = _standing(rest, bound)
         if still:
@@ -240,6 +242,7 @@ def statics_json(
     sensitivities: list[Sensitivity],
     margins: list[Margin],
     checks: Sequence[Check],
+    of_bounds: Sequence[Sequence[Check]],
     left_out: Sequence[str],
 ) -> dict[str, Any]:
     """An equilibrium as a JSON object, SI units, with sentences on what it leaves out of the lift."""
@@ -248,10 +251,10 @@ def statics_json(
         "bounds": [
             {
                 **rest_json(one),
-                "verdict": verdict_of(check_recording(one.recording)),
+                "verdict": verdict_of(checks_of_one),
                 "still_standing": _standing(rest, one),
             }
-            for one in bounds
+            for one, checks_of_one in zip(bounds, of_bounds, strict=True)
         ],
         "bounds_without_equilibrium": [
             {"losses": way, "element": problem.element, "cause": problem.cause}

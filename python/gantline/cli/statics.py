@@ -120,6 +120,7 @@ class _Answer:
         found: The slowest natural motions, of which the first are shown.
         shown: Those that are shown.
         checks: What was checked.
+        of_bounds: The same of each bound.
         margins: How far the centre of gravity may be elsewhere; nothing where that was not asked for.
     """
 
@@ -130,18 +131,18 @@ class _Answer:
     found: list[Mode]
     shown: list[Mode]
     checks: Sequence[Check]
+    of_bounds: Sequence[Sequence[Check]]
     margins: list[Margin] = field(default_factory=list)
 
     @property
     def code(self) -> int:
         """The code that the program ends with: of the worst of the equilibrium and its bounds."""
-        from gantline.checks import check_recording, has_failed
+        from gantline.checks import has_failed
         from gantline.cli.check_table import exit_code
 
         if self.nowhere:
             return COULD_NOT_GO_ON
-        of_bounds = (check_recording(bound.recording) for bound in self.bounds)
-        if not self.rest.is_stable or any(has_failed(checks) for checks in of_bounds):
+        if not self.rest.is_stable or any(has_failed(checks) for checks in self.of_bounds):
             return CHECK_FAILED
         return exit_code(self.checks) if self.checks else DONE
 
@@ -163,7 +164,8 @@ def _answer(
     rest, bounds, nowhere, ranges = _settled(question, moment, state, held=held)
     found = question.modes(max(modes, _MODES) + rest.unstable + rest.neutral)
     shown = found[: max(modes, rest.unstable)]
-    return _Answer(rest, bounds, nowhere, ranges, found, shown, check_recording(rest.recording))
+    checks, *of_bounds = [check_recording(one.recording) for one in (rest, *bounds)]
+    return _Answer(rest, bounds, nowhere, ranges, found, shown, checks, of_bounds)
 
 
 def _as_json(question: Statics, answer: _Answer, sensitivities: bool) -> str:
@@ -177,6 +179,7 @@ def _as_json(question: Statics, answer: _Answer, sensitivities: bool) -> str:
         question.sensitivities() if sensitivities else [],
         answer.margins,
         answer.checks,
+        answer.of_bounds,
         question.scenario.left_out_at_rest,
     )
     return json.dumps(numbers, indent=2, allow_nan=False)
@@ -205,7 +208,7 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
         rest_table.motions(answer.shown),
         *(rest_table.changes(rest, question.sensitivities()) if sensitivities else []),
         rest_table.checks_at_rest(rest, answer.checks),
-        rest_table.bounds_at_rest(rest, answer.bounds, answer.nowhere),
+        rest_table.bounds_at_rest(rest, answer.bounds, answer.of_bounds, answer.nowhere),
     ]
     if not rest.is_stable:
         parts += _beyond(question)
@@ -298,7 +301,7 @@ def _bounds(pool: SideBySide, question: Statics, moment: float | None) -> dict[L
     if not any(sheave.has_losses for sheave in question.rig.sheaves):
         return {}
     ways: tuple[Losses, ...] = ("forward", "backward")
-    ask = pool.question(question.scenario).equilibrium
+    ask = pool.question(question.scenario, question.assembly).equilibrium
     return {way: pool.submit(ask, moment, losses=way) for way in ways}
 
 

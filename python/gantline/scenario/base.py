@@ -17,7 +17,8 @@ __all__ = ["Element", "Named"]
 class Element(BaseModel):
     """A mapping of a lift file: known keys only, nothing converted behind the user's back, never changed."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+    # The validator of a lift has those of its parts in it: none of these is built by itself.
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, defer_build=True)
 
     #: How messages name this mapping, such as "a sling".
     what: ClassVar[str] = "this mapping"

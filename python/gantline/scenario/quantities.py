@@ -120,21 +120,29 @@ class Quantity(Reader):
             number = quantity(value, self.dimension)
         except UnitError as error:
             raise refuse(one_line(str(error))) from None
-        self._check(number, shorten(value))
+        wrong = self._wrong(number, value)
+        if wrong:
+            raise refuse(f"'{shorten(value)}' {wrong}")
         return number
 
-    def _check(self, number: float, text: str) -> None:
+    def _wrong(self, number: float, text: str) -> str:
+        """What is wrong with a number, to be said after its text; empty of one that may be."""
         largest, shown = _LARGEST[self.dimension]
-        name = example(self.dimension).split(" is written")[0].split(" ", 1)[1]
         if self.sign != "any" and number < 0:
             bound = "above zero" if self.sign == "positive" else "zero or more"
-            raise refuse(f"'{text}' is negative; this {name} has to be {bound}")
+            return f"is negative; this {self._name} has to be {bound}"
         if self.sign == "positive" and number == 0:
-            raise refuse(f"'{text}' is zero; this {name} has to be above zero")
+            return f"is zero; this {self._name} has to be above zero"
         if self.sign == "positive" and number < SMALLEST:
-            raise refuse(f"'{text}' is absurdly small; check the number and its unit")
+            return "is absurdly small; check the number and its unit"
         if abs(number) > largest:
-            raise refuse(f"'{text}' is absurdly large (more than {shown}); check the number and its unit")
+            return f"is absurdly large (more than {shown}); check the number and its unit"
+        return ""
+
+    @property
+    def _name(self) -> str:
+        """What messages call it: `length`."""
+        return example(self.dimension).split(" is written")[0].split(" ", 1)[1]
 
     def shown(self) -> JsonSchemaValue:
         """A string with the units of the dimension, or a bare zero."""
@@ -158,10 +166,10 @@ class Share(Quantity):
     dimension: str = "ratio"
     sign: str = "not_negative"
 
-    def _check(self, number: float, text: str) -> None:
+    def _wrong(self, number: float, text: str) -> str:
         if number > _MOST_PLAIN and "%" not in text:
-            raise refuse(f"'{text}' is {100.0 * number:g} %; {example(self.dimension)}")
-        super()._check(number, text)
+            return f"is {100.0 * number:g} %; {example(self.dimension)}"
+        return super()._wrong(number, text)
 
 
 @dataclass(frozen=True)

@@ -37,7 +37,7 @@ class Tolerance:
 def _kind(text: str) -> Literal["ratio", "length"]:
     """Which of both a text is by its unit; what is neither is refused as a share."""
     try:
-        return "length" if common_dimension(text) == "length" else "ratio"
+        return "length" if common_dimension(text, among=("length", "ratio")) == "length" else "ratio"
     except UnitError:
         return "ratio"
 

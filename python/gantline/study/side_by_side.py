@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from threading import Event
 from types import TracebackType
 
+from gantline.assembly import Assembly
 from gantline.scenario import Scenario
 from gantline.statics import Statics
 from gantline.study.asked import count_of
@@ -27,13 +28,17 @@ class SideBySide(ThreadPoolExecutor):
         super().__init__(os.cpu_count() if workers is None else count_of("workers", workers))
         self._stopped = Event()
 
-    def question(self, scenario: Scenario) -> Statics:
+    def question(self, scenario: Scenario, assembly: Assembly | None = None) -> Statics:
         """A lift of which one of the threads may ask.
+
+        Args:
+            scenario: The lift.
+            assembly: What has been assembled of it, where that is there already.
 
         Raises:
             ScenarioError: As of `Statics`.
         """
-        return Statics(scenario, goes_on=self.goes_on)
+        return Statics(scenario, goes_on=self.goes_on, assembly=assembly)
 
     def goes_on(self) -> bool:
         """False once all is given up; what a thread works on asks for it now and then."""
