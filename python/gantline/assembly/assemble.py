@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -30,6 +31,7 @@ from gantline.assembly.doubtful_ratings import doubtful_ratings
 from gantline.assembly.doubtful_sheaves import doubtful_sheaves
 from gantline.assembly.doubtful_stops import doubtful_stops
 from gantline.assembly.doubtful_strength import doubtful_strength
+from gantline.assembly.doubtful_supports import check_under_load, doubtful_supports
 from gantline.assembly.doubtful_turns import doubtful_turns
 from gantline.assembly.doubtful_vessels import doubtful_vessels
 from gantline.assembly.doubtful_waits import doubtful_waits
@@ -51,8 +53,9 @@ from gantline.assembly.scene import scene
 from gantline.assembly.shapes import add_shapes, add_touching, add_watches
 from gantline.assembly.slinging import warn_of_cuts
 from gantline.assembly.streams import add_streams
-from gantline.assembly.supports import add_supports, removals
+from gantline.assembly.supports import removals
 from gantline.assembly.tag_lines import add_tag_lines
+from gantline.assembly.under_load import UnderLoad, cut_to_load, under_load
 from gantline.assembly.vessels import add_vessels, watch_vessels
 from gantline.assembly.water import add_water
 from gantline.assembly.waves import add_waves
@@ -75,6 +78,7 @@ class Assembly:
         rig: who carries whom and what is allowed, for results and checks.
         scene: what is needed to draw.
         doubts: what does not agree in the lift file, or cannot well be meant, each with its place.
+        under_load: all supports, and where the load is over them at the start.
     """
 
     document: dict[str, Any]
@@ -82,6 +86,7 @@ class Assembly:
     rig: dict[str, Any]
     scene: dict[str, Any]
     doubts: tuple[Problem, ...] = ()
+    under_load: tuple[UnderLoad, ...] = ()
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -130,10 +135,16 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     pins = pins_of(scenario, rigging)
     add_equalizers(parts, rigging, pins.at_start)
     lifted: LiftedLoad | None = None
+    under: Sequence[UnderLoad] = ()
     if scenario.load is not None:
         lifted = lifted_load(scenario, scenario.load, rigging)
-        add_load(parts, scenario, scenario.load, rigging, lifted)
-        add_supports(parts, scenario, scenario.load, lifted)
+        scenario = cut_to_load(scenario, scenario.load, lifted.body)
+        assert scenario.load is not None  # its supports alone have changed
+        under = under_load(scenario, scenario.load, lifted.body, lifted.centre)
+        check_under_load(scenario, scenario.load, lifted.body, under)
+        add_load(parts, scenario, scenario.load, rigging, lifted, under)
+        parts.supports += [one.pad for one in under]
+        parts.doubts += doubtful_supports(scenario, scenario.load, lifted.body, under)
         add_between(parts, scenario, rigging, lifted.lugs)
         try:
             add_slings(parts, scenario, rigging, lifted.lugs)
@@ -179,6 +190,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         rig=rig(scenario, rigging, lifted, parts),
         scene=scene(scenario, rigging, lifted, parts),
         doubts=tuple(scenario.problem(*doubt) for doubt in doubts),
+        under_load=tuple(under),
     )
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from gantline.assembly.doubtful_supports import bears_nothing, too_low
 from gantline.assembly.load_body import LoadBody, load_body
 from gantline.assembly.parts import Parts
 from gantline.assembly.resting import TipsOver, rest_on_ground
@@ -17,6 +19,7 @@ from gantline.assembly.spatial import (
     rotation_matrix,
     rotation_vector,
 )
+from gantline.assembly.under_load import UnderLoad
 from gantline.assembly.yard import lower_lump
 from gantline.cad.mass_properties import point_inertia
 from gantline.scenario import Rigging, Scenario
@@ -24,7 +27,6 @@ from gantline.scenario.check_supports import foot_of
 from gantline.scenario.errors import StartError
 from gantline.scenario.load import Load
 from gantline.scenario.structures import dock_of
-from gantline.scenario.supports import supports_of
 
 __all__ = ["LiftedLoad", "add_load", "lifted_load"]
 
@@ -85,8 +87,23 @@ def lifted_load(scenario: Scenario, load: Load, rigging: Rigging) -> LiftedLoad:
     return LiftedLoad(mass, centre, inertia, corners, lugs, body)
 
 
-def add_load(parts: Parts, scenario: Scenario, load: Load, rigging: Rigging, lifted: LiftedLoad) -> None:
+def add_load(
+    parts: Parts,
+    scenario: Scenario,
+    load: Load,
+    rigging: Rigging,
+    lifted: LiftedLoad,
+    under: Sequence[UnderLoad],
+) -> None:
     """The load as a free body at its centre of gravity, its corners as contacts with the ground.
+
+    Args:
+        parts: what the body is added to.
+        scenario: the lift.
+        load: the load.
+        rigging: who carries whom.
+        lifted: the load with what is lumped on it.
+        under: all supports, and where the load is over them.
 
     Raises:
         ScenarioError: if the load shall be at rest and would tip over or sink in.
@@ -94,7 +111,7 @@ def add_load(parts: Parts, scenario: Scenario, load: Load, rigging: Rigging, lif
     orientation = about_axis((0.0, 0.0, 1.0), load.heading)
     position = np.array(load.position) + rotation_matrix(orientation) @ lifted.centre
     if scenario.load_has_settled:
-        height, turn = _at_rest(scenario, load, lifted, orientation)
+        height, turn = _at_rest(parts, scenario, load, lifted, orientation, under)
         position[2] = height
         orientation = quaternion_product(turn, orientation)
     parts.add_body(
@@ -135,11 +152,17 @@ def add_load(parts: Parts, scenario: Scenario, load: Load, rigging: Rigging, lif
 
 
 def _at_rest(
-    scenario: Scenario, load: Load, lifted: LiftedLoad, orientation: list[float]
+    parts: Parts,
+    scenario: Scenario,
+    load: Load,
+    lifted: LiftedLoad,
+    orientation: list[float],
+    under: Sequence[UnderLoad],
 ) -> tuple[float, list[float]]:
     """Height of the centre of gravity and the turn from the given attitude when the load has settled."""
     if load.stands_on != "ground":
-        return _on_supports(scenario, load, lifted, orientation)
+        own = [one for one in under if one.support.group == load.stands_on]
+        return _on_supports(parts, scenario, load, lifted, orientation, own)
     ground = scenario.ground
     assert ground is not None  # a load that stands on the ground has been checked to have one
     corners = lifted.corners @ rotation_matrix(orientation).T
@@ -157,23 +180,22 @@ def _at_rest(
 
 
 def _on_supports(
-    scenario: Scenario, load: Load, lifted: LiftedLoad, orientation: list[float]
+    parts: Parts,
+    scenario: Scenario,
+    load: Load,
+    lifted: LiftedLoad,
+    orientation: list[float],
+    under: Sequence[UnderLoad],
 ) -> tuple[float, list[float]]:
     """The same on supports, all as stiff as on the average; from there statics finds where it rests."""
     assert load.stands_on is not None
-    group = (scenario.supports or {})[load.stands_on]
-    supports = supports_of(load.stands_on, group)
-    foot = foot_of(scenario, group)
     turned = rotation_matrix(orientation)
-    if group.measured_from == "load":
-        places = np.array([(*one.at, 0.0) for one in supports]) @ turned.T
-    else:
-        upright = rotation_matrix(about_axis((0.0, 0.0, 1.0), group.heading))
-        places = np.array([(*one.at, 0.0) for one in supports]) @ upright.T - np.array(load.position)
-    bottom = places - turned @ lifted.centre
-    # A support that is lower is one under a point of the load that is higher.
+    if lifted.body.surface is not None:
+        under = [one for one in under if one.place is not None]
+    supports = [one.support for one in under]
     highest = max(one.height for one in supports)
-    bottom[:, 2] = float(lifted.corners[:, 2].min()) + np.array([highest - one.height for one in supports])
+    foot = foot_of(scenario, under[0].group)
+    bottom = _bottom(load, lifted, turned, under)
     stiffness = float(np.mean([one.stiffness for one in supports]))
     weight = lifted.mass * scenario.simulation.gravity
     depth = weight / (len(supports) * stiffness)
@@ -186,8 +208,33 @@ def _on_supports(
     except TipsOver:
         if _stand_in_a_line(bottom):
             raise _balances(scenario, load.stands_on) from None
-        raise _tips_over(scenario, lifted, "supports") from None
+        raise _tips_over(scenario, lifted, "supports", too_low(under)) from None
+    parts.doubts += bears_nothing(load.stands_on, under, (resting.forces > 0.0).tolist())
     return foot + highest + resting.height, rotation_vector(resting.turn)
+
+
+def _bottom(load: Load, lifted: LiftedLoad, turned: Array, under: Sequence[UnderLoad]) -> Array:
+    """What of the load is over each support, from its centre of gravity (supports, 3) [m].
+
+    A support that is lower than the highest is one under a point that is higher.
+    """
+    highest = max(one.support.height for one in under)
+    lower = np.array([highest - one.support.height for one in under])
+    if lifted.body.surface is not None:
+        centre = np.array(load.position) + turned @ lifted.centre
+        found = np.array([one.place for one in under]) - centre
+        found[:, 2] += lower
+        return found
+    group = under[0].group
+    places = np.array([(*one.support.at, 0.0) for one in under])
+    if group.measured_from == "load":
+        places = places @ turned.T
+    else:
+        upright = rotation_matrix(about_axis((0.0, 0.0, 1.0), group.heading))
+        places = places @ upright.T - np.array(load.position)
+    bottom: Array = places - turned @ lifted.centre
+    bottom[:, 2] = float(lifted.corners[:, 2].min()) + lower
+    return bottom
 
 
 def _stand_in_a_line(places: Array) -> bool:
@@ -202,9 +249,9 @@ def _balances(scenario: Scenario, supports: str) -> StartError:
     return scenario.start_error(("supports", supports), f"{sentence}; {right}")
 
 
-def _tips_over(scenario: Scenario, lifted: LiftedLoad, what: str) -> StartError:
+def _tips_over(scenario: Scenario, lifted: LiftedLoad, what: str, low: str = "") -> StartError:
     # Adding 0 takes the sign off a zero.
     x, y, _ = np.round(lifted.centre, 3) + 0.0
     sentence = f"the load would tip over: its centre of gravity, with rigging, is at ({x:g}, {y:g}) m"
     advice = f"which is not well within the {what} it stands on; move it towards the middle"
-    return scenario.start_error(("load", "centre_of_gravity"), f"{sentence}, {advice}")
+    return scenario.start_error(("load", "centre_of_gravity"), f"{sentence}, {advice}{low and f'; {low}'}")

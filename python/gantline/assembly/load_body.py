@@ -16,7 +16,7 @@ from gantline.cad.assumptions import STEEL
 from gantline.cad.doubts import doubts_of_parts, doubts_of_the_whole
 from gantline.cad.mass_properties import MassProperties
 from gantline.cad.mesh import TriangleMesh
-from gantline.cad.simplify import contact_hull
+from gantline.cad.simplify import HullSides, contact_hull, hull_sides
 from gantline.scenario import Scenario
 from gantline.scenario.check_load import Extent, attached, check_attached, check_centre, check_underside
 from gantline.scenario.check_supports import check_places
@@ -31,6 +31,15 @@ __all__ = ["LoadBody", "load_body", "stated_inertia"]
 _MOST_TRIANGLES = 4000
 #: Its convex hull may be missed by this share of its size.
 _HULL_ERROR = 1e-3
+#: Its sides that lie on supports may miss it by this [m].
+_SIDES_ERROR = 2e-4
+#: Corners of each side of a box, by their places in `_corners`, anticlockwise as seen from outside: the
+#: underside first, the top, then the four around.
+_SIDES_OF_BOX = (
+    (2, 3, 1, 0),
+    (4, 5, 7, 6),
+    *((one, other, other + 4, one + 4) for one, other in ((0, 1), (1, 3), (3, 2), (2, 0))),
+)
 #: Masses that differ by less than this share, and centres by less than this share of the size, agree.
 _MASSES_AGREE, _CENTRES_AGREE = 0.02, 0.002
 #: Where the lift file names the CAD file.
@@ -60,6 +69,10 @@ class LoadBody:
         box: least and largest x, y, z (2, 3) [m].
         mesh: light triangles to draw it; None for a box.
         hull: corners of a convex body to touch it with (n, 3) [m]; of a box its own.
+        sides: what of it may lie on supports, the corners (n, 3) of each side of a convex body, anticlockwise
+            as seen from outside [m]; of a lift without supports those of its box.
+        sides_error: how far the convex hull stands out of these at most [m].
+        surface: all triangles of a CAD file, of a lift with supports; else None.
         doubts: where lift file and CAD do not agree, and what cannot well be meant of weight and lugs.
     """
 
@@ -69,6 +82,9 @@ class LoadBody:
     box: Array
     mesh: TriangleMesh | None
     hull: Array
+    sides: tuple[Array, ...]
+    sides_error: float = 0.0
+    surface: TriangleMesh | None = None
     doubts: tuple[Doubt, ...] = ()
 
 
@@ -92,7 +108,7 @@ def _of_box(scenario: Scenario, load: Load) -> LoadBody:
         else solid_box(mass, load.shape.box)
     )
     centre, doubts = np.array(load.centre_of_gravity.at), tuple(_doubts(scenario, load, box))
-    return LoadBody(mass, centre, inertia, box, None, _corners(box), doubts)
+    return LoadBody(mass, centre, inertia, box, None, _corners(box), _sides_of(box), doubts=doubts)
 
 
 def _doubts(scenario: Scenario, load: Load, box: Array) -> list[Doubt]:
@@ -209,6 +225,11 @@ def _corners(box: Array) -> Array:
     return np.array([(box[i, 0], box[j, 1], box[k, 2]) for k in (0, 1) for j in (0, 1) for i in (0, 1)])
 
 
+def _sides_of(box: Array) -> tuple[Array, ...]:
+    corners = _corners(box)
+    return tuple(corners[list(side)] for side in _SIDES_OF_BOX)
+
+
 def stated_inertia(given: LoadInertia) -> Array:
     """The matrix (3, 3) of an inertia of the lift file [kg m^2]."""
     return inertia_matrix((given.xx, given.yy, given.zz, given.xy, given.xz, given.yz))
@@ -242,7 +263,12 @@ def _from_cad(scenario: Scenario, load: Load) -> LoadBody:
     else:
         inertia = whole.scaled_to(mass).inertia
     drawn = light.moved(np.eye(3), shift)
-    return LoadBody(mass, centre, inertia, box, drawn, hull + shift, tuple(doubts))
+    sides, error, surface = _sides_of(box), 0.0, None
+    if scenario.supports:
+        flat = _read_sides(path, stamp(path), given)
+        sides, error = tuple(outline + shift for outline in flat.outlines), flat.error
+        surface = model.mesh.moved(np.eye(3), shift)
+    return LoadBody(mass, centre, inertia, box, drawn, hull + shift, sides, error, surface, tuple(doubts))
 
 
 @lru_cache(maxsize=4)
@@ -254,6 +280,12 @@ def _read(path: Path, _stamp: tuple[int, int], given: Assumptions) -> tuple[CadM
         raise CadError(f"{path}: no part has geometry")
     hull = contact_hull(mesh, _HULL_ERROR * mesh.size)
     return model, read_light_mesh(path, given, most=_MOST_TRIANGLES), hull.vertices
+
+
+@lru_cache(maxsize=4)
+def _read_sides(path: Path, _stamp: tuple[int, int], given: Assumptions) -> HullSides:
+    """The flat sides of the convex hull of a file, made once for all cases of a lift."""
+    return hull_sides(read(path, given).mesh, _SIDES_ERROR)
 
 
 def _of_the_file(model: CadModel, name: str) -> list[Doubt]:

@@ -3,28 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from gantline.assembly.lifted import LiftedLoad
-from gantline.assembly.parts import Json, Parts
+from gantline.assembly.parts import Json
 from gantline.assembly.spatial import about_axis, rotation_matrix
 from gantline.scenario import Scenario
 from gantline.scenario.check_supports import foot_of
 from gantline.scenario.load import Load
 from gantline.scenario.supports import Support, Supports, supports_of
 
-__all__ = ["add_supports", "every_support", "pad_shape", "removals", "support_contact"]
-
-
-#: Corners of each side of a load's box, by their places in `LiftedLoad.corners`, anticlockwise as seen from
-#: outside: the underside first, the top, then the four around.
-_SIDES = (
-    (3, 2, 1, 0),
-    (4, 5, 6, 7),
-    *((corner, after, after + 4, corner + 4) for corner, after in ((0, 1), (1, 2), (2, 3), (3, 0))),
-)
+__all__ = ["every_support", "pad_shape", "removals", "support_contact", "support_pad"]
 
 
 def support_contact(support: Support) -> str:
@@ -39,26 +29,32 @@ def every_support(scenario: Scenario) -> Iterator[tuple[Supports, Support]]:
             yield group, support
 
 
-def add_supports(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoad) -> None:
-    """Each support is a flat top in the world, on which any side of the load's box may lie."""
-    sides = [[[float(part) for part in lifted.corners[corner]] for corner in side] for side in _SIDES]
-    for group, support in every_support(scenario):
-        heading = group.heading if group.measured_from == "world" else load.heading
-        parts.supports.append(
-            {
-                "name": support_contact(support),
-                "group": load.name,
-                "body": load.name,
-                "at": support_place(scenario, load, group, support),
-                "half": [side / 2 for side in support.top],
-                "along": [math.cos(heading), math.sin(heading), 0.0],
-                "sides": sides,
-                "stiffness": support.stiffness,
-                "damping_time": support.damping / support.stiffness,
-                "friction": support.friction,
-                "removed_at": support.removed_at,
-            }
-        )
+def support_pad(
+    scenario: Scenario, load: Load, group: Supports, support: Support, sides: Sequence[Json]
+) -> Json:
+    """A support as a flat top in the world, on which any of the load's sides may lie.
+
+    Args:
+        scenario: the lift.
+        load: what stands on it.
+        group: the group that it is of.
+        support: the support.
+        sides: corners (n, 3) of each side of the load from its centre of gravity [m], lists of lists.
+    """
+    heading = group.heading if group.measured_from == "world" else load.heading
+    return {
+        "name": support_contact(support),
+        "group": load.name,
+        "body": load.name,
+        "at": support_place(scenario, load, group, support),
+        "half": [side / 2 for side in support.top],
+        "along": [math.cos(heading), math.sin(heading), 0.0],
+        "sides": sides,
+        "stiffness": support.stiffness,
+        "damping_time": support.damping / support.stiffness,
+        "friction": support.friction,
+        "removed_at": support.removed_at,
+    }
 
 
 def support_place(scenario: Scenario, load: Load, group: Supports, support: Support) -> list[float]:

@@ -1,8 +1,10 @@
-"""Lighter stand-ins for a model: a mesh of few triangles to draw, a hull of few corners to touch with."""
+"""Lighter stand-ins for a model: a mesh to draw, a hull to touch with, flat sides to stand on."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +12,10 @@ import numpy.typing as npt
 from gantline.cad.errors import CadError
 from gantline.cad.mesh import TriangleMesh
 
-__all__ = ["ContactHull", "LightMesh", "contact_hull", "light_mesh"]
+if TYPE_CHECKING:
+    from scipy.spatial import ConvexHull
+
+__all__ = ["ContactHull", "HullSides", "LightMesh", "contact_hull", "hull_sides", "light_mesh"]
 
 Array = npt.NDArray[np.float64]
 
@@ -18,6 +23,8 @@ Array = npt.NDArray[np.float64]
 _CANDIDATES = 24
 _CHUNK = 20_000
 _HALVINGS = 20
+#: Facets of a hull whose corners are within this share of its size of one plane are one side.
+_FLAT = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +51,19 @@ class ContactHull:
     """
 
     vertices: Array
+    error: float
+
+
+@dataclass(frozen=True, eq=False)
+class HullSides:
+    """The flat sides of a convex body within the convex hull of a mesh.
+
+    Attributes:
+        outlines: of each side its corners (n, 3), anticlockwise as seen from outside [m].
+        error: how far a corner of the convex hull that is left out stands out of it at most [m].
+    """
+
+    outlines: tuple[Array, ...]
     error: float
 
 
@@ -182,3 +202,88 @@ def _outermost(corners: Array) -> list[int]:
         if float((unit[taken] @ way).max()) < float(unit[place] @ way) - 1e-9:
             taken.append(place)
     return taken
+
+
+def hull_sides(mesh: TriangleMesh, tolerance: float, most: int = 400) -> HullSides:
+    """The sides of a convex body in the convex hull of a mesh, facets in one plane made one side.
+
+    It starts like `contact_hull`, and takes in the corner of the convex hull that stands out most over each
+    facet, until none does by more than the tolerance or there are enough.
+
+    Args:
+        mesh: any.
+        tolerance: how far a corner may stand out [m].
+        most: corners, at least 8.
+
+    Raises:
+        CadError: if the mesh is flat, so that it has no convex hull.
+    """
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        points = mesh.vertices[np.unique(mesh.triangles)]
+        corners = points[np.sort(ConvexHull(points).vertices)]
+        chosen = _outermost(corners)
+        while True:
+            hull = ConvexHull(corners[chosen])
+            out = corners @ hull.equations[:, :3].T + hull.equations[:, 3]
+            error = max(float(out.max()), 0.0)
+            farthest = np.argmax(out, axis=0)
+            order = np.argsort(-out.max(axis=0), kind="stable")
+            wanted = [int(farthest[facet]) for facet in order if out[farthest[facet], facet] > tolerance]
+            more = [corner for corner in dict.fromkeys(wanted) if corner not in chosen]
+            if not more or len(chosen) >= most:
+                return HullSides(tuple(_sides(hull, _FLAT * mesh.size)), error)
+            chosen += more[: most - len(chosen)]
+    except (QhullError, ValueError):
+        raise CadError("the geometry is flat or has no extent, so it has no convex hull") from None
+
+
+def _sides(hull: ConvexHull, flat: float) -> Iterator[Array]:
+    """Outlines of the facets of a hull, those within a height of the plane of the largest made one."""
+    a, b, c = hull.points[hull.simplices].transpose(1, 0, 2)
+    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    taken = np.zeros(len(areas), dtype=bool)
+    for seed in np.argsort(-areas, kind="stable").tolist():
+        if taken[seed]:
+            continue
+        taken[seed] = True
+        normal, level = hull.equations[seed, :3], hull.equations[seed, 3]
+        off = np.abs(hull.points @ normal + level)
+        group = [seed]
+        for facet in group:
+            for other in hull.neighbors[facet].tolist():
+                if not taken[other] and off[hull.simplices[other]].max() <= flat:
+                    taken[other] = True
+                    group.append(other)
+        places = hull.points[np.unique(hull.simplices[group])]
+        outline = _outline(places - np.outer(places @ normal + level, normal), normal, flat)
+        if len(outline) >= 3:
+            yield outline
+
+
+def _outline(points: Array, normal: Array, flat: float) -> Array:
+    """Corners of the convex outline of points in a plane, those that stand out by more than a height."""
+    first = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+    first /= np.linalg.norm(first)
+    along, across = points @ first, points @ np.cross(normal, first)
+    order = np.lexsort((across, along)).tolist()
+
+    def half(places: list[int]) -> list[int]:
+        chain: list[int] = []
+        for place in places:
+            while len(chain) > 1 and not stands_out(chain[-2], chain[-1], place):
+                chain.pop()
+            chain.append(place)
+        return chain
+
+    def stands_out(before: int, corner: int, after: int) -> bool:
+        """Whether a corner is to the right of the line from the one before to the one after."""
+        x, y = along[after] - along[before], across[after] - across[before]
+        turn = x * (across[corner] - across[before]) - y * (along[corner] - along[before])
+        return bool(-turn > flat * np.hypot(x, y))
+
+    chain = half(order)[:-1] + half(order[::-1])[:-1]
+    if len(chain) > 3 and not stands_out(chain[-1], chain[0], chain[1]):
+        chain = chain[1:]
+    return points[chain]

@@ -116,6 +116,7 @@ def _stretch(kind: RopeMaterial) -> str:
 def _look_over(simulation: Simulation) -> None:
     """What a lift file describes, all of which has been found right."""
     from gantline.cli.summary import heading, weights
+    from gantline.cli.supports_table import supports_table
     from gantline.cli.table import show, table
     from gantline.cli.vessels import recorded_motions
     from gantline.results.rig import Rig
@@ -140,6 +141,8 @@ def _look_over(simulation: Simulation) -> None:
     demands = heave_demands(simulation.scenario)
     lines = [*heading(rig), *weights(rig), *centre, *ropes, *_rope_weights(rig), *later, *_sheaves(rig)]
     lines += recorded_motions(rig)
+    load = simulation.scenario.load
+    lines += supports_table(simulation.assembly.under_load, None if load is None else load.stands_on)
     typer.echo("\n".join([*lines, *_heave(demands)]))
     for doubt in simulation.assembly.doubts:
         warn(doubt.of(simulation.scenario.source))

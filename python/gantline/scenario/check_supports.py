@@ -45,9 +45,11 @@ def check_supports(findings: Findings) -> None:
 
 
 def top_of(scenario: Scenario, group: str) -> float:
-    """Level of the highest top of a group of supports [m]."""
+    """Level of the highest top of a group of supports under a box [m]."""
     given = (scenario.supports or {})[group]
-    return foot_of(scenario, given) + max(one.height for one in supports_of(group, given))
+    foot = foot_of(scenario, given)
+    underside = 0.0 if scenario.load is None else scenario.load.position[2]
+    return max(underside if one.is_cut else foot + one.height for one in supports_of(group, given))
 
 
 def foot_of(scenario: Scenario, group: Supports) -> float:
@@ -74,10 +76,9 @@ def _check_group(findings: Findings, name: str, group: Supports) -> list[str]:
     for key in {key for key in own if own.count(key) > 1}:
         findings.add((*path, "places", key), f"'{key}' is a support of the grid already")
     for one in supports:
-        if one.height <= 0.0:
-            findings.add(
-                (*path, "height"), f"the height of '{one.name}' is not known; 'height: 1.5 m' is usual"
-            )
+        if one.height <= 0.0 and not one.is_cut:
+            right = "'height: 1.5 m' is usual, and 'height: to_load' is up to the load"
+            findings.add((*path, "height"), f"the height of '{one.name}' is not known; {right}")
             break
     for one in supports:
         if one.removed_at is not None and one.removed_at > scenario.duration:

@@ -15,12 +15,12 @@ from gantline.scenario.quantities import (
     Lengths,
     ListOf,
     Name,
-    PositiveLength,
     PositiveMass,
     PositiveStiffness,
     Quantity,
     Ratio,
     Time,
+    WordOr,
     refuse,
 )
 
@@ -31,6 +31,8 @@ USUAL_TOP = (0.6, 0.6)
 #: Stiffness and damping of a support, if the lift file does not say them [N/m, N s/m].
 USUAL_STIFFNESS, USUAL_DAMPING = 100e6, 1e6
 
+#: A height, or the word that the load's underside gives it.
+_Height = Annotated[float | Literal["to_load"], WordOr(("to_load",), Quantity("length", "positive"))]
 _Plan = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
 _Top = Annotated[tuple[float, float], ListOf(Quantity("length", "positive"), 2)]
 
@@ -45,7 +47,11 @@ class Grid(Element):
 
 
 class _Words(Element):
-    height: PositiveLength | None = Field(None, description="Height of the top above the foot.")
+    height: _Height | None = Field(
+        None,
+        description="Height of the top above the foot; or 'to_load': up to the underside of the load "
+        "where it is at the start, before it sinks in, as if cut to it.",
+    )
     stiffness: PositiveStiffness | None = Field(
         None, description="Stiffness; 100 MN/m if nothing says it, hardwood on concrete."
     )
@@ -118,7 +124,8 @@ class Support:
         name: `<group>.<name>`.
         group: name of its group.
         at: place of its middle in the frame of its group [m].
-        height: of its top above the foot [m].
+        height: of its top above the foot [m]; 0 where that is up to the load, until its shape is known.
+        is_cut: whether its top is up to the load.
         stiffness: [N/m].
         damping: [N s/m].
         friction: coefficient.
@@ -131,6 +138,7 @@ class Support:
     group: str
     at: tuple[float, float]
     height: float
+    is_cut: bool
     stiffness: float
     damping: float
     friction: float
@@ -144,7 +152,7 @@ def supports_of(name: str, group: Supports) -> list[Support]:
 
     Args:
         name: of the group.
-        group: as the lift file has it; every support has a height.
+        group: as the lift file has it.
     """
     found: list[tuple[str, tuple[float, float], _Words]] = []
     if group.grid is not None:
@@ -163,12 +171,14 @@ def _support(name: str, group: Supports, own: str, at: tuple[float, float], word
         value = getattr(group, key) if value is None else value
         return usual if value is None else float(value)
 
+    height = group.height if words.height is None else words.height
     removed_at = group.removed_at if words.removed_at is None else words.removed_at
     return Support(
         name=f"{name}.{own}",
         group=name,
         at=at,
-        height=either("height", 0.0),
+        height=0.0 if height is None or height == "to_load" else height,
+        is_cut=height == "to_load",
         stiffness=either("stiffness", USUAL_STIFFNESS),
         damping=either("damping", USUAL_DAMPING),
         friction=either("friction", 0.0),

@@ -113,7 +113,10 @@ pub(super) fn build_touches(
     };
     for given in &spec.supports {
         let law = law(&given.name, [given.stiffness, given.damping_time, given.friction])?;
-        let (pad, body) = build_pad(given, tree)?;
+        let Some(body) = body_index(&given.name, tree, Some(&given.body))? else {
+            return error(&given.name, "it has no body");
+        };
+        let pad = build_pad(given)?;
         let touch = add(given.name.clone(), &given.group, [Some(body), None], law, true);
         made.finders.push(Finder::Pad(touch, Box::new(pad)));
         if let Some(time) = given.removed_at {
@@ -160,13 +163,13 @@ fn law(name: &str, [stiffness, damping_time, friction]: [f64; 3]) -> Result<[f64
     Ok([stiffness, damping_time, friction])
 }
 
-fn build_pad(given: &SupportSpec, tree: &Tree) -> Result<(Pad, usize), BuildError> {
+/// The top of a support with what may lie on it.
+fn build_pad(given: &SupportSpec) -> Result<Pad, BuildError> {
     let name = &given.name;
     finite(name, "its place", &given.at)?;
     for half in given.half {
         positive(name, "half a side of its top", half)?;
     }
-    let Some(body) = body_index(name, tree, Some(&given.body))? else { return error(name, "it has no body") };
     let along = unit(name, "the direction of its first side", given.along)?;
     let Some(top) = top(vector(given.at), DVec3::Z, along) else {
         return error(name, "the direction of its first side is upright; it must be level");
@@ -175,7 +178,7 @@ fn build_pad(given: &SupportSpec, tree: &Tree) -> Result<(Pad, usize), BuildErro
         return error(name, "no side of the body may lie on it; one at least is right");
     }
     let sides = given.sides.iter().map(|corners| build_side(name, corners)).collect::<Result<_, _>>()?;
-    Ok((Pad { top, half: given.half, sides }, body))
+    Ok(Pad { top, half: given.half, sides })
 }
 
 /// A side with these corners, anticlockwise from outside.
@@ -203,7 +206,7 @@ fn build_side(name: &str, given: &[[f64; 3]]) -> Result<Side, BuildError> {
     if turns.iter().any(|turn| *turn <= 0.0) {
         return error(name, "a side is not convex, or has a corner in a straight edge");
     }
-    Ok(Side { face, outline })
+    Ok(Side::new(face, outline))
 }
 
 /// Distances that are recorded.

@@ -10,7 +10,8 @@
 //! ```
 //!
 //! as if the top were a little domed, with slopes of 0.2 beside its middle and of 0.5 at its rim. Its least is one place, and moves without
-//! jumps as the body turns and slides, from side to side by the edge between them too. It is always a point of the body against the plane
+//! jumps as the body turns and slides, from side to side by the edge between them too: the underside of a convex body is a convex function,
+//! however many sides it has and at whichever angles they meet. It is always a point of the body against the plane
 //! of the top, so the force is upright, however the body is tilted.
 
 use glam::DVec3;
@@ -23,6 +24,13 @@ use crate::tree::pose::Pose;
 const DEEPEST: f64 = 1.0;
 /// A side that is steeper than this lies on nothing: cosine of its angle to the top.
 const LEAST_SLOPE: f64 = 0.5;
+/// Steeper sides count where they meet in an edge or a corner that is lower than all else over the top: by so much, for one
+/// that flatter sides share is theirs [m], and so far within the top, for at its rim they lie on nothing [1].
+const LOWER: f64 = 1e-9;
+/// Sides of a body are so near to those of a convex one [m].
+const ROUGH: f64 = 1e-3;
+/// A side so little turned downwards stands upright: cosine of its angle to the top.
+const UPRIGHT: f64 = 1e-6;
 /// A side that rises by less than the first of its length along the top carries in the middle of it, by more than the
 /// second at its rim: 11° and 27°.
 const RISES: [f64; 2] = [0.2, 0.5];
@@ -45,41 +53,126 @@ pub struct Side {
     pub face: Plane,
     /// Its corners along the tangents of `face` [m]: convex, in order.
     pub outline: Vec<[f64; 2]>,
+    /// A ball around them: its middle, body frame, and its radius [m].
+    pub ball: (DVec3, f64),
+}
+
+/// Where a body is nearest to the top.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Nearest {
+    /// The place, body frame [m].
+    point: DVec3,
+    /// How high it is over the top [m]; negative below.
+    above: f64,
+    /// Number of its side, from 1.
+    side: u64,
+    /// f there [m].
+    value: f64,
+}
+
+/// The top in the frame of a body: up, the directions of its sides, its middle [m].
+struct Seen {
+    up: DVec3,
+    tangents: [DVec3; 2],
+    middle: DVec3,
+}
+
+/// How the plane of a side lies over the top: its height over the middle [m], how fast it rises along the sides of the top,
+/// and whether it is too steep to lie on it.
+struct Tilt {
+    height: f64,
+    rises: [f64; 2],
+    is_steep: bool,
+}
+
+impl Side {
+    /// A side in a plane with its corners along the tangents of that [m].
+    pub fn new(face: Plane, outline: Vec<[f64; 2]>) -> Self {
+        let place = |[along, across]: [f64; 2]| face.tangents[0] * along + face.tangents[1] * across;
+        let middle = outline.iter().copied().map(place).sum::<DVec3>() / outline.len() as f64;
+        let radius = outline.iter().map(|corner| (place(*corner) - middle).length()).fold(0.0, f64::max);
+        Self { face, outline, ball: (face.point + middle, radius) }
+    }
 }
 
 impl Pad {
     /// Where the body at `pose` may lie on the top; the body is the first of the two, the world the second.
     pub fn spot(&self, pose: &Pose) -> Spot {
-        let (mut found, mut least) = (Spot::none(), f64::INFINITY);
-        for (number, side) in (1..).zip(&self.sides) {
-            let Some((point, value)) = self.place(side, pose) else { continue };
-            if value < least {
-                least = value;
-                let plane = self.top;
-                found =
-                    Spot { is_near: true, is_swapped: false, point, plane, crossing: None, feature: number };
-            }
-        }
-        found
+        let is_on = |found: &Nearest| -found.above <= DEEPEST * self.half[0].max(self.half[1]);
+        self.nearest(pose).filter(is_on).map_or_else(Spot::none, |found| Spot {
+            is_near: true,
+            is_swapped: false,
+            point: found.point,
+            plane: self.top,
+            crossing: None,
+            feature: found.side,
+        })
     }
 
-    /// The point [m] of a side of the body at `pose` that may lie on the top, in the frame of the body, and f there [m].
-    fn place(&self, side: &Side, pose: &Pose) -> Option<(DVec3, f64)> {
+    /// Where f of the body at `pose` is least over the top; nothing where nothing that could lie there is over it.
+    fn nearest(&self, pose: &Pose) -> Option<Nearest> {
         let inwards = pose.rotation.transpose();
-        let up = inwards * self.top.normal;
-        let slope = side.face.normal.dot(up);
-        if slope > -LEAST_SLOPE {
+        let seen = Seen {
+            up: inwards * self.top.normal,
+            tangents: self.top.tangents.map(|tangent| inwards * tangent),
+            middle: inwards * (self.top.point - pose.position),
+        };
+        let heights = self.sides.iter().filter_map(|side| self.tilt(side, &seen));
+        let highest = heights.max_by(|one, other| one.height.total_cmp(&other.height))?;
+        let (mut flat, mut steep) = (None, None);
+        for (number, side) in (1..).zip(&self.sides) {
+            let Some(tilt) = self.tilt(side, &seen).filter(|tilt| !self.is_below(tilt, &highest)) else {
+                continue;
+            };
+            let Some(place) = self.place(&tilt, (number, side), pose) else { continue };
+            let least: &mut Option<Nearest> = if tilt.is_steep { &mut steep } else { &mut flat };
+            if least.is_none_or(|least| place.value < least.value) {
+                *least = Some(place);
+            }
+        }
+        let is_within = |place: &Nearest| {
+            let along = self.top.along(pose.point(place.point));
+            along.iter().zip(self.half).all(|(at, half)| at.abs() < half * (1.0 - LOWER))
+        };
+        let is_lower = |steep: &Nearest| flat.is_none_or(|flat| steep.value < flat.value - LOWER);
+        steep.filter(|steep| is_lower(steep) && is_within(steep)).or(flat)
+    }
+
+    /// How the plane of a side lies over the top; nothing where the side looks upwards or is beside the top.
+    fn tilt(&self, side: &Side, seen: &Seen) -> Option<Tilt> {
+        let slope = side.face.normal.dot(seen.up);
+        if slope > -UPRIGHT {
             return None;
         }
-        // How high its plane is over the middle of the top, and how fast it rises along the sides of the top.
-        let height = side.face.depth(inwards * (self.top.point - pose.position)) / slope;
-        let rises = self.top.tangents.map(|tangent| -side.face.normal.dot(inwards * tangent) / slope);
+        let (centre, radius) = side.ball;
+        let apart = centre - seen.middle;
+        let reach = radius + self.half[0].hypot(self.half[1]);
+        if (apart - seen.up * apart.dot(seen.up)).length_squared() > reach * reach * (1.0 + LOWER) {
+            return None;
+        }
+        Some(Tilt {
+            height: side.face.depth(seen.middle) / slope,
+            rises: seen.tangents.map(|tangent| -side.face.normal.dot(tangent) / slope),
+            is_steep: slope > -LEAST_SLOPE,
+        })
+    }
+
+    /// True where the plane of a side is lower than that of another all over the top: a convex body is above every plane of its
+    /// sides, so no part of this side is over the top.
+    fn is_below(&self, tilt: &Tilt, other: &Tilt) -> bool {
+        let [x, y] = [0, 1].map(|axis| (tilt.rises[axis] - other.rises[axis]).abs() * self.half[axis]);
+        tilt.height - other.height + x + y < -ROUGH
+    }
+
+    /// Where f of one side with its number is least.
+    fn place(&self, tilt: &Tilt, (number, side): (u64, &Side), pose: &Pose) -> Option<Nearest> {
+        let Tilt { height, rises, .. } = *tilt;
         let ([x, y], value) = self.least(rises, side, pose)?;
         let above = height + rises[0] * x + rises[1] * y;
-        let is_beside = -above > DEEPEST * self.half[0].max(self.half[1]);
         let [first, second] = self.top.tangents;
         let place = self.top.point + first * x + second * y + self.top.normal * above;
-        (!is_beside).then(|| (inwards * (place - pose.position), height + value))
+        let point = pose.rotation.transpose() * (place - pose.position);
+        Some(Nearest { point, above, side: number, value: height + value })
     }
 
     /// Where along the top [m] the side carries, and f there less its height over the middle [m].
@@ -175,22 +268,15 @@ mod tests {
 
     /// A box 4 × 2 m with its underside 1 m below its origin and an end over a top of 0.6 × 0.6 m at the origin.
     fn pad() -> Pad {
-        let underside = Side {
-            face: Plane {
-                point: DVec3::new(0.0, 0.0, -1.0),
-                normal: -DVec3::Z,
-                tangents: [DVec3::X, -DVec3::Y],
-            },
-            outline: vec![[-2.0, -1.0], [2.0, -1.0], [2.0, 1.0], [-2.0, 1.0]],
-        };
-        let end = Side {
-            face: Plane {
-                point: DVec3::new(2.0, 0.0, 0.0),
-                normal: DVec3::X,
-                tangents: [DVec3::Y, DVec3::Z],
-            },
-            outline: vec![[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]],
-        };
+        let face = |point, normal, tangents| Plane { point, normal, tangents };
+        let underside = Side::new(
+            face(DVec3::new(0.0, 0.0, -1.0), -DVec3::Z, [DVec3::X, -DVec3::Y]),
+            vec![[-2.0, -1.0], [2.0, -1.0], [2.0, 1.0], [-2.0, 1.0]],
+        );
+        let end = Side::new(
+            face(DVec3::new(2.0, 0.0, 0.0), DVec3::X, [DVec3::Y, DVec3::Z]),
+            vec![[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]],
+        );
         let top = top(DVec3::ZERO, DVec3::Z, DVec3::X).unwrap();
         Pad { top, half: [0.3, 0.3], sides: vec![underside, end] }
     }
@@ -285,5 +371,80 @@ mod tests {
         // The end is 0.1 m from the middle of a top that reaches up to half of its height.
         let beside = Pose { rotation: DMat3::IDENTITY, position: DVec3::new(-2.1, 0.0, 0.0) };
         assert!(!pad().spot(&beside).is_near);
+    }
+
+    /// A side with these corners, anticlockwise from outside.
+    fn side(corners: &[DVec3]) -> Side {
+        let normal = (corners[1] - corners[0]).cross(corners[2] - corners[1]).normalize();
+        let face = Plane::new(corners[0], normal);
+        Side::new(face, corners.iter().map(|corner| face.along(*corner)).collect())
+    }
+
+    /// Strips 4 m long along y between places in x, z, from left to right below a body.
+    fn strips(places: &[[f64; 2]]) -> Pad {
+        let strip = |pair: &[[f64; 2]]| {
+            let corner = |place: usize, y: f64| DVec3::new(pair[place][0], y, pair[place][1]);
+            side(&[corner(0, -2.0), corner(0, 2.0), corner(1, 2.0), corner(1, -2.0)])
+        };
+        Pad {
+            top: top(DVec3::ZERO, DVec3::Z, DVec3::X).unwrap(),
+            half: [0.3, 0.3],
+            sides: places.windows(2).map(strip).collect(),
+        }
+    }
+
+    #[test]
+    fn a_body_stands_on_a_sharp_edge_between_steep_sides() {
+        // Both sides rise by 65°: each by itself lies on nothing, their edge does as long as it is over the top.
+        let wedge =
+            strips(&[[-1.0, 65.0_f64.to_radians().tan()], [0.0, 0.0], [1.0, 65.0_f64.to_radians().tan()]]);
+        let at =
+            |x: f64| wedge.nearest(&Pose { rotation: DMat3::IDENTITY, position: DVec3::new(x, 0.0, 0.01) });
+        for x in [-0.29, 0.0, 0.2] {
+            let found = at(x).unwrap();
+            assert!(found.point.length() < 1e-12 && (found.above - 0.01).abs() < 1e-12, "{x} m: {found:?}");
+        }
+        assert!(at(0.31).is_none() && at(-0.31).is_none());
+    }
+
+    #[test]
+    fn a_steep_side_at_the_rim_lies_on_nothing_where_it_meets_the_next() {
+        // Over the top from 0.3 m on it rises by 63°, then, from the middle on, by 72°.
+        let bilge = strips(&[[-1.0, 0.0], [0.5, 0.0], [1.5, 2.0], [2.5, 5.0]]);
+        assert!(
+            bilge
+                .nearest(&Pose { rotation: DMat3::IDENTITY, position: DVec3::new(-1.5, 0.0, 0.0) })
+                .is_none()
+        );
+    }
+
+    /// The underside of a cylinder of 5 m, in strips of 0.5°, as it goes over the top: f is that of the cylinder but for
+    /// how far the strips are from it, and the place goes along without jumps.
+    #[test]
+    fn the_place_follows_a_curved_underside() {
+        let radius = 5.0;
+        let places: Vec<[f64; 2]> = (-140..=140)
+            .map(|step| 0.5 * f64::from(step))
+            .map(|degrees: f64| [radius * degrees.to_radians().sin(), -radius * degrees.to_radians().cos()])
+            .collect();
+        let pad = strips(&places);
+        let found = |offset: f64| {
+            pad.nearest(&Pose { rotation: DMat3::IDENTITY, position: DVec3::new(offset, 0.0, radius) })
+                .unwrap()
+        };
+        let mut before = found(-4.0);
+        for step in -3999..=4000 {
+            let offset = 1e-3 * f64::from(step);
+            let now = found(offset);
+            // By a search over the rim and what is between.
+            let height = |x: f64| radius - (radius * radius - (x - offset).powi(2)).sqrt();
+            let f = |x: f64| height(x) + 0.2 * x.abs() + 0.5 * x * x;
+            let least = (-300..=300).map(|step| f(1e-3 * f64::from(step))).fold(f64::INFINITY, f64::min);
+            // Strips are inside the cylinder by R (1 − cos 0.25°) = 48 µm at most, by 1/cos of the slope upright.
+            assert!((now.value - least).abs() < 2e-4, "{offset} m: {} for {least}", now.value);
+            // Strips meet at 0.5°: the place goes on by that over 1/R + 0.3/h at most, and by 1 mm with the body.
+            assert!((now.point - before.point).length() < 5e-3, "{offset} m: {before:?} to {now:?}");
+            before = now;
+        }
     }
 }

@@ -60,7 +60,7 @@ pub struct SupportSpec {
     /// Direction of the first side, world axes; the top is level.
     pub along: [f64; 3],
     /// Sides of the body that may lie on it, the corners of each in order [m], body frame: convex, in one plane and
-    /// anticlockwise as seen from outside.
+    /// anticlockwise as seen from outside; sides of one convex body.
     pub sides: Vec<Vec<[f64; 3]>>,
     /// Normal and tangential stiffness [N/m].
     pub stiffness: f64,
