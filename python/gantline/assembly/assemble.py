@@ -16,6 +16,7 @@ from gantline.assembly.doubtful_baskets import doubtful_baskets
 from gantline.assembly.doubtful_beside import doubtful_beside
 from gantline.assembly.doubtful_booms import doubtful_booms
 from gantline.assembly.doubtful_carried import doubtful_carried
+from gantline.assembly.doubtful_compensators import doubtful_compensators
 from gantline.assembly.doubtful_drums import doubtful_drums
 from gantline.assembly.doubtful_empty import doubtful_empty, doubtful_pins
 from gantline.assembly.doubtful_fenders import doubtful_fenders
@@ -134,7 +135,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         lifted = lifted_load(scenario, scenario.load, rigging)
         add_load(parts, scenario, scenario.load, rigging, lifted)
         add_supports(parts, scenario, scenario.load, lifted)
-        add_between(parts, scenario, rigging, lifted.lugs)
+        add_between(parts, scenario, rigging, lifted.lugs, pins.at_start)
         try:
             add_slings(parts, scenario, rigging, lifted.lugs)
         except StartError as error:
@@ -207,6 +208,7 @@ def _doubts(
         *doubtful_ground(scenario),
         *doubtful_gear(scenario, rigging),
         *doubtful_baskets(parts, scenario, lifted),
+        *doubtful_compensators(scenario, rigging, pins),
         *doubtful_sheaves(scenario, rigging),
         *doubtful_drums(scenario),
         *doubtful_strength(scenario, rigging),

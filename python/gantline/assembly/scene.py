@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gantline.assembly.boom import boom_shape
+from gantline.assembly.compensators import compensator_shapes
 from gantline.assembly.crawler import crawler_shape
 from gantline.assembly.goliath import crane_shape
 from gantline.assembly.hulls import hull_mesh, hull_shape
@@ -22,6 +23,7 @@ from gantline.assembly.vessels import vessel_shape
 from gantline.assembly.yard import lower_end
 from gantline.cad.assumptions import STEEL
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.compensator import rod_of
 from gantline.scenario.crane_parts import crane_bodies
 from gantline.scenario.extension import ends_below
 from gantline.scenario.structures import Dock, dock_of
@@ -92,6 +94,11 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     kind = "body"
     load = scenario.load
     plain = scenario.mechanics.bodies.get(name) if scenario.mechanics is not None else None
+    compensated = {
+        body: one
+        for compensator, given in (scenario.compensators or {}).items()
+        for body, one in zip((compensator, rod_of(compensator)), compensator_shapes(given), strict=True)
+    }
     if load is not None and lifted is not None and name == load.name:
         kind = "load"
         shape = _load_shape(lifted)
@@ -100,6 +107,8 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         shape = frame_shape(rigging.equalizers[name].frame)
     elif name in (scenario.spreaders or {}):
         kind, shape = "frame", spreader_shape(scenario, name)
+    elif name in compensated:
+        shape = compensated[name]
     elif name in scenario.hooks:
         kind = "hook"
         shape = next((_cheek(scenario, hook) for hook in reeved_hooks(scenario) if hook.name == name), None)

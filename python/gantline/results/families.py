@@ -51,6 +51,7 @@ def _family_of(rig: Rig, finely: Sequence[str]) -> Mapping[str, str]:
         for one in rig.slings
     }
     equalizing = {one.equalizing_rope: "equalizing ropes" for one in rig.equalizers}
+    equalizing |= {one.gas: "gas" for one in rig.compensators}
     falls = {
         fall.rpartition("/")[0]: named("hoist ropes", hook.name, "cranes")
         for hook in rig.hooks
