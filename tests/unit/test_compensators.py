@@ -241,7 +241,8 @@ MISTAKES: dict[str, tuple[Any, ...]] = {
     ),
     "exponent of a digit too few": (
         ("gas_exponent: 1.1", "gas_exponent: 0.11"),
-        "lift.yaml:31: compensators.PHC.gas_exponent: ",
+        "lift.yaml:31: compensators.PHC.gas_exponent: 0.11 is no exponent of a gas; from 1 of slow motion to "
+        "1.4 of fast motion is right, under high pressure up to 2",
     ),
     "nothing holds it": (
         ("from: hook, to: PHC", "from: hook, to: manifold.L1"),

@@ -14,13 +14,13 @@ from gantline.scenario.quantities import (
     Flag,
     NotNegativeForce,
     NotNegativeLength,
-    Number,
     PositiveForce,
     PositiveLength,
     PositiveMass,
     PositiveStiffness,
     PositiveStress,
     Quantity,
+    Ratio,
     Time,
     refuse,
 )
@@ -33,6 +33,8 @@ __all__ = ["Compensator", "gas_rope", "own_period", "rod_of", "rods"]
 
 #: Pressure of the air outside of a cylinder, which gauges leave out [Pa].
 _AIR = 101_325.0
+#: Exponents that gases have: of an isotherm, of nitrogen under some hundred bar that is pressed fast [1].
+_LEAST_EXPONENT, _LARGEST_EXPONENT = 1.0, 2.0
 
 
 class Cylinder(Element):
@@ -98,7 +100,7 @@ class Compensator(Element):
     rod: Rod = Field(description="Its rod, which is below.")
     pull: GasPull | None = Field(None, description="What the gas pulls with; this or 'gas'.")
     gas: Gas | None = Field(None, description="Pressure, area and volume of the gas; this or 'pull'.")
-    gas_exponent: Annotated[float, Number(least=1.0, most=2.0)] = Field(
+    gas_exponent: Ratio = Field(
         description="n of p V^n: 1 of motion so slow that the gas keeps its temperature, 1.4 and more of "
         "fast motion; from its maker."
     )
@@ -122,6 +124,10 @@ class Compensator(Element):
                 right = "'pull: {rod_in: 600 kN, rod_out: 900 kN}' says what it pulls with"
                 raise refuse(f"neither 'pull' nor 'gas' found; {right}")
             raise refuse("'pull' and 'gas' stand together; a compensator has one of them", "gas")
+        if not _LEAST_EXPONENT <= self.gas_exponent <= _LARGEST_EXPONENT:
+            sentence = f"{self.gas_exponent:g} is no exponent of a gas"
+            right = "from 1 of slow motion to 1.4 of fast motion is right, under high pressure up to 2"
+            raise refuse(f"{sentence}; {right}", "gas_exponent")
         if self.cylinder.length < self.stroke:
             own, stroke = (f"{one:g} m" for one in (self.cylinder.length, self.stroke))
             sentence = f"a cylinder of {own} has no room for a stroke of {stroke}"
