@@ -11,6 +11,8 @@ from gantline.assembly import assemble
 from gantline.checks import Check, Verdict, check_recording
 from gantline.cli.summary import summary
 from gantline.plot.traces import rod_out
+from gantline.report.first_page import stop_if
+from gantline.report.subject import Subject
 from gantline.results import Recording
 from gantline.scenario import Scenario, ScenarioError, parse_scenario
 from gantline.simulation import simulate
@@ -302,3 +304,19 @@ MISTAKES: dict[str, tuple[Any, ...]] = {
 def test_what_is_refused(mistake: str) -> None:
     *pieces, says = MISTAKES[mistake]
     assert says in refusal(*pieces)
+
+
+def test_a_rod_that_goes_in_as_the_load_is_set_down_is_no_warning() -> None:
+    """It meets its inner stop under the load that stands, as it is meant to; that is an event alone."""
+    down = (
+        "  - {step: set down, lower: hook, by: 3.9 m, speed: 12 m/min}\n  - {step: hold, hold: until_end}\n"
+    )
+    run = simulate(lift(("  - {step: hold, hold: until_end}\n", down)), duration=50.0)
+    assert [name for _, _, name in run.events("stop_hit")] == ["PHC.rod"]
+    assert not any("met its stop" in text for text in run.attributes["warnings"])
+    assert "met its stop" not in checks_of(run)["compensator_stroke_margin"].remark
+    assert checks_of(run)["compensator_stroke_margin"].verdict is Verdict.NOT_CHECKED
+
+
+def test_the_first_page_says_when_to_stop(run: Recording) -> None:
+    assert "the rod of PHC is on a stop, the load clear" in stop_if(Subject(run))
