@@ -206,6 +206,10 @@ MISTAKES: dict[str, tuple[Any, ...]] = {
         "lift.yaml:30: compensators.PHC.pull.rod_out: 90.0 kN is not more than 600.0 kN with the rod in; the "
         "gas is compressed as the rod comes out",
     ),
+    "pull that rises by nothing": (
+        ("rod_out: 900 kN", "rod_out: 600.0000000000001 kN"),
+        "lift.yaml:30: compensators.PHC.pull.rod_out: 600.0 kN is not more than 600.0 kN with the rod in",
+    ),
     "cylinder too short": (
         ("length: 4 m, diameter", "length: 2 m, diameter"),
         "lift.yaml:28: compensators.PHC.cylinder: a cylinder of 2 m has no room for a stroke of 3 m; "

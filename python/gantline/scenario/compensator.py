@@ -33,6 +33,8 @@ __all__ = ["Compensator", "gas_rope", "own_period", "rod_of", "rods"]
 
 #: Pressure of the air outside of a cylinder, which gauges leave out [Pa].
 _AIR = 101_325.0
+#: Share by which gas pulls more with the rod out at least: less would be a column without end [1].
+_LEAST_RISE = 1e-6
 #: Exponents that gases have: of an isotherm, of nitrogen under some hundred bar that is pressed fast [1].
 _LEAST_EXPONENT, _LARGEST_EXPONENT = 1.0, 2.0
 
@@ -66,7 +68,7 @@ class GasPull(Element):
 
     @model_validator(mode="after")
     def _rises(self) -> GasPull:
-        if self.rod_out <= self.rod_in:
+        if self.rod_out <= self.rod_in * (1.0 + _LEAST_RISE):
             pulls = [format_quantity(one, "kN", 1) for one in (self.rod_out, self.rod_in)]
             sentence = f"{pulls[0]} is not more than {pulls[1]} with the rod in"
             raise refuse(f"{sentence}; the gas is compressed as the rod comes out", "rod_out")
