@@ -37,7 +37,6 @@ from gantline.results.immersion import (
 from gantline.results.layout import DIMS
 from gantline.results.longer_falls import longer_falls
 from gantline.results.metrics import energy_bound
-from gantline.results.parting import stops_met
 from gantline.results.pressed import pressed_through
 from gantline.results.recording import Recording
 from gantline.results.rig import Resting, Rig, with_resting
@@ -50,6 +49,7 @@ from gantline.results.run_warnings import (
     missed_peaks,
     sheave_warnings,
     still_growing,
+    stop_warnings,
 )
 from gantline.results.surroundings import ground_in
 from gantline.results.tanks import pump_warnings
@@ -425,10 +425,7 @@ class Simulation:
         warnings += pump_warnings(rig, columns, names)
         warnings += command_warnings(columns, names)
         warnings += compensation_warnings(columns, names)
-        for met in stops_met(
-            zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
-        ):
-            warnings.append(f"{met.joint} met its stop at {met.time:.2f} s{met.again}")
+        warnings += stop_warnings(rig, columns, names)
         return warnings
 
     def _with_resting(self, found: Recording) -> Recording:

@@ -234,13 +234,14 @@ def unit_of(*texts: str, dimension: str) -> str:
 
     Args:
         texts: as written; a bare zero has no unit.
-        dimension: theirs, a key of `DIMENSIONS`, whose first unit counts where none has one.
+        dimension: theirs, a key of `DIMENSIONS`, whose first unit counts where none has one; shares without
+            one are plain numbers.
     """
     for text in reversed(texts):
         match = _QUANTITY.fullmatch(text.strip())
         if match is not None and (unit := _plain(match.group(2) or "")) in DIMENSIONS[dimension] and unit:
             return unit
-    return units_of(dimension)[0]
+    return "" if "" in DIMENSIONS[dimension] else units_of(dimension)[0]
 
 
 def _is_quantity(text: str, dimension: str) -> bool:

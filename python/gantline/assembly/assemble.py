@@ -17,6 +17,7 @@ from gantline.assembly.doubtful_baskets import doubtful_baskets
 from gantline.assembly.doubtful_beside import doubtful_beside
 from gantline.assembly.doubtful_booms import doubtful_booms
 from gantline.assembly.doubtful_carried import doubtful_carried
+from gantline.assembly.doubtful_compensators import doubtful_compensators
 from gantline.assembly.doubtful_drums import doubtful_drums
 from gantline.assembly.doubtful_empty import doubtful_empty, doubtful_pins
 from gantline.assembly.doubtful_fenders import doubtful_fenders
@@ -145,7 +146,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         add_load(parts, scenario, scenario.load, rigging, lifted, under)
         parts.supports += [one.pad for one in under]
         parts.doubts += doubtful_supports(scenario, scenario.load, lifted.body, under)
-        add_between(parts, scenario, rigging, lifted.lugs)
+        add_between(parts, scenario, rigging, lifted.lugs, pins.at_start)
         try:
             add_slings(parts, scenario, rigging, lifted.lugs)
         except StartError as error:
@@ -219,6 +220,7 @@ def _doubts(
         *doubtful_ground(scenario),
         *doubtful_gear(scenario, rigging),
         *doubtful_baskets(parts, scenario, lifted),
+        *doubtful_compensators(scenario, rigging, pins),
         *doubtful_sheaves(scenario, rigging),
         *doubtful_drums(scenario),
         *doubtful_strength(scenario, rigging),

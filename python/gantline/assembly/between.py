@@ -1,4 +1,7 @@
-"""What hangs between hooks and load, extension sheaves and spreaders: where at the start, and its weight."""
+"""What hangs between hooks and load: where at the start, and its weight.
+
+Extension sheaves, spreaders and compensators.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from gantline.assembly.balance import Hung, Line, Pose, balance
+from gantline.assembly.compensators import add_compensator, hung_mass
 from gantline.assembly.load_body import stated_inertia
 from gantline.assembly.parts import ORIGIN, Json, Parts
 from gantline.assembly.rope_weight import mass_at_end
@@ -19,6 +23,7 @@ from gantline.assembly.spatial import (
 )
 from gantline.assembly.yard import lower_end, lower_lump, sling_route, upper_lump
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.compensator import rods
 from gantline.scenario.errors import StartError
 from gantline.scenario.extension import SlingEnd, ends_below
 from gantline.scenario.spreader import Spreader
@@ -30,17 +35,22 @@ _DOWN = 0.05
 
 
 def add_between(
-    parts: Parts, scenario: Scenario, rigging: Rigging, lugs: Mapping[str, Sequence[float]]
+    parts: Parts,
+    scenario: Scenario,
+    rigging: Rigging,
+    lugs: Mapping[str, Sequence[float]],
+    pins: dict[str, bool],
 ) -> None:
-    """Extension sheaves as points, spreaders as bodies, in balance on their slings at the start.
+    """Extension sheaves as points, spreaders and compensators as bodies, in balance on their slings.
 
-    After hooks, equalizers and load. `lugs` are positions in the load's body frame.
+    After hooks, equalizers and load. `lugs` are positions in the load's body frame, `pins` what locking pins
+    there are, and whether they are in at the start. Rods stay where they start while balance is found.
 
     Raises:
         ScenarioError: if a sheave would hang below a lug that it serves, or nothing holds them in balance.
     """
-    spreaders = scenario.spreaders or {}
-    names = [*rigging.extensions, *spreaders]
+    spreaders, compensators = scenario.spreaders or {}, scenario.compensators or {}
+    names = [*rigging.extensions, *spreaders, *compensators]
     if scenario.load is None or not names:
         return
     # As bodies with all that is lumped on them they know their weights; where they hang comes after that.
@@ -50,15 +60,15 @@ def add_between(
         parts.add_body(name, joint, mass=_mass_of_sheave(rigging, name))
     for name, spreader in spreaders.items():
         _add_spreader(parts, rigging, name, spreader, heading)
+    for name, compensator in compensators.items():
+        add_compensator(parts, rigging, name, compensator, pins)
     lines = list(_lines(parts, scenario, rigging, lugs, names))
-    hung = [
-        Hung(
-            parts.bodies[name]["mass"] * scenario.simulation.gravity,
-            np.array(parts.bodies[name]["centre_of_gravity"]),
-            name in spreaders,
-        )
-        for name in names
-    ]
+    hung = []
+    for name in names:
+        mass, centre = parts.bodies[name]["mass"], np.array(parts.bodies[name]["centre_of_gravity"])
+        if name in compensators:
+            mass, centre = hung_mass(parts, name, compensators[name])
+        hung.append(Hung(mass * scenario.simulation.gravity, centre, name not in rigging.extensions))
     turns = np.array([parts.pose(name)[1] for name in names])
     found = balance(hung, lines, _straight_below(lines, turns))
     if found is None:
@@ -66,13 +76,14 @@ def add_between(
     for place, turn, name in zip(found.places, found.turns, names, strict=True):
         joint = parts.bodies[name]["joint"]
         joint["position"] = [float(part) for part in place]
-        if name in spreaders:
+        if name not in rigging.extensions:
             joint["orientation"] = rotation_quaternion(turn)
     _check_sheaves(parts, scenario, rigging, lugs)
 
 
 def _no_balance(scenario: Scenario, rigging: Rigging) -> StartError:
-    key, right = "spreaders", "raise the hook, or make slings longer or shorter"
+    key = "spreaders" if scenario.spreaders else "compensators"
+    right = "raise the hook, or make slings longer or shorter"
     if rigging.extensions:
         key, right = "extension_sheaves", "two on one sling have equal masses, or slings that hold them"
     what = key.replace("_", " ")
@@ -121,9 +132,14 @@ def _lines(
 ) -> Iterator[Line]:
     """All slings at what hangs between, of those that are on at the start."""
     numbers = {name: number for number, name in enumerate(names)}
+    of_rods = rods(scenario)
 
     def point(guide: Json) -> tuple[int | None, Array]:
         body, at = guide["body"], np.array(guide["at"])
+        if body in of_rods:
+            body = of_rods[body]
+            given = (scenario.compensators or {})[body]
+            at = at - (0.0, 0.0, given.length + given.out_at_start)
         return (numbers[body], at) if body in numbers else (None, parts.place(body, guide["at"]))
 
     for sling in (one for one in rigging.slings.values() if one.starts_on):

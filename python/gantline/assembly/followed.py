@@ -95,9 +95,8 @@ def _lead(scenario: Scenario, rigging: Rigging, parts: Parts, name: str) -> Json
     while level:
         levels.append([_strand(parts, sling) for sling in level])
         ends = [end for sling in level for end in sling.ends]
-        held = {end.spreader for end in ends} | {end.extension for end in ends}
-        below = rigging.slings.values()
-        level = [one for one in below if {one.spreader, one.over} & (held - {None})]
+        held = {end.held for end in ends} - {None}
+        level = [one for one in rigging.slings.values() if one.above in held]
     return {"tip": tip, "hook": at, "levels": levels}
 
 

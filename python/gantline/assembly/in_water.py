@@ -19,7 +19,7 @@ from gantline.scenario.load import Load
 from gantline.scenario.water import Water
 from gantline.units import format_by_size
 
-__all__ = ["add_in_water", "in_water_name"]
+__all__ = ["add_in_water", "displaced_volume", "in_water_name"]
 
 #: Layers of cells over a height.
 _LAYERS = 8
@@ -70,7 +70,7 @@ def add_in_water(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoa
     parts.doubts += _too_little(given, load, water.density)
 
 
-def _volume(given: InWater, load: Load) -> float:
+def displaced_volume(given: InWater, load: Load) -> float:
     """What it displaces, wholly wet [m^3]."""
     return load.weight.simulated / STEEL if given.displaced_volume is None else given.displaced_volume
 
@@ -91,7 +91,7 @@ def _lattices(given: InWater, load: Load, box: Array, centre: Array, density: fl
     added = np.array(given.added_mass)
     depth = given.slamming_depth(float(sides[2]), density)
     slamming = np.zeros(3) if depth is None else added * [0.0, 0.0, 1.0]
-    yield _lattice(box - centre, height, _volume(given, load), added - slamming, drag)
+    yield _lattice(box - centre, height, displaced_volume(given, load), added - slamming, drag)
     if depth is not None:
         yield _lattice(box - centre, depth, 0.0, slamming, np.zeros(3))
 
@@ -121,7 +121,7 @@ def _lattice(box: Array, height: float, volume: float, added: Array, drag: Array
 
 def _floats(given: InWater, load: Load, density: float) -> Iterator[Doubt]:
     """Of a load that water bears."""
-    displaced, weight = density * _volume(given, load), load.weight.simulated
+    displaced, weight = density * displaced_volume(given, load), load.weight.simulated
     if displaced >= weight:
         carried, weighs = (format_by_size(mass, "mass", 4) for mass in (displaced, weight))
         sentence = f"the load floats: it weighs {weighs} and displaces {carried} of water"
@@ -130,7 +130,7 @@ def _floats(given: InWater, load: Load, density: float) -> Iterator[Doubt]:
 
 def _dense(given: InWater, load: Load) -> Iterator[Doubt]:
     """Of a load that displaces less water than one of lead."""
-    volume, of_steel = _volume(given, load), load.weight.simulated / STEEL
+    volume, of_steel = displaced_volume(given, load), load.weight.simulated / STEEL
     if volume * _DENSEST < of_steel:
         weighs = format_by_size(load.weight.simulated, "mass", 4)
         sentence = f"it is {volume:.3g} m^3, and {weighs} of solid steel displace {of_steel:.3g} m^3"
@@ -155,7 +155,7 @@ def _too_much(given: InWater, box: Array, density: float) -> Iterator[Doubt]:
 
 def _too_little(given: InWater, load: Load, density: float) -> Iterator[Doubt]:
     """Of added mass that is next to none of what the load displaces."""
-    water, most = density * _volume(given, load), max(given.added_mass)
+    water, most = density * displaced_volume(given, load), max(given.added_mass)
     if 0.0 < most < _LEAST * water:
         shown, displaced = (format_by_size(one, "mass", 3) for one in (most, water))
         sentence = f"it is {shown} along an axis at most, and the load displaces {displaced} of water"

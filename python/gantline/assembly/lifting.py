@@ -74,8 +74,10 @@ def _links(scenario: Scenario, rigging: Rigging) -> Iterator[tuple[str, str]]:
         if body.parent is not None:
             yield name, body.parent
     for sling in rigging.slings.values():
-        lower = [end.extension or end.spreader or scenario.load.name for end in sling.ends]
+        lower = [end.held or scenario.load.name for end in sling.ends]
         upper = [] if sling.upper_body == sling.hook else [sling.upper_body]
         yield from pairwise([*upper, *lower])
         if sling.equalizer is not None:
             yield sling.equalizer, sling.upper_body
+        if sling.compensator is not None:
+            yield sling.compensator, sling.upper_body

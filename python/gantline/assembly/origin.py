@@ -36,7 +36,16 @@ _PREFIXED = {
     "hoist": "cranes",
 }
 #: Keys whose elements, and what is made of them, bear their names.
-_NAMED = ("vessels", "equalizers", "cranes", "structures", "extension_sheaves", "spreaders", "slings")
+_NAMED = (
+    "vessels",
+    "equalizers",
+    "cranes",
+    "structures",
+    "extension_sheaves",
+    "spreaders",
+    "compensators",
+    "slings",
+)
 
 
 def refused(scenario: Scenario, message: str) -> StartError:

@@ -9,6 +9,7 @@ import numpy as np
 
 from gantline.assembly.boom import boom_rig
 from gantline.assembly.checked import bends, limits_and_rules, rating_charts, ratings
+from gantline.assembly.compensators import hung_mass
 from gantline.assembly.crawler import crawler_rig
 from gantline.assembly.goliath import crane_rig
 from gantline.assembly.gusts import wind_rig
@@ -29,6 +30,7 @@ from gantline.assembly.vessels import vessel_rig
 from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.bounds import Bound
+from gantline.scenario.compensator import gas_rope, rod_of
 from gantline.scenario.gear import Shackle
 from gantline.scenario.hooks import full_name
 from gantline.scenario.lug import Lug
@@ -65,6 +67,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "hooks": [_hook(scenario, rigging, name, parts) for name in scenario.hooks],
         "equalizers": [_equalizer(scenario, rigging, name, parts) for name in rigging.equalizers],
         **({"spreaders": spreaders} if (spreaders := _spreaders(scenario, parts)) else {}),
+        **({"compensators": compensators} if (compensators := _compensators(scenario, parts)) else {}),
         "slings": [_sling(scenario, rigging, sling) for sling in rigging.slings.values()],
         "ropes": rope_rig(scenario, rigging, parts),
         "sheaves": sheaves_with_flow(parts),
@@ -193,6 +196,26 @@ def _spreaders(scenario: Scenario, parts: Parts) -> list[Json]:
     ]
 
 
+def _compensators(scenario: Scenario, parts: Parts) -> list[Json]:
+    """Gas springs between slings; nothing in a lift without."""
+    return [
+        {
+            "name": name,
+            "body": name,
+            "rod": rod_of(name),
+            "gas": gas_rope(name),
+            "weight": _force(scenario, hung_mass(parts, name, given)[0]),
+            "stroke": given.stroke,
+            "pull_in": given.law.pull(0.0),
+            "pull_out": given.law.pull(given.stroke),
+            "seal_friction": given.seal_friction,
+            "locked": given.locked,
+            "rated_capacity": _force(scenario, given.rated_capacity),
+        }
+        for name, given in (scenario.compensators or {}).items()
+    ]
+
+
 def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json:
     hook = scenario.hooks[name]
     bearing = [equalizer.name for equalizer in rigging.equalizers.values() if equalizer.hook == name]
@@ -288,9 +311,10 @@ def _sling(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
     # A sling to one lug of the load is the rule; others say to which lugs they go, if to any, and of what.
     is_plain = sling.over is None and len(sling.lugs) == 1
     others: Json = {} if is_plain else {"over": sling.over, "lugs": [end.lug for end in sling.ends]}
-    if any(end.spreader is not None for end in sling.ends):
+    if any(end.spreader or end.compensator for end in sling.ends):
         others["lugs_of"] = [
-            None if end.lug is None else end.spreader or scenario.load.name for end in sling.ends
+            end.spreader or end.compensator or (None if end.lug is None else scenario.load.name)
+            for end in sling.ends
         ]
     if sling.upper_lug is not None:
         others["from_lug"] = sling.upper_lug

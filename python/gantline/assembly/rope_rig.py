@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gantline.assembly.catenary import end_mass
+from gantline.assembly.compensators import gas_kind
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.reeving import reeved_hooks
 from gantline.assembly.sheave import spin_of
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.compensator import gas_rope
 from gantline.scenario.drum import Drum
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.mechanics import RopeEnd
@@ -38,6 +40,8 @@ def rope_kinds(scenario: Scenario, rigging: Rigging) -> dict[str, tuple[RopeMate
             kind = (scenario.ropes or {})[placed.tackles.rope]
             weight = rope_weight(kind, placed.tackles.rope_weight, None)
             kinds |= dict.fromkeys(placed.ropes, (kind, weight))
+    for name, compensator in (scenario.compensators or {}).items():
+        kinds[gas_rope(name)] = gas_kind(compensator)[1], RopeWeight("none", 0.0, 0)
     for name, line in (scenario.mooring_lines or {}).items():
         kind = (scenario.ropes or {})[line.rope]
         kinds[line_rope(name)] = kind, weight_on_nodes(line, kind)
@@ -58,6 +62,8 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
     # A rope that is simulated and not known here would be held against no breaking force, without a word.
     assert set(parts.rope_names) <= set(kinds)
     lengths = _of_constant_length(rigging, parts)
+    # What stands for the gas of a compensator is no rope that could break.
+    gases = {gas_rope(name) for name in scenario.compensators or {}}
     return [
         {
             "name": name,
@@ -77,6 +83,7 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
             **({"over_eyes": True} if name in over_eyes else {}),
         }
         for name, (kind, weight) in kinds.items()
+        if name not in gases
         for mass, on_world in [parts.rope_mass.get(name, (0.0, 0.0))]
     ]
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
 from gantline.assembly.boom import boom_shape
+from gantline.assembly.compensators import compensator_shapes
 from gantline.assembly.crawler import crawler_shape
 from gantline.assembly.goliath import crane_shape
 from gantline.assembly.hulls import hull_mesh, hull_shape
@@ -22,6 +23,7 @@ from gantline.assembly.vessels import vessel_shape
 from gantline.assembly.yard import lower_end
 from gantline.cad.assumptions import STEEL
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.compensator import gas_rope, rod_of
 from gantline.scenario.crane_parts import crane_bodies
 from gantline.scenario.extension import ends_below
 from gantline.scenario.structures import Dock, dock_of
@@ -35,6 +37,7 @@ def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts
     """What is needed to draw the system: bodies with shapes, sheaves, kinds of ropes, the ground."""
     # Of the parts that no lift file names nodes have no shape, nor has what only bears others.
     tops = {upper_sheaves(hook) for hook in scenario.hooks}
+    gases = {gas_rope(name) for name in scenario.compensators or {}}
     return {
         "bodies": [
             _body(scenario, rigging, lifted, body)
@@ -42,7 +45,7 @@ def scene(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts
             if "/" not in name or name in tops
         ],
         "sheaves": [*_sheaves(parts), *_extension_sheaves(scenario, rigging, lifted, parts)],
-        "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging)} for rope in parts.all_ropes],
+        "ropes": [{"name": rope, "kind": _rope_kind(rope, rigging, gases)} for rope in parts.all_ropes],
         "contacts": [{key: one[key] for key in ("name", "body", "at")} for one in parts.contacts],
         "ground": _ground(scenario),
         **({"water": {"level": level}} if (level := _water_level(scenario)) is not None else {}),
@@ -92,6 +95,11 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     kind = "body"
     load = scenario.load
     plain = scenario.mechanics.bodies.get(name) if scenario.mechanics is not None else None
+    compensated = {
+        body: one
+        for compensator, given in (scenario.compensators or {}).items()
+        for body, one in zip((compensator, rod_of(compensator)), compensator_shapes(given), strict=True)
+    }
     if load is not None and lifted is not None and name == load.name:
         kind = "load"
         shape = _load_shape(lifted)
@@ -100,6 +108,8 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         shape = frame_shape(rigging.equalizers[name].frame)
     elif name in (scenario.spreaders or {}):
         kind, shape = "frame", spreader_shape(scenario, name)
+    elif name in compensated:
+        kind, shape = "frame" if name in (scenario.compensators or {}) else "body", compensated[name]
     elif name in scenario.hooks:
         kind = "hook"
         shape = next((_cheek(scenario, hook) for hook in reeved_hooks(scenario) if hook.name == name), None)
@@ -202,9 +212,9 @@ def _sheave(
     }
 
 
-def _rope_kind(name: str, rigging: Rigging) -> str:
+def _rope_kind(name: str, rigging: Rigging, gases: Collection[str]) -> str:
     if name.startswith("sling.") and name[len("sling.") :] in rigging.slings:
         return "sling"
     if name in [f"{equalizer}.equalizing" for equalizer in rigging.equalizers]:
         return "equalizing"
-    return "rope"
+    return "gas" if name in gases else "rope"

@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from gantline.assembly.boom import boom_shape
+from gantline.assembly.compensators import compensator_shapes
 from gantline.assembly.crawler import crawler_shape, crawlers
 from gantline.assembly.goliath import crane_shape, goliaths
 from gantline.assembly.lifted import LiftedLoad
@@ -20,6 +21,7 @@ from gantline.assembly.parts import Json, Parts, box_shape
 from gantline.assembly.supports import every_support, pad_shape, support_contact
 from gantline.assembly.vessels import vessel_shape
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.compensator import rod_of
 from gantline.scenario.crane import EqualizerFrame
 from gantline.scenario.crawler import tracks_body
 from gantline.scenario.errors import PathPart, nearest
@@ -58,6 +60,9 @@ def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: Lifte
         parts.add_shape(name, name, [frame_shape(equalizer.frame)])
     for name in scenario.spreaders or {}:
         parts.add_shape(name, name, [spreader_shape(scenario, name)])
+    for name, compensator in (scenario.compensators or {}).items():
+        for own, box in zip((name, rod_of(name)), compensator_shapes(compensator), strict=True):
+            parts.add_shape(own, own, [box])
     _add_cranes(parts, scenario)
     for name in scenario.vessels or {}:
         shape = vessel_shape(scenario, name)

@@ -26,6 +26,7 @@ __all__ = [
     "hoist_drive",
     "lower_end",
     "lower_lump",
+    "slider",
     "sling_route",
     "turning_body",
     "upper_lump",
@@ -79,7 +80,7 @@ def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
         parts.add_drive(drive)
         parts.add_body(
             name,
-            _slider((0.0, 0.0, 1.0), drive),
+            slider((0.0, 0.0, 1.0), drive),
             position=(*hook.place, hook.height),
             mass=math.fsum(upper_lump(sling) for sling in direct),
         )
@@ -117,7 +118,7 @@ def add_equalizers(parts: Parts, rigging: Rigging, pins: Mapping[str, bool]) -> 
             parts.add_body(
                 name,
                 {  # travel down is positive
-                    **_slider((0.0, 0.0, -1.0), None, _travel_stops(equalizer)),
+                    **slider((0.0, 0.0, -1.0), None, _travel_stops(equalizer)),
                     "pin": pins.get(name),
                 },
                 parent=equalizer.name,
@@ -150,7 +151,7 @@ def sling_route(
 
 
 def _upper_end(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
-    """Moving sheave, or the frame where that would be, hook, lug of a spreader, or what a sling runs over."""
+    """What a sling hangs from: of a spreader its lug, of an approximated equalizer a place on its frame."""
     if sling.over is not None:
         return eye(sling.over, ORIGIN)
     if sling.spreader is not None and sling.upper_lug is not None:
@@ -175,7 +176,8 @@ def _travel_stops(equalizer: EqualizerRigging) -> Json | None:
     }
 
 
-def _slider(axis: Sequence[float], drive: str | None, stops: Json | None = None) -> Json:
+def slider(axis: Sequence[float], drive: str | None, stops: Json | None = None) -> Json:
+    """A joint along an axis, at its start and at rest; of a `drive`, or between stops, or free."""
     return {
         "type": "slider",
         "axis": list(axis),
@@ -373,9 +375,10 @@ def _too_short(
 
 
 def lower_end(scenario: Scenario, lugs: Mapping[str, Sequence[float]], end_of_sling: SlingEnd) -> Json:
-    """A lower end of a sling: a lug of the load or of a spreader, or an extension sheave."""
-    if end_of_sling.extension is not None:
-        return end(end_of_sling.extension)
+    """A lower end of a sling: a lug of the load or of a spreader, an extension sheave or a compensator."""
+    bearing = end_of_sling.extension or end_of_sling.compensator
+    if bearing is not None:
+        return end(bearing)
     assert scenario.load is not None  # slings have been checked to lead to its lugs
     assert end_of_sling.lug is not None  # each end is at one of the two
     if end_of_sling.spreader is not None:
@@ -389,7 +392,9 @@ def _at_spreader(scenario: Scenario, spreader: str, lug: str) -> Json:
 
 def _way(load: str, sling: SlingRigging) -> str:
     """From where to where a sling goes, in words."""
-    names = [f"'{one.extension or f'{one.spreader or load}.{one.lug}'}'" for one in sling.ends]
+    beside = [one.extension or one.compensator for one in sling.ends]
+    lugs = [f"{one.spreader or load}.{one.lug}" for one in sling.ends]
+    names = [f"'{other or lug}'" for other, lug in zip(beside, lugs, strict=True)]
     if sling.over is None:
         lug = "" if sling.upper_lug is None else f".{sling.upper_lug}"
         return f"from '{sling.upper_body}{lug}' to {names[0]}"

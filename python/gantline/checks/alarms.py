@@ -14,6 +14,7 @@ __all__ = [
     "HEEL",
     "HOOK_DYNAMICS",
     "LUG_PLATE",
+    "ROD_ON_STOP",
     "ROPE_FACTOR",
     "SHEAVE_BENDING",
     "SIDE_LEAD",
@@ -108,6 +109,7 @@ SPREADER_TILT = _of_all(
     math.radians(5.0),
     "makers rate spreaders level, not bent by what hangs; plausible, no document",
 )
+ROD_ON_STOP = _of_all(0.0, "on a stop it gives no more than a rod of steel; plausible, no document")
 _ON_DECK = "loose things on deck begin to move, and cranes are rated for less; plausible, no document"
 HEEL, TRIM = Alarm(_leans("heel"), _ON_DECK), Alarm(_leans("trim"), _ON_DECK)
 TILT = Alarm(_tilt, "loose things on a load begin to move; plausible, no document")

@@ -21,6 +21,8 @@ _STRENGTHS = frozenset(
         "hoist_load_of_rating",
         "equalizer_load_of_rated_capacity",
         "spreader_load_of_rated_capacity",
+        "compensator_load_of_rated_capacity",
+        "compensator_peak_of_rated_capacity",
         "sling_factor_on_breaking_force",
         "rope_factor_on_breaking_force",
         "rope_load_of_breaking_force",

@@ -19,7 +19,7 @@ from gantline.checks.forces import (
 )
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
-from gantline.results.gear import Equalizer, Sling, Spreader
+from gantline.results.gear import Compensator, Equalizer, Sling, Spreader
 from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
@@ -72,7 +72,7 @@ def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[
 
 
 def hanging_of_capacity(
-    recording: Recording, during: BoolArray, gear: Equalizer | Spreader, slings: Sequence[Sling]
+    recording: Recording, during: BoolArray, gear: Equalizer | Spreader | Compensator, slings: Sequence[Sling]
 ) -> Iterator[Finding]:
     """Static vertical force of slings over the rated capacity of the lifting gear from which they hang."""
     if not gear.rated_capacity:

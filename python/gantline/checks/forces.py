@@ -19,7 +19,7 @@ import numpy as np
 from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
 from gantline.results.alike import earliest_peak
-from gantline.results.gear import Sling
+from gantline.results.gear import Compensator, Sling, Spreader
 from gantline.results.pinned import pinned_as_at
 from gantline.results.recording import Recording
 from gantline.results.skew import skew_loads
@@ -246,8 +246,8 @@ def hook_force(
 ) -> Force:
     """Static and dynamic hook load or hoist load of one or more hooks together.
 
-    Only what hangs in the hook is raised by the rule's factor, not hook block and falls. Spreaders weigh what
-    they weigh: the design weight is one of loads.
+    Only what hangs in the hook is raised by the rule's factor, not hook block and falls. Spreaders and
+    compensators weigh what they weigh: the design weight is one of loads.
 
     Args:
         recording: The recording.
@@ -264,7 +264,7 @@ def hook_force(
     more = by_slings = 0.0
     for sling in (one for one in rig.slings if rig.hook_of(one) in names):
         share = series.static_value(recording, series.sling_upright(recording, sling), window) or 0.0
-        gear = _spreaders_below(recording, sling, window)
+        gear = _gear_below(recording, sling, window)
         more += (design_ratio(recording, sling.to_load) - 1.0) * max(share - gear, 0.0)
         by_slings += share
     static = series.static_value(recording, hook_load, window)
@@ -276,18 +276,19 @@ def hook_force(
     return _with_peak_of(recording, force, total, during)
 
 
-def _spreaders_below(recording: Recording, sling: Sling, window: BoolArray | None) -> float:
-    """What a sling bears of the weight of spreaders, by vertical forces while the load hangs still [N]."""
+def _gear_below(recording: Recording, sling: Sling, window: BoolArray | None) -> float:
+    """What a sling bears of spreaders and compensators, by vertical forces while the load hangs still [N]."""
     below = 0.0
-    for spreader in recording.rig.spreaders:
-        if spreader.name in sling.lugs_of:
+    every: list[Spreader | Compensator] = [*recording.rig.spreaders, *recording.rig.compensators]
+    for gear in every:
+        if gear.name in sling.lugs_of:
             upright = {
                 one.name: series.static_value(recording, series.sling_upright(recording, one), window) or 0.0
                 for one in recording.rig.slings
-                if spreader.name in one.lugs_of
+                if gear.name in one.lugs_of
             }
-            hanging = [one for one in recording.rig.slings if one.from_body == spreader.name]
-            weight = spreader.weight + sum(_spreaders_below(recording, one, window) for one in hanging)
+            hanging = [one for one in recording.rig.slings if recording.rig.gear_above(one) == gear]
+            weight = gear.weight + sum(_gear_below(recording, one, window) for one in hanging)
             below += weight * upright[sling.name] / (sum(upright.values()) or 1.0)
     return below
 

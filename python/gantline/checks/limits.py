@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from gantline.checks import (
     booms,
+    compensators,
     contacts,
     cranes,
     crawlers,
@@ -28,6 +29,7 @@ from gantline.checks.alarms import (
     HEEL,
     HOOK_DYNAMICS,
     LUG_PLATE,
+    ROD_ON_STOP,
     ROPE_FACTOR,
     SHEAVE_BENDING,
     SIDE_LEAD,
@@ -211,6 +213,27 @@ LIMITS: dict[str, Measure] = {
         spreaders.tilt_under_load,
         is_listed=True,
         alarm=SPREADER_TILT,
+    ),
+    "compensator_load_of_rated_capacity": _utilisation(
+        "static vertical force of all slings under a compensator / its rated capacity",
+        compensators.load_of_rated_capacity,
+    ),
+    "compensator_peak_of_rated_capacity": Measure(
+        "largest vertical force of all slings under a compensator, static with the design weight x the "
+        "rule's factor, or peak / its rated capacity",
+        "%",
+        1,
+        compensators.peak_of_rated_capacity,
+        is_listed=True,
+    ),
+    "compensator_stroke_margin": Measure(
+        "least way of the rod of a compensator from either stop / its stroke, once the load is clear",
+        "%",
+        1,
+        compensators.stroke_margin,
+        at_least=True,
+        is_listed=True,
+        alarm=ROD_ON_STOP,
     ),
     "equalizer_travel_used": _utilisation(
         "largest travel of a moving sheave / its stroke that way, once the load is clear",

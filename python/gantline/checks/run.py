@@ -49,7 +49,7 @@ _OWN_LIMIT = "a limit of its own under 'limits' would make this a failure"
 _NOTHING = "the lift has nothing that this limit is about, or nothing of that carries"
 
 #: Limits of what comes and goes as a load swings.
-AS_IT_SWINGS = ("falls_out_of_plumb", "off_lead", "side_lead", "load_tilt")
+AS_IT_SWINGS = ("falls_out_of_plumb", "off_lead", "side_lead", "load_tilt", "compensator_stroke_margin")
 #: Check that lift file and run give no warnings of their own.
 NO_WARNINGS = "no_warnings"
 

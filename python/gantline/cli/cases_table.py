@@ -22,6 +22,7 @@ _LINES = {
     "hoist_load": "{} hoist load",
     "load_tilt": "{} tilt",
     "sheave_travel": "{} travel",
+    "rod_out": "{} rod out",
 }
 _SHORTEST_LABEL = 16
 _WITHOUT_LOSSES = "without losses"

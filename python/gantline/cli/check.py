@@ -140,6 +140,7 @@ def _look_over(simulation: Simulation) -> None:
     centre = _centre_from_cad(simulation)
     demands = heave_demands(simulation.scenario)
     lines = [*heading(rig), *weights(rig), *centre, *ropes, *_rope_weights(rig), *later, *_sheaves(rig)]
+    lines += _compensators(simulation.scenario)
     lines += recorded_motions(rig)
     load = simulation.scenario.load
     lines += supports_table(simulation.assembly.under_load, None if load is None else load.stands_on)
@@ -259,6 +260,22 @@ def _heave(demands: Sequence[HeaveDemand]) -> list[str]:
         "stroke",
     )
     return table((*head, "has"), rows, "lllrrrrrr") if rows else []
+
+
+def _compensators(scenario: Scenario) -> list[str]:
+    """What hangs on the gas of each compensator by weights, and how it takes that."""
+    from gantline.assembly.compensator_stages import stages
+    from gantline.cli.table import ABSENT, show, table
+    from gantline.scenario import resolve
+
+    rows = []
+    for one in stages(scenario, resolve(scenario)):
+        given = (scenario.compensators or {})[one.name]
+        ends = (show(given.law.pull(out), "kN", 1) for out in (0.0, given.stroke))
+        period = ABSENT if one.period is None else show(one.period, "s", 2)
+        rows.append((one.name, *ends, one.where, show(one.pull, "kN", 1), show(one.out, "m", 3), period))
+    head = ("Compensator", "rod in", "rod out", "with the load", "its gas holds", "out", "own period")
+    return table(head, rows, "lrrlrrr") if rows else []
 
 
 def _put_on_later(scenario: Scenario) -> list[str]:

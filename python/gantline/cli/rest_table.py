@@ -79,7 +79,8 @@ def slings_of(rest: Equilibrium, bounds: list[Equilibrium]) -> list[str]:
 def ropes(rest: Equilibrium, bounds: Sequence[Equilibrium] = ()) -> list[str]:
     """What all other ropes carry, and the tightest part of each with all sheaves slipping either way."""
     slings = {sling.rope for sling in rest.recording.rig.slings}
-    names = [name for name in rest.recording.coordinates.get("rope", ()) if name not in slings]
+    others = slings | {one.gas for one in rest.recording.rig.compensators}
+    names = [name for name in rest.recording.coordinates.get("rope", ()) if name not in others]
     tensions = {name: rest.tension(name) for name in names}
     unit = "kN" if max(tensions.values(), default=0.0) >= 1e3 else "N"
     rows = [
@@ -135,6 +136,18 @@ def moving_sheaves(rest: Equilibrium) -> list[str]:
         for sheave in equalizer.moving_sheaves
     ]
     return table(("Moving sheave", "travel, down positive"), rows, "lr") if rows else []
+
+
+def compensators(rest: Equilibrium) -> list[str]:
+    """How far rods are out, of the stroke, and what their gas pulls with."""
+    recording = rest.recording
+    rows = []
+    for one in recording.rig.compensators:
+        out = float(recording.column("rod_out", one.name)[-1])
+        held = float(recording.column("rope_tension", one.gas)[-1])
+        used = show(out / one.stroke, "%", 1)
+        rows.append((one.name, show(out, "m", 3), show(one.stroke, "m", 3), used, show(held, "kN", 1)))
+    return table(("Compensator", "rod out", "stroke", "of it", "gas"), rows, "lrrrr") if rows else []
 
 
 def motions(modes: list[Mode]) -> list[str]:

@@ -205,6 +205,7 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
         contact_forces(rest) if rest.losses == "held" else [],
         answer.ranges,
         rest_table.moving_sheaves(rest),
+        rest_table.compensators(rest),
         rest_table.motions(answer.shown),
         *(rest_table.changes(rest, question.sensitivities()) if sensitivities else []),
         rest_table.checks_at_rest(rest, answer.checks),

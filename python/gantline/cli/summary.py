@@ -10,6 +10,7 @@ import numpy as np
 from gantline.checks import Check, Verdict, values_of
 from gantline.checks.sling_figures import SlingFigures, sling_figures
 from gantline.cli.check_table import check_table
+from gantline.cli.compensator_table import compensator_table
 from gantline.cli.equalizer_table import equalizer_table
 from gantline.cli.hold_points import hold_points
 from gantline.cli.refinement import refinement_table
@@ -57,6 +58,7 @@ def summary(
         _put_on(recording),
         cut(_used(slings), _MOST_ROWS),
         *(equalizer_table(recording, equalizer) for equalizer in rig.equalizers),
+        *(compensator_table(recording, compensator) for compensator in rig.compensators),
         _hooks(recording),
         vessels(recording),
         _ropes(recording),
@@ -238,6 +240,7 @@ def _ropes(recording: Recording) -> list[str]:
     """Ropes that no other part of the table shows: those of `mechanics`."""
     shown = {sling.rope for sling in recording.rig.slings}
     shown |= {equalizer.equalizing_rope for equalizer in recording.rig.equalizers}
+    shown |= {compensator.gas for compensator in recording.rig.compensators}
     rows: list[tuple[str, ...]] = []
     for rope in recording.coordinates.get("rope", ()):
         if rope in shown:

@@ -126,7 +126,8 @@ def _by_what_bears_them(recording: Recording, snap: Snapshot) -> dict[str, Float
     for sling in rig.slings:
         if sling.name in snap.lugs:
             equalizer = rig.equalizer_of(sling)
-            bears = equalizer.name if equalizer is not None else sling.from_body
+            gear = equalizer or rig.gear_above(sling)
+            bears = sling.from_body if gear is None else gear.name
             groups.setdefault(bears, []).append(snap.lugs[sling.name])
     return {name: np.mean(lugs, axis=0) for name, lugs in groups.items()}
 

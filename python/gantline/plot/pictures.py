@@ -29,6 +29,7 @@ PICTURES: dict[str, Callable[[Recording], Figure | None]] = {
     "equalizing_rope_tension": traces.equalizing_rope_tension,
     "rope_tension": traces.rope_tension,
     "sheave_travel": traces.sheave_travel,
+    "rod_out": traces.rod_out,
     "sling_lengthening": traces.sling_lengthening,
     "attitude": traces.attitude,
     "vessels": vessels,

@@ -184,7 +184,9 @@ def _ropes(recording: Recording, sample: int, scene: Mapping[str, Any]) -> list[
             rope, kinds.get(rope, "rope"), points[places[rope]], float(now[index]), float(largest[index])
         )
         for index, rope in enumerate(recording.coordinates["rope"])
-        if rope in places and np.ptp(points[places[rope]], axis=0).any()  # else it is not there
+        if kinds.get(rope) != "gas"  # it is in its cylinder
+        and rope in places
+        and np.ptp(points[places[rope]], axis=0).any()  # else it is not there
     ]
 
 

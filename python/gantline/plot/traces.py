@@ -90,6 +90,7 @@ def rope_tension(recording: Recording) -> Figure | None:
     """Tension of the ropes that are neither slings nor equalizing ropes; None without such."""
     known = {sling.rope for sling in recording.rig.slings}
     known |= {equalizer.equalizing_rope for equalizer in recording.rig.equalizers}
+    known |= {compensator.gas for compensator in recording.rig.compensators}
     ropes = {rope: rope for rope in recording.coordinates.get("rope", ()) if rope not in known}
     return _ropes(recording, "Rope tension", ropes)
 
@@ -125,6 +126,25 @@ def sheave_travel(recording: Recording) -> Figure | None:
                 below=True,
             )
         label_ends(panel, recording.time, travel)
+    return figure
+
+
+def rod_out(recording: Recording) -> Figure | None:
+    """How far the rods of compensators are out, between their stops; None without any."""
+    compensators = recording.rig.compensators
+    if not compensators:
+        return None
+    height = 1.4 + 2.2 * len(compensators)
+    figure, panels = time_figure(recording, "Rod out", [1.0] * len(compensators), height)
+    for one, panel in zip(compensators, panels, strict=True):
+        out = recording.column("rod_out", one.name)
+        panel.plot(recording.time, out, color=colour(0), linewidth=1.6)
+        reach = np.array([0.0, one.stroke, out.min(), out.max()])
+        margin = 0.12 * float(np.ptp(reach))
+        panel.set_ylim(float(reach.min()) - margin, float(reach.max()) + margin)
+        panel.set_ylabel(f"{one.name}: rod out [m]")
+        limit_line(panel, one.stroke, f"outer stop, {one.stroke:g} m", right=True)
+        limit_line(panel, 0.0, "inner stop", right=True, below=True)
     return figure
 
 

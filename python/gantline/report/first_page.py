@@ -263,7 +263,16 @@ def stop_if(subject: Subject) -> list[str]:
     found.append(_tilt(subject, limits.get("load_tilt")))
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
         found.append(f"a sheave is over {show(subject.most_travel, '%', 0)} of its stroke")
+    found += _rods(subject)
     return [*found, *_waves(subject), *_wind(subject), *_current(subject)]
+
+
+def _rods(subject: Subject) -> list[str]:
+    """How near the rod of a compensator may come to a stop; while the load stands it is in."""
+    rig = subject.rig
+    least = rig.limits.get("compensator_stroke_margin")
+    where = f"nearer to a stop than {show(float(least), '%', 0)} of its stroke" if least else "on a stop"
+    return [f"the rod of {one.name} is {where}, the load clear" for one in rig.compensators]
 
 
 def _tilt(subject: Subject, limit: Any) -> str:

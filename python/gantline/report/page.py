@@ -11,6 +11,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from markupsafe import Markup
 
 from gantline.replacing import replace_text
+from gantline.report.compensators import Compensators
 from gantline.report.events import Events
 from gantline.report.first_page import FirstPage
 from gantline.report.holds import HoldPoints
@@ -34,6 +35,7 @@ SECTIONS: tuple[Section, ...] = (
     Player(),
     Tensions(),
     Equalizers(),
+    Compensators(),
     HookLoads(),
     HoldPoints(),
     Attitude(),

@@ -93,6 +93,10 @@ class Tensions(_Plots):
                     limits=_strokes(subject),
                 )
             )
+        if "rod_out" in recording:
+            stops = _stops(subject)
+            title = "Rods of compensators out, 0 at the inner stop"
+            found.append(_plot(title, "rods", "m", smallest=1e-3, extreme="both", limits=stops))
         if "rope_lengthening" in recording:
             found.append(_plot("Lengthening of slings by adjusting", "lengthening", "m", smallest=1e-3))
         if any(equalizer.slings for equalizer in rig.equalizers) and subject.clear.any():
@@ -250,6 +254,12 @@ def _strokes(subject: Subject) -> list[dict[str, Any]]:
                 {"value": sign * stroke, "label": f"stroke {name.removeprefix('travel_')} {stroke:g} m"}
             )
     return found
+
+
+def _stops(subject: Subject) -> list[dict[str, Any]]:
+    """Outer stops of compensators, by their strokes."""
+    strokes = sorted({one.stroke for one in subject.rig.compensators})
+    return [{"value": stroke, "label": f"outer stop {stroke:g} m"} for stroke in strokes]
 
 
 def _ratings(subject: Subject) -> list[dict[str, Any]]:

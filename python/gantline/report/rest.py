@@ -20,6 +20,7 @@ _FIRST = {
     "hoist_load": "most hoist load at",
     "load_tilt": "tilt of",
     "sheave_travel": "travel of",
+    "rod_out": "rod out of",
 }
 #: Cases that are not sound, of which the first page names so many.
 _MOST_TROUBLED = 3
@@ -33,6 +34,7 @@ _NAMES = {
     "hoist_load": "hoist load",
     "load_tilt": "tilt",
     "sheave_travel": "travel, down positive",
+    "rod_out": "rod out",
 }
 
 
@@ -66,6 +68,15 @@ class Rest(Section):
                 (sheave, number(_last(rest, "sheave_travel", sheave), "m", 3))
                 for equalizer in rest.rig.equalizers
                 for sheave in equalizer.moving_sheaves
+            ],
+            "compensators": [
+                (
+                    one.name,
+                    number(_last(rest, "rod_out", one.name), "m", 3),
+                    number(one.stroke, "m", 3),
+                    number(_last(rest, "rope_tension", one.gas), "kN", 1),
+                )
+                for one in rest.rig.compensators
             ],
         }
 

@@ -151,7 +151,10 @@ def sketches(subject: Subject) -> list[Sketch]:
     if ground is not None:
         extent = np.concatenate([lift, ground.near(lift)])
     carried = [one for kind, pieces in solids.values() if kind in ("load", "frame") for one in pieces]
-    frames = [one for kind, pieces in solids.values() if kind == "frame" for one in pieces]
+    # A compensator is as wide whichever way it is seen.
+    slender = {one.body for one in subject.rig.compensators}
+    wide = [pieces for name, (kind, pieces) in solids.items() if kind == "frame" and name not in slender]
+    frames = [one for pieces in wide for one in pieces]
     # Hooks side by side would cover each other, seen along the line that they are in.
     shown = np.concatenate([*(frames or carried or parts), np.reshape(bearings, (-1, 3))])
     along = _along(moment, shown) if turned is None else _across_turn(recording, turned)
@@ -229,7 +232,9 @@ def _ropes(moment: _Moment) -> dict[str, FloatArray]:
     if "rope_point" not in recording:
         return {}
     points, places = recording["rope_point"].values[moment.sample], recording.points_of_ropes
-    paths = {name: points[places[name]] for name in recording.coordinates["rope"] if name in places}
+    gases = {one.gas for one in recording.rig.compensators}
+    shown = [name for name in recording.coordinates["rope"] if name in places and name not in gases]
+    paths = {name: points[places[name]] for name in shown}
     # What has parted or is not on is one point.
     return {name: path for name, path in paths.items() if np.ptp(path, axis=0).any()}
 
@@ -258,7 +263,8 @@ def _draw(
             continue  # what hangs above would cover where slings are
         marks.append(Mark("line", "sk-sling" if name in slings else "sk-rope", drawn_path(paper.place(path))))
     marks += _hangers(moment, paper, solids) if not plan else []
-    above = _centres(moment, paper) + _hooks(moment, paper, ropes, plan=plan)
+    sides = {} if plan else _sides(moment, paper, solids)
+    above = _centres(moment, paper) + _hooks(moment, paper, ropes, sides, plan=plan)
     marks += _numbers(moment, paper, ropes, above, plan=plan) + above
     return Sketch(title, WIDTH, HEIGHT, paper.scale, scale_bar(paper.scale), marks)
 
@@ -412,8 +418,28 @@ def _centres(moment: _Moment, paper: Paper) -> list[Mark]:
     return marks
 
 
-def _hooks(moment: _Moment, paper: Paper, ropes: Mapping[str, FloatArray], *, plan: bool) -> list[Mark]:
-    """Hooks as dots; in a side view with their names, where these do not lie on each other."""
+def _sides(moment: _Moment, paper: Paper, solids: _Solids) -> dict[str, FloatArray]:
+    """Where on paper a name stands beside the cylinder of each compensator, the middle of its right side."""
+    sides = {}
+    for one in moment.rig.compensators:
+        if one.body in solids:
+            points = paper.place(np.concatenate(solids[one.body][1]))
+            sides[one.name] = np.array([points[:, 0].max(), points[:, 1].mean()])
+    return sides
+
+
+def _hooks(
+    moment: _Moment,
+    paper: Paper,
+    ropes: Mapping[str, FloatArray],
+    sides: Mapping[str, FloatArray],
+    *,
+    plan: bool,
+) -> list[Mark]:
+    """Hooks as dots; in a side view with their names, where these do not lie on each other.
+
+    And names of what else has one at its side.
+    """
     names = _hook_bodies(moment)
     places = [paper.place(moment.place(name)) for name in names]
     marks = [Mark("dot", "sk-hook", x=float(x), y=float(y)) for x, y in places]
@@ -424,7 +450,8 @@ def _hooks(moment: _Moment, paper: Paper, ropes: Mapping[str, FloatArray], *, pl
     # A line takes its ends and some places between: enough for names, which are higher than those lie apart.
     along = [one + part * (other - one) for one, other in straight for part in (0.0, *_ALONG, 1.0)]
     drawn: list[Box] = [(float(x), float(x), float(y)) for x, y in along]
-    placed = names_beside(places, _short(moment, names), WIDTH - MARGIN, drawn)
+    places, shown = [*places, *sides.values()], [*_short(moment, names), *sides]
+    placed = names_beside(places, shown, WIDTH - MARGIN, drawn)
     return marks + [Mark("text", "sk-name", x=x, y=y, text=text, anchor=side) for x, y, text, side in placed]
 
 

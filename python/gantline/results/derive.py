@@ -65,6 +65,7 @@ def _of_each_sample(columns: Columns, names: Names, lift: Rig) -> Iterator[Deriv
     yield hook_loads(columns, names, lift)
     yield _load_state(columns, names, lift)
     yield _sheave_travel(columns, names, lift)
+    yield _rods_out(columns, names, lift)
     yield rope_flows(columns, names, lift)
     yield wind_at_loads(columns, names, {load.name: load.body for load in lift.loads}, lift.wind)
     yield mooring_state(columns, names, lift.mooring_lines, lift.fenders)
@@ -122,6 +123,16 @@ def _sheave_travel(columns: Columns, names: Names, rig: Rig) -> Derived:
         "travel of a moving sheave in its frame, down positive",
     )
     return {"sheave_travel": travel}, {"moving_sheave": sheaves}
+
+
+def _rods_out(columns: Columns, names: Names, rig: Rig) -> Derived:
+    if not rig.compensators:
+        return {}, {}
+    joints = list(names["joint"])
+    own = [columns["joint_position"][:, joints.index(one.rod)] for one in rig.compensators]
+    text = "how far the rod of a compensator is out, 0 at its inner stop"
+    out = Variable(("time", "compensator"), np.stack(own, axis=1), "m", text)
+    return {"rod_out": out}, {"compensator": [one.name for one in rig.compensators]}
 
 
 def _cranes(columns: Columns, names: Names, rig: Rig, known: dict[str, Variable]) -> Derived:

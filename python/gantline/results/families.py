@@ -47,10 +47,12 @@ def _family_of(rig: Rig, finely: Sequence[str]) -> Mapping[str, str]:
         return f"{word} of {of}" if kind in finely and of else word
 
     slings = {
-        one.rope: named("slings", (e.name if (e := rig.equalizer_of(one)) else one.from_body), "slings")
+        one.rope: named("slings", gear.name if gear is not None else one.from_body, "slings")
         for one in rig.slings
+        for gear in [rig.equalizer_of(one) or rig.gear_above(one)]
     }
     equalizing = {one.equalizing_rope: "equalizing ropes" for one in rig.equalizers}
+    equalizing |= {one.gas: "gas" for one in rig.compensators}
     falls = {
         fall.rpartition("/")[0]: named("hoist ropes", hook.name, "cranes")
         for hook in rig.hooks

@@ -122,18 +122,18 @@ class Equalizer(FromJson):
 
 @dataclass(frozen=True)
 class Sling(FromJson):
-    """A rope from a hook, moving sheave or spreader to a lug, or by extension sheaves to more of them.
+    """A rope from a hook, moving sheave or other gear to a lug, or by extension sheaves to more of them.
 
     Attributes:
         name: Its name in the lift file.
         rope: Its name among the ropes, `sling.<name>`.
         from_body: Where its upper end is made fast, or the extension sheave that it runs over.
         from_lug: The lug at its upper end, of a spreader; None if there is none.
-        to_load: The load at its lower end; None if extension sheaves or spreaders hang there.
+        to_load: The load at its lower end; None if other gear hangs there.
         to_lug: The lug of the load at its lower end, if that is the only one.
         over: The extension sheave that it runs over, from end to end; None if it runs over none.
-        lugs: The lug at each lower end, one or two; None where an extension sheave hangs.
-        lugs_of: The load or spreader that has it, of each lower end.
+        lugs: The lug at each lower end, one or two; None where an extension sheave or compensator hangs.
+        lugs_of: The load or spreader that has it, of each lower end; the compensator that hangs there.
         length: Effective sling length [m].
         minimum_breaking_force: Of its rope [N]; None if not said.
         shackles: Shackles at `top` and `bottom`.
@@ -196,6 +196,37 @@ class Spreader(HasLugs):
     size: Vector = (0.0, 0.0, 0.0)
     rated_capacity: float | None = None
     lugs: Mapping[str, Lug] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Compensator(FromJson):
+    """A gas spring between slings.
+
+    Attributes:
+        name: Its name.
+        body: Name of the body of its cylinder.
+        rod: Name of the body of its rod, and of the joint on which that slides.
+        gas: Name of the rope that stands for its gas.
+        weight: Of both as simulated [N], with what slings and shackles lump onto them.
+        stroke: How far the rod comes out [m].
+        pull_in: Pull of the gas with the rod in [N].
+        pull_out: Pull of the gas with the rod out [N].
+        seal_friction: Of its seals [N].
+        locked: Whether a pin holds the rod at the start.
+        rated_capacity: Of all that hangs below it [N]; None if not said.
+    """
+
+    name: str
+    body: str
+    rod: str = ""
+    gas: str = ""
+    weight: float = 0.0
+    stroke: float = 0.0
+    pull_in: float = 0.0
+    pull_out: float = 0.0
+    seal_friction: float = 0.0
+    locked: bool = False
+    rated_capacity: float | None = None
 
 
 @dataclass(frozen=True)

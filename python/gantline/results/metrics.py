@@ -71,6 +71,11 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   stroke that way
 - `travel_used_up_when_clear`, `travel_used_down_when_clear` [1]: the same while the loads are clear
 - `final_sheave_travel.<sheave>` [m]: travel of that moving sheave at the last sample, down positive
+- `least_rod_out.<compensator>`, `largest_rod_out.<compensator>` [m]: least and largest way of the rod out of
+  its cylinder while the loads are clear and no pin holds it; absent where that never is
+- `stroke_margin.<compensator>` [1]: the least way from either stop then, of the stroke
+- `final_rod_out.<compensator>` [m]: its way out at the last sample
+- `peak_compensator_load.<compensator>` [N]: largest vertical force of all slings that hang from it
 - `largest_rope_lengthening`, `largest_rope_shortening` [m]: most that adjusting has added to the natural
   length of any rope, or taken from it, at any sample
 - `final_rope_lengthening.<rope>` [m]: what it has added to that of this rope at the last sample
@@ -93,6 +98,7 @@ import numpy as np
 from gantline.results import series, upper_end
 from gantline.results.alike import earliest_peak
 from gantline.results.clearances import peak_support_force, watched_during
+from gantline.results.compensators import borne, range_of
 from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
 from gantline.results.lift_off import lift_off_time
@@ -141,6 +147,7 @@ def metrics_of(recording: Recording) -> dict[str, float]:
         _charts,
         _crawlers,
         _travel,
+        _compensators,
         _lengthening,
         _audit,
     )
@@ -367,6 +374,17 @@ def _lengthening(recording: Recording) -> Iterator[_Metric]:
     yield "largest_rope_shortening", float(np.max(-lengthening, initial=0.0))
     for rope in (rope for equalizer in recording.rig.equalizers for rope in equalizer.slings):
         yield f"final_rope_lengthening.{rope}", float(recording.column("rope_lengthening", rope)[-1])
+
+
+def _compensators(recording: Recording) -> Iterator[_Metric]:
+    for one in recording.rig.compensators:
+        found = range_of(recording, one)
+        if found is not None:
+            yield f"least_rod_out.{one.name}", found.least
+            yield f"largest_rod_out.{one.name}", found.most
+            yield f"stroke_margin.{one.name}", min(found.least, one.stroke - found.most) / one.stroke
+        yield f"final_rod_out.{one.name}", float(recording.column("rod_out", one.name)[-1])
+        yield f"peak_compensator_load.{one.name}", float(borne(recording, one).max())
 
 
 def _audit(recording: Recording) -> Iterator[_Metric]:

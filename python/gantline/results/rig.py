@@ -15,7 +15,17 @@ from gantline.results.boom import Boom
 from gantline.results.crane import Crane, CraneHook
 from gantline.results.crawler import Crawler
 from gantline.results.form import Vector
-from gantline.results.gear import Drum, Equalizer, Hook, Rope, Sheave, Sling, Spreader, WrappedSheave
+from gantline.results.gear import (
+    Compensator,
+    Drum,
+    Equalizer,
+    Hook,
+    Rope,
+    Sheave,
+    Sling,
+    Spreader,
+    WrappedSheave,
+)
 from gantline.results.moorings import Fender, MooringLine
 from gantline.results.ranges import DriveRange
 from gantline.results.rating_chart import RatingChart
@@ -247,6 +257,7 @@ class Rig(FromJson):
         ranges: How far trolleys, cranes and upper structures may go.
         equalizers: Equalizers of all hooks.
         spreaders: Bars, beams and frames between slings.
+        compensators: Gas springs between slings.
         slings: Slings of all hooks.
         ropes: All ropes: equalizing ropes, slings, mooring lines, tag lines, ropes of `mechanics`.
         sheaves: Sheaves with losses or inertia.
@@ -289,6 +300,7 @@ class Rig(FromJson):
     ranges: Sequence[DriveRange] = ()
     equalizers: Sequence[Equalizer] = ()
     spreaders: Sequence[Spreader] = ()
+    compensators: Sequence[Compensator] = ()
     slings: Sequence[Sling] = ()
     ropes: Sequence[Rope] = ()
     sheaves: Sequence[Sheave] = ()
@@ -344,7 +356,7 @@ class Rig(FromJson):
         return next((one for one in self.ropes if one.name == name), None)
 
     def hook_of(self, sling: Sling) -> str:
-        """Name of the hook from which a sling hangs, by an equalizer or by itself; of a spreader its own."""
+        """Name of the hook from which a sling hangs, by an equalizer or by itself; of other gear its own."""
         equalizer = self.equalizer_of(sling)
         return equalizer.hook if equalizer is not None else sling.from_body
 
@@ -365,6 +377,12 @@ class Rig(FromJson):
     def outer_ropes(self) -> tuple[str, ...]:
         """Ropes that go far beyond what is lifted: mooring and tag lines."""
         return (*(line.rope for line in self.mooring_lines), *(line.rope for line in self.tag_lines))
+
+    def gear_above(self, sling: Sling) -> Spreader | Compensator | None:
+        """The spreader or compensator from which a sling hangs, if any."""
+        bodies: list[tuple[str, Spreader | Compensator]] = [(one.body, one) for one in self.spreaders]
+        bodies += [(one.rod, one) for one in self.compensators]
+        return next((one for body, one in bodies if body == sling.from_body), None)
 
     def equalizer_of(self, sling: Sling) -> Equalizer | None:
         """The equalizer from which a sling hangs, if any."""

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.results.parting import stops_met
 from gantline.results.rig import Rig
 from gantline.results.variable import Columns, Names
 from gantline.units import format_quantity
@@ -22,6 +23,7 @@ __all__ = [
     "missed_peaks",
     "sheave_warnings",
     "still_growing",
+    "stop_warnings",
 ]
 
 #: Share by which the peak of a rope over all steps may be more than that of samples without a word.
@@ -229,3 +231,26 @@ def sheave_warnings(
         "; 'may_lift_off: true' lets it run straight past"
         for name, when in first.items()
     ]
+
+
+def stop_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:
+    """A warning of each joint that met its stops, but for rods that go in as a load is set down."""
+    events = zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
+    strokes = {one.rod: one.stroke for one in rig.compensators}
+    counted = (
+        event
+        for event in events
+        if event[2] not in strokes or not _goes_in(rig, columns, names, event, strokes[event[2]])
+    )
+    return [f"{met.joint} met its stop at {met.time:.2f} s{met.again}" for met in stops_met(counted)]
+
+
+def _goes_in(rig: Rig, columns: Columns, names: Names, event: tuple[float, str, str], stroke: float) -> bool:
+    """Whether a rod meets its inner stop while something stands below it, as it is meant to."""
+    time, _, rod = event
+    after = min(int(np.searchsorted(columns["time"], time)), len(columns["time"]) - 1)
+    around = slice(max(after - 1, 0), after + 1)
+    out = columns["joint_position"][after, list(names["joint"]).index(rod)]
+    borne = {contact for load in rig.loads for contact in load.contacts}
+    at = [place for place, name in enumerate(names["contact"]) if name in borne]
+    return bool(out < 0.5 * stroke and columns["contact_force"][around][:, at].any())

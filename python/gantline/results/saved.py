@@ -57,6 +57,7 @@ QUANTITIES: dict[str, tuple[str, int]] = {
     "hoist_load": ("kN", 1),
     "load_tilt": ("deg", 2),
     "sheave_travel": ("m", 3),
+    "rod_out": ("m", 3),
 }
 #: What losses of sheaves do, in words.
 LOSSES: dict[str, str] = {"none": "", "forward": "slip along", "backward": "slip against"}

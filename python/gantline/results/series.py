@@ -420,14 +420,14 @@ def slings_parted(recording: Recording) -> list[Sling]:
 
 
 def of_the_mean(recording: Recording) -> dict[str, float | None]:
-    """Tension of every sling of `slings_on` at the end over the mean of all below as many spreaders [1].
+    """Tension of every sling of `slings_on` at the end over the mean of all below as much gear [1].
 
-    None where all of these are slack. Slings above a spreader carry it too, and lean otherwise: beside those
-    below they tell nothing.
+    None where all of these are slack. Slings above a spreader or compensator carry it too, and lean
+    otherwise: beside those below they tell nothing.
     """
     slings = slings_on(recording)
     tensions = [float(recording.column("rope_tension", sling.rope)[-1]) for sling in slings]
-    depths = [_spreaders_above(recording.rig, sling) for sling in slings]
+    depths = [_gear_above(recording.rig, sling) for sling in slings]
     alike: dict[int, list[float]] = {}
     for depth, tension in zip(depths, tensions, strict=True):
         alike.setdefault(depth, []).append(tension)
@@ -438,12 +438,12 @@ def of_the_mean(recording: Recording) -> dict[str, float | None]:
     }
 
 
-def _spreaders_above(rig: Rig, sling: Sling) -> int:
-    """How many spreaders hang one below the other above a sling."""
-    above = next((one.name for one in rig.spreaders if one.body == sling.from_body), None)
+def _gear_above(rig: Rig, sling: Sling) -> int:
+    """How many spreaders and compensators hang one below the other above a sling."""
+    above = rig.gear_above(sling)
     if above is None:
         return 0
-    return 1 + max((_spreaders_above(rig, one) for one in rig.slings if above in one.lugs_of), default=0)
+    return 1 + max((_gear_above(rig, one) for one in rig.slings if above.name in one.lugs_of), default=0)
 
 
 def frame_tilt(recording: Recording, equalizer: Equalizer) -> FloatArray:

@@ -151,8 +151,8 @@ def _route(recording: Recording, sling: Sling, sample: int) -> list[tuple[str | 
     first, last = (end[sample] for end in series.rope_ends(recording, sling.rope))
     ends = (last,) if sling.over is None else (first, last)
     lower = [
-        (of if lug is not None else _extension_at(recording, end, sample), end)
-        for of, lug, end in zip(sling.lugs_of, sling.lugs, ends, strict=True)
+        (of if of is not None else _extension_at(recording, end, sample), end)
+        for of, end in zip(sling.lugs_of, ends, strict=True)
     ]
     if sling.over is None:
         return [(sling.from_body, first), *lower]

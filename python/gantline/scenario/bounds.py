@@ -63,6 +63,7 @@ MEASURES = (
     "sling_tension",
     "equalizing_rope_tension",
     "equalizer_travel",
+    "rod_out",
     "hook_load",
     "hoist_load",
     "load_tilt",

@@ -13,12 +13,13 @@ from gantline.scenario.check_mechanics import check_mechanics
 from gantline.scenario.check_plan import check_plan
 from gantline.scenario.check_plumb import check_kept_plumb
 from gantline.scenario.check_reeving import check_reeving
-from gantline.scenario.check_spreaders import check_spreaders
+from gantline.scenario.check_spreaders import check_compensators, check_spreaders
 from gantline.scenario.check_supports import check_supports
 from gantline.scenario.check_tag_lines import check_tag_lines
 from gantline.scenario.check_vessels import check_vessels
 from gantline.scenario.check_watch import check_watches
 from gantline.scenario.check_wind import check_wind
+from gantline.scenario.compensator import rod_of
 from gantline.scenario.crane_parts import crane_parts
 from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
@@ -56,6 +57,7 @@ def check(scenario: Scenario) -> None:
             slings = [sling for sling in rigging.slings.values() if sling.equalizer == name]
             check_equalizer(findings, equalizer, slings)
         check_spreaders(findings, rigging)
+        check_compensators(findings, rigging)
         check_pins(findings, rigging)
         check_put_on(findings, rigging)
         check_waits(findings, rigging)
@@ -114,6 +116,9 @@ def _check_names(findings: Findings) -> None:
         for name in scenario.extension_sheaves or {}
     ]
     named += [(name, "a spreader", ("spreaders", name)) for name in scenario.spreaders or {}]
+    for name in scenario.compensators or {}:
+        path: Path = ("compensators", name)
+        named += [(name, "a compensator", path), (rod_of(name), "the rod of a compensator", path)]
     if scenario.load is not None:
         named.append((scenario.load.name, "the load", ("load", "name")))
     named += [(name, "a group of supports", ("supports", name)) for name in scenario.supports or {}]
@@ -172,6 +177,7 @@ def _has_friction(scenario: Scenario) -> bool:
     """Whether a sheave has losses, a drum a brake, or a joint friction."""
     lines = (scenario.mooring_lines or {}).values()
     found = any(line.winch is not None and line.winch.capacity is not None for line in lines)
+    found |= any(one.seal_friction > 0.0 for one in (scenario.compensators or {}).values())
     tags = (scenario.tag_lines or {}).values()
     found |= any(line.pull or (line.winch and line.winch.capacity) for line in tags)
     for name, given in (scenario.equalizers or {}).items():

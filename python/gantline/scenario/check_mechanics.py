@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from gantline.scenario.check_vessels import check_afloat, check_inertia
+from gantline.scenario.compensator import gas_rope
 from gantline.scenario.crane_parts import crane_bodies
 from gantline.scenario.drum import Drum
 from gantline.scenario.errors import nearest
@@ -51,6 +52,7 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
         check_afloat(findings, path, body)
     slings = [f"sling.{sling}" for sling in scenario.slings or {}]
     taken = [*slings, *(f"{equalizer}.equalizing" for equalizer in scenario.equalizers or {})]
+    taken += [gas_rope(name) for name in scenario.compensators or {}]
     for name, hook in scenario.hooks.items():
         taken += hoist_ropes(name, hook.reeving) if hook.reeving is not None else []
     taken += [rope for placed in scenario.booms.values() for rope in placed.ropes]

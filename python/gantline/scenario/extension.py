@@ -42,11 +42,24 @@ class ExtensionSheave(Element):
 
 
 class SlingEnd(NamedTuple):
-    """The lower end of a sling: a lug of load or spreader, or an extension sheave that hangs on it."""
+    """The lower end of a sling: a lug of load or spreader, or what else hangs on it.
+
+    Attributes:
+        lug: the lug there; None of an extension sheave and a compensator.
+        extension: extension sheave that hangs on it; None for none.
+        spreader: spreader that has the lug; None of a lug of the load.
+        compensator: compensator whose cylinder hangs on it; None for none.
+    """
 
     lug: str | None
     extension: str | None
     spreader: str | None = None
+    compensator: str | None = None
+
+    @property
+    def held(self) -> str | None:
+        """Spreader, extension sheave or compensator that hangs on it; None of a lug of the load."""
+        return self.spreader or self.extension or self.compensator
 
 
 @dataclass(frozen=True)
@@ -129,8 +142,9 @@ def sling_ends(findings: Findings, given: Sling, path: Path) -> tuple[str, ...] 
 def check_sling_over(
     findings: Findings, given: Sling, rope: RopeMaterial, weight: RopeWeight, path: Path
 ) -> None:
-    """Note what a sling at an extension sheave or a spreader cannot have."""
+    """Note what a sling at an extension sheave, a spreader or a compensator cannot have."""
     sheaves = findings.scenario.extension_sheaves or {}
+    compensators = findings.scenario.compensators or {}
     if given.over is not None and given.over not in sheaves:
         sentence = f"'{given.over}' is not an extension sheave; {nearest(given.over, sheaves)}"
         findings.add((*path, "over"), sentence)
@@ -142,6 +156,8 @@ def check_sling_over(
         near = "an extension sheave"
     elif {given.from_, *given.to} & set(spreader_lugs(findings.scenario)):
         near = "a spreader"
+    elif any(end in compensators for end in (given.from_, *given.to)):
+        near = "a compensator"
     if given.over is not None and rope.curve is not None:
         sentence = "has a curve, and runs over a sheave"
         findings.add(path, f"{sentence}; give its rope an axial stiffness")

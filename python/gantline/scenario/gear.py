@@ -305,22 +305,22 @@ class SlingDefaults(Element):
 
 
 class Sling(SlingDefaults):
-    """A sling from a moving sheave, hook or spreader to a lug, or over an extension sheave to two lugs."""
+    """A sling from a hook, moving sheave or other gear to a lug, or over an extension sheave to two lugs."""
 
     what: ClassVar[str] = "a sling"
 
     from_: Name | None = Field(
         None,
         alias="from",
-        description="Where its upper end is: a moving sheave like 'e1.3', a hook, or a lug of a spreader "
-        "like 'bar.B1'.",
+        description="Where its upper end is: a moving sheave like 'e1.3', a hook, a lug of a spreader like "
+        "'bar.B1', or a compensator, from whose rod it hangs.",
     )
     over: Name | None = Field(
         None, description="In place of 'from': the extension sheave that it runs over, from end to end."
     )
     to: Names = Field(
         description="The lug it holds, of the load like 'block.L3' or of a spreader, or the extension sheave "
-        "that hangs on it; with 'over' the two of them."
+        "or compensator that hangs on it; with 'over' the two of them."
     )
     cut_at: Time | None = Field(None, description=CUT_SHOWN)
     remark: Text | None = Field(None, description="A remark for people.")

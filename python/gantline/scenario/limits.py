@@ -114,6 +114,19 @@ class Limits(Element):
     spreader_thrust: PositiveForce | None = Field(
         None, description="Force that pushes a spreader together along its longest side."
     )
+    compensator_load_of_rated_capacity: _Share | None = Field(
+        None,
+        description="Static load of all slings under a compensator, of its rated capacity; 100 % if not "
+        "given.",
+    )
+    compensator_peak_of_rated_capacity: _Share | None = Field(
+        None, description="Dynamic load of all slings under a compensator, of its rated capacity."
+    )
+    compensator_stroke_margin: _Share | None = Field(
+        None,
+        description="Least way of the rod of a compensator from either stop, of its stroke, while the load "
+        "is clear; on a stop is a warning if not given.",
+    )
     hook_dynamic_factor: _Factor | None = Field(None, description="Dynamic over static hook load.")
     sling_dynamic_factor: _Factor | None = Field(
         None, description="Peak over static tension of the same sling."

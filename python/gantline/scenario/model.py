@@ -11,6 +11,7 @@ from pydantic import Field, PrivateAttr
 from gantline.scenario.base import Element, Named
 from gantline.scenario.boom import PlacedBoom
 from gantline.scenario.case import Case
+from gantline.scenario.compensator import Compensator
 from gantline.scenario.crane import Equalizer, EqualizerType
 from gantline.scenario.crane_types import Crane
 from gantline.scenario.errors import PathPart, Problem, ScenarioError, StartError, join_path
@@ -109,6 +110,7 @@ class Scenario(Element):
     spreaders: Named[Spreader] | None = Field(
         None, description="Bars, beams and frames between slings, by name."
     )
+    compensators: Named[Compensator] | None = Field(None, description="Gas springs between slings, by name.")
     tag_lines: Named[TagLine] | None = Field(
         None, description="Thin ropes that keep the heading of the load, by name."
     )
@@ -205,6 +207,7 @@ class Scenario(Element):
             "equalizers": self.equalizers,
             "slings": self.slings,
             "spreaders": self.spreaders,
+            "compensators": self.compensators,
             "cases": self.cases,
         }
         rows += [(what, f"{len(names)}: {', '.join(names)}") for what, names in groups.items() if names]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Final, Literal
 
+from gantline.scenario.compensator import gas_rope
 from gantline.scenario.quantities import Quantity, WordOr
 from gantline.scenario.reeving import hoist_ropes
 from gantline.scenario.slinging import check_slinging
@@ -67,6 +68,7 @@ def partings(scenario: Scenario) -> dict[str, Parting]:
         if placed.tackles is not None:
             of_kind = Parting(breaking_force(kinds[placed.tackles.rope], None), None)
             found |= dict.fromkeys(placed.ropes, of_kind)
+    found |= {gas_rope(name): Parting(None, None) for name in scenario.compensators or {}}
     for name, line in (scenario.mooring_lines or {}).items():
         found[f"mooring.{name}"] = Parting(breaking_force(kinds[line.rope], line.breaks_at), line.cut_at)
     for name, tag in (scenario.tag_lines or {}).items():

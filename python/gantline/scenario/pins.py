@@ -1,10 +1,11 @@
-"""Locking pins of moving sheaves: which there are, which are in, and what steps of the plan do to them."""
+"""Locking pins of moving sheaves and rods: which there are, which are in, what steps of the plan do."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 
+from gantline.scenario.compensator import Compensator, rod_of, rods
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.model import Scenario
@@ -20,12 +21,12 @@ _Note = Callable[[Path, str], None]
 
 @dataclass
 class Pins:
-    """Locking pins by the names of their moving sheaves, such as `e1.2`.
+    """Locking pins by the names of what they hold: moving sheaves, such as `e1.2`, rods of compensators.
 
     Attributes:
-        at_start: whether a pin is in at the start; a sheave whose pin is never in has none.
-        pulled: by step of the plan the sheaves whose pins are pulled as it begins.
-        put_in: by step of the plan the sheaves whose pins are put in as it begins.
+        at_start: whether a pin is in at the start; a sheave or rod whose pin is never in has none.
+        pulled: by step of the plan the sheaves and rods whose pins are pulled as it begins.
+        put_in: by step of the plan those whose pins are put in as it begins.
     """
 
     at_start: dict[str, bool] = field(default_factory=dict)
@@ -50,6 +51,8 @@ def _follow(scenario: Scenario, rigging: Rigging, note: _Note) -> Pins:
         locked = _locked(scenario, equalizer, note)
         is_in |= {f"{name}.{place}": place in locked for place in _places(equalizer)}
         _check_rope(equalizer, is_in, _locked_path(scenario, equalizer), note)
+    compensators, rod_names = scenario.compensators or {}, rods(scenario)
+    is_in |= {rod_of(name): given.locked for name, given in compensators.items()}
     pins, moved, start = Pins(), set[str](), dict(is_in)
     were_in = {sheave for sheave, locked in start.items() if locked}
     for place, step in enumerate(scenario.plan):
@@ -58,7 +61,10 @@ def _follow(scenario: Scenario, rigging: Rigging, note: _Note) -> Pins:
             changed = []
             for word in getattr(step, key):
                 where = ("plan", place, key), note
-                for sheave in _named(word, wanted, (before, were_in), equalizers, where):
+                held = _rod if rod_names.get(word, word) in compensators else _named
+                if held is _rod:
+                    _check_seals(compensators[rod_names.get(word, word)], word, where)
+                for sheave in held(word, wanted, (before, were_in), equalizers, where):
                     changed.append(sheave)
                     is_in[sheave] = wanted
             if len(set(changed)) < len(changed):
@@ -142,7 +148,10 @@ def _named(
         return free
     if word not in is_in:
         known = [*equalizers, *is_in]
-        note(path, f"'{word}' is neither an equalizer nor a moving sheave; {nearest(word, known)}")
+        kinds = "neither an equalizer nor a moving sheave"
+        if any(name.rpartition(".")[0] not in equalizers for name in is_in):
+            kinds = "no equalizer, no moving sheave and no compensator"
+        note(path, f"'{word}' is {kinds}; {nearest(word, known)}")
         return []
     if is_in[word] == wanted:
         if wanted:
@@ -157,3 +166,33 @@ def _named(
         note(path, f"the pin of '{word}' {right}")
         return []
     return [word]
+
+
+def _check_seals(given: Compensator, word: str, where: tuple[Path, _Note]) -> None:
+    """A pin that goes out and friction of seals would hold the same rod; one of them is simulated."""
+    path, note = where
+    if given.seal_friction > 0.0:
+        sentence = f"'{word}' has seal friction, and a pin that steps move; one joint has only one of them"
+        note(path, f"{sentence}: leave 'seal_friction' out, or 'locked: true' on for all of the lift")
+
+
+def _rod(
+    word: str,
+    wanted: bool,
+    pins: tuple[Mapping[str, bool], Collection[str]],
+    _equalizers: Mapping[str, EqualizerRigging],
+    where: tuple[Path, _Note],
+) -> list[str]:
+    """The rod of the compensator that a word of a step means, if its pin can be moved; as `_named`."""
+    (path, note), (is_in, were_in) = where, pins
+    name = word if word in is_in else rod_of(word)
+    if is_in[name] != wanted:
+        return [name]
+    if wanted:
+        right = "is in already; let a step before pull it"
+    elif name in were_in:
+        right = "has been pulled already"
+    else:
+        right = "is not in; 'locked: true' puts it in at the start"
+    note(path, f"the pin of '{word}' {right}")
+    return []

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
+from gantline.scenario.compensator import rod_of
 from gantline.scenario.crane import (
     Equalizer,
     EqualizerFrame,
@@ -78,14 +79,16 @@ class EqualizerRigging:
 
 @dataclass(frozen=True)
 class SlingRigging:
-    """A sling from a moving sheave, hook or spreader to a lug or an extension sheave, or over one of these.
+    """A sling from a moving sheave, hook or other gear to a lug or further gear, or over an extension sheave.
 
     Attributes:
-        hook: hook under which it hangs; empty for a sling over an extension sheave or under a spreader.
+        hook: hook under which it hangs; empty for a sling over an extension sheave, or under a spreader or
+            compensator.
         equalizer: equalizer from which it hangs; None for none.
         sheave: the moving sheave there, counted from 1.
         spreader: spreader from which it hangs; None for none.
         upper_lug: the lug there.
+        compensator: compensator from whose rod it hangs; None for none.
         over: extension sheave that it runs over, from end to end.
         ends: its lower ends: one, or two if it runs over a sheave.
         length: bearing to bearing, unloaded [m].
@@ -99,6 +102,7 @@ class SlingRigging:
     sheave: int | None
     spreader: str | None
     upper_lug: str | None
+    compensator: str | None
     over: str | None
     ends: tuple[SlingEnd, ...]
     length: float
@@ -115,12 +119,19 @@ class SlingRigging:
         beside = self.over or self.spreader
         if beside is not None:
             return beside
+        if self.compensator is not None:
+            return rod_of(self.compensator)
         return self.hook if self.equalizer is None else f"{self.equalizer}.{self.sheave}"
 
     @property
     def lugs(self) -> tuple[str, ...]:
         """Lugs of the load at its lower ends."""
         return tuple(end.lug for end in self.ends if end.lug is not None and end.spreader is None)
+
+    @property
+    def above(self) -> str | None:
+        """Spreader, extension sheave or compensator that bears it; None of one in a hook or equalizer."""
+        return self.over or self.spreader or self.compensator
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ class Upper(NamedTuple):
     sheave: int | None = None
     spreader: str | None = None
     upper_lug: str | None = None
+    compensator: str | None = None
 
 
 def split_reference(text: str, owners: Iterable[str]) -> tuple[str, str] | None:
@@ -41,13 +42,17 @@ def upper_end(findings: Findings, text: str, path: Path) -> Upper | None:
     of_spreader = _lug_of_spreader(findings.scenario, text)
     if of_spreader is not None:
         return Upper(spreader=of_spreader[0], upper_lug=of_spreader[1])
+    compensators = findings.scenario.compensators or {}
+    if text in compensators:
+        return Upper(compensator=text)
     split = split_reference(text, equalizers)
     if split is None:
         lugs = spreader_lugs(findings.scenario)
-        holders = [*(f"{name}.1" for name in equalizers), *hooks, *lugs]
+        holders = [*(f"{name}.1" for name in equalizers), *hooks, *lugs, *compensators]
         kinds = "neither a moving sheave nor a hook"
-        if lugs:
-            kinds = "no moving sheave, no hook and no lug of a spreader"
+        if lugs or compensators:
+            others = ["no lug of a spreader"] * bool(lugs) + ["no compensator"] * bool(compensators)
+            kinds = " and ".join([", ".join(["no moving sheave, no hook", *others[:-1]]), others[-1]])
         sentence = f"'{text}' is {kinds}; {nearest(text, holders)}"
         findings.add(path, sentence)
         return None
@@ -79,6 +84,8 @@ def lower_end(findings: Findings, text: str, path: Path) -> SlingEnd | None:
     """To what the lower end of a sling leads; None, and a note, if that is not there."""
     if text in (findings.scenario.extension_sheaves or {}):
         return SlingEnd(None, text)
+    if text in (findings.scenario.compensators or {}):
+        return SlingEnd(None, None, compensator=text)
     of_spreader = _lug_of_spreader(findings.scenario, text)
     if of_spreader is not None:
         return SlingEnd(of_spreader[1], None, of_spreader[0])
@@ -96,6 +103,7 @@ def _lug(findings: Findings, text: str, path: Path) -> str | None:
         return split[1]
     known = [f"{load.name}.{lug}" for lug in load.lugs]
     known += [*(findings.scenario.extension_sheaves or {}), *spreader_lugs(findings.scenario)]
+    known += findings.scenario.compensators or {}
     findings.add(path, f"'{text}' is not a lug; {nearest(text, known)}")
     return None
 

@@ -191,7 +191,7 @@ def check_waits(findings: Findings, rigging: Rigging) -> None:
 def _why_not(rigging: Rigging, sling: SlingRigging) -> str | None:
     """Why a sling cannot be put on; None where it can."""
     if sling.over is not None or not sling.lugs:
-        held = sling.over or sling.ends[0].extension or sling.ends[0].spreader
+        held = sling.over or sling.ends[0].held
         return f"'{held}' would fall without it; slings to lugs of the load can be put on"
     if sling.weight.nodes:
         return "it has nodes, and would have to lie somewhere before; 'rope_weight: lumped' is right"

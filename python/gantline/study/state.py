@@ -200,7 +200,8 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
 
     `sling_tension` and `smallest_sling_tension` are the same, of which the largest and the smallest is
     worst. `rope_tension` is that of all other ropes, over sheaves with losses of the tightest segment.
-    `sheave_travel` is down positive. What a case cuts, and what is not on, is left out.
+    `sheave_travel` is down positive, the gas of compensators no rope. What a case cuts, and what is not on,
+    is left out.
     """
     if state.rest is None:
         return {quantity: {} for quantity in QUANTITIES}
@@ -212,6 +213,7 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
     on = series.slings_on(recording)
     slings = {one.name: state.rest.tension(one.rope) for one in on if one.name not in state.cut}
     of_slings = {one.rope for one in rig.slings} | set(state.cut)
+    of_slings |= {one.gas for one in rig.compensators}
     others = [rope for rope in recording.coordinates.get("rope", ()) if rope not in of_slings]
     hooks = [hook.name for hook in rig.hooks]
     sheaves = [sheave for equalizer in rig.equalizers for sheave in equalizer.moving_sheaves]
@@ -223,6 +225,7 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
         "hoist_load": last("hoist_load", hooks),
         "load_tilt": last("load_tilt", [load.name for load in rig.loads]),
         "sheave_travel": last("sheave_travel", sheaves),
+        "rod_out": last("rod_out", [one.name for one in rig.compensators]),
     }
 
 

@@ -77,9 +77,10 @@ def _lifted(scenario: Scenario) -> float:
         return math.inf
     frames = (one.frame.mass for one in resolve(scenario).equalizers.values())
     spreaders = (one.mass for one in (scenario.spreaders or {}).values())
+    compensators = (one.mass for one in (scenario.compensators or {}).values())
     hung = (one.hook_block_mass for one in scenario.hooks.values())
     load = 0.0 if scenario.load is None else scenario.load.weight.simulated
-    return math.fsum((load, *frames, *spreaders, *hung))
+    return math.fsum((load, *frames, *spreaders, *compensators, *hung))
 
 
 def _outermost(scenario: Scenario, hook: Hook) -> float:

@@ -47,6 +47,7 @@ def curves(recording: Recording) -> Iterator[Curve]:
     smallest = {watch.name: watch.smallest for watch in recording.rig.watches}
     for group, variable, unit, factor in (
         ("travel", "sheave_travel", "m", 1.0),
+        ("rods", "rod_out", "m", 1.0),
         ("hook_load", "hook_load", "kN", 1e-3),
         ("hoist_load", "hoist_load", "kN", 1e-3),
         ("transferred", "load_transferred", "%", 100.0),
@@ -79,11 +80,12 @@ def curves(recording: Recording) -> Iterator[Curve]:
 
 def _ropes(recording: Recording) -> Iterator[Curve]:
     slings = {sling.rope: sling.name for sling in recording.rig.slings}
-    equalizing = {one.equalizing_rope: one.name for one in recording.rig.equalizers}
+    named = {one.equalizing_rope: f"{one.name} equalizing" for one in recording.rig.equalizers}
+    named |= {one.gas: f"{one.name} gas" for one in recording.rig.compensators}
     names = recording.coordinates.get("rope", ())
     family = families(recording.rig, names)
     for name in names:
-        label = slings.get(name) or (f"{equalizing[name]} equalizing" if name in equalizing else name)
+        label = slings.get(name) or named.get(name, name)
         tension = recording.column("rope_tension", name)
         peak = series.rope_peak(recording, name)
         yield Curve("tension", name, label, "kN", 1e-3, tension, family[name], peak)

@@ -1,0 +1,60 @@
+"""Compensators: what hangs below them, and what is left of their stroke."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+from gantline.checks.equalizers import hanging_of_capacity
+from gantline.checks.forces import over, sum_force
+from gantline.checks.measure import Caution, Finding, Missing, extreme
+from gantline.results.compensators import borne, counted, met_while, slings_below
+from gantline.results.gear import Compensator
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray, FloatArray
+from gantline.units import format_quantity
+
+
+def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Static vertical force of all slings that hang from a compensator over its rated capacity."""
+    for one in recording.rig.compensators:
+        yield from hanging_of_capacity(recording, during, one, slings_below(recording, one))
+
+
+def peak_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Dynamic vertical force of these slings, by the rule's factor or the simulated peak, over the same."""
+    for one in recording.rig.compensators:
+        slings = slings_below(recording, one)
+        if not one.rated_capacity:
+            yield Missing(one.name, "rated capacity not known")
+        elif slings:
+            force = sum_force(recording, borne(recording, one), slings[0].to_load, during)
+            yield from over(force, one.rated_capacity, one.name)
+
+
+def stroke_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Way of a rod from either stop over its stroke, while the load is clear and no pin holds the rod."""
+    for one in recording.rig.compensators:
+        counts = during & counted(recording, one)
+        if not counts.any():
+            yield Missing(one.name, "its rod is locked, or the load never clear")
+            continue
+        yield from _least(recording, one, counts)
+        if during.all():
+            for met in met_while(recording, one):
+                yield Caution(
+                    f"{met.joint} met its stop at {met.time:.2f} s, with the load hanging{met.again}"
+                )
+
+
+def _least(recording: Recording, one: Compensator, counts: BoolArray) -> Iterator[Finding]:
+    """The least way of its rod from each of its stops, within a mask of samples."""
+    out = recording.column("rod_out", one.name)
+
+    def text(left: FloatArray, at: int) -> str:
+        return f"{format_quantity(float(left[at]), 'm', 3)} / {format_quantity(one.stroke, 'm', 3)}"
+
+    for word, left in (("in", out), ("out", one.stroke - out)):
+        element = f"{one.name} {word}"
+        shown = partial(text, left)
+        yield from extreme(recording, left / one.stroke, counts, element, shown, smallest=True)
