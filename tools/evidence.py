@@ -151,7 +151,7 @@ def draw_section() -> Figure:
     figure = Figure(figsize=(9.0, 3.9), layout="constrained")
     panels = figure.subplots(1, 3)
     motions = (
-        ("sway / wave amplitude", "linear", (0.0, 1.0)),
+        ("sway / wave amplitude", "linear", (0.0, 1.3)),
         ("heave / wave amplitude", "linear", (0.0, 2.2)),
         ("roll / wave slope", "log", (0.03, 30.0)),
     )

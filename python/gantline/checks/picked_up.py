@@ -65,7 +65,7 @@ def picked_up(recording: Recording) -> list[Check]:
         times = "once" if len(again) == 1 else f"{len(again)} times"
         said = f"set down at {first.landed:.2f} s, it is picked up again{where}"
         said = f"{said}, {times}, for {longest:.1f} s at most"
-        remark = f"{said}: {_MORE_SLACK}{_OF_WAVES if recording.rig.sea else ''}"
+        remark = f"{said}: {_MORE_SLACK}{_OF_WAVES if recording.rig.is_in_waves else ''}"
         meaning = "loads that are set down stay there until a step raises them"
         checks.append(
             Check(
@@ -92,9 +92,9 @@ def what_helps(recording: Recording, load: Load, time: float) -> str:
         return "creep, or a brake before it, is usual"
     if hung is not None and (came_down := _came_down(clear, hung)) is not None:
         return f"it came down at {came_down:.2f} s, and bounces"
-    just = _HUNG_IN_WAVES if recording.rig.sea and "hoist" in doing else _HUNG
+    just = _HUNG_IN_WAVES if recording.rig.is_in_waves and "hoist" in doing else _HUNG
     if hung is not None and hung.came_off and hung.end - hung.begin < just:
-        less = ", or wait for less sea" if recording.rig.sea else ""
+        less = ", or wait for less sea" if recording.rig.is_in_waves else ""
         if not less and recording.rig.wind is not None:
             less = ", or wait for less wind"
         return f"it had just lifted off; hoist it off faster{less}"
@@ -119,7 +119,9 @@ def _is_lowered_past(recording: Recording, load: Load, one: _Clear) -> bool:
     In waves it may as well have been picked up from a deck that sinks.
     """
     kinds = {step.step: step.kind for step in recording.rig.plan}
-    if recording.rig.sea or not any(kinds.get(step) in _LOWERS for step in _steps_at(recording, one.begin)):
+    if recording.rig.is_in_waves or not any(
+        kinds.get(step) in _LOWERS for step in _steps_at(recording, one.begin)
+    ):
         return False
     height = recording.column("body_position", load.body)[:, 2]
     began, ended = np.interp((one.begin, one.end), recording.time, height)

@@ -48,6 +48,8 @@ _HEADLINES = (
 )
 #: The bound of `gantline.results.alike`, in words.
 _ROUNDING = "Differences of no more than 1e-9 of a value, 1 mN of kN, 1 nm, 1 ns or 1 nrad are rounding"
+#: Ways in mm from which on digits do not tell them any more; they are written in m.
+_FAR = 1e5
 #: Columns of text of a verdict.
 _WIDTH = 100
 _COUNTS = (("steps", "steps"), ("rejected", "attempts rejected"))
@@ -227,6 +229,8 @@ def _signed(value: float | None, unit: str) -> str:
     if value is None:
         return ABSENT
     number = value / quantity(f"1 {unit}", _DIMENSION[unit]) if unit else value
+    if unit == "mm" and abs(number) >= _FAR:
+        return _signed(value, "m")
     if number == 0.0:
         return f"0 {unit}".strip()
     if abs(number) >= 1e5 or abs(number) < 1e-4:

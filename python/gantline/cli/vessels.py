@@ -62,7 +62,8 @@ def vessels(recording: Recording) -> list[str]:
     head = ("Vessel", *(title for _, title, _, _ in _LIES), "least freeboard")
     if not rows:
         return []
-    of_waves = f"  means over the last {format_quantity(last, 's', 0)}; freeboard: the least of all"
+    over = ", over still water" if recording.rig.moved_in_still_water else ""
+    of_waves = f"  means over the last {format_quantity(last, 's', 0)}; freeboard: the least of all{over}"
     carried = [f"  {one.name}: {AS_CARRIED}" for one in recording.rig.vessels if one.is_carried]
     return [*table(head, rows, "l" + "r" * (len(head) - 1)), *([of_waves] if last > 0.0 else []), *carried]
 

@@ -101,7 +101,8 @@ def _when(subject: Subject, moments: Sequence[_Moment]) -> str:
     time = subject.recording.time
     is_short = any(time[moment.at] - time[moment.begin] < last for moment in moments[1:])
     whole = ", or all of a shorter one" if is_short else ""
-    return f"mean over the last {show(last, 's', 0)} of each step{whole}; freeboard: the least in it"
+    over = ", over still water" if subject.rig.moved_in_still_water else ""
+    return f"mean over the last {show(last, 's', 0)} of each step{whole}; freeboard: the least in it{over}"
 
 
 def _value(subject: Subject, vessel: Vessel, variable: str, moment: _Moment) -> float:
@@ -189,6 +190,9 @@ def afloat_facts(subject: Subject) -> list[tuple[str, str]]:
 def _sea(subject: Subject) -> list[tuple[str, str]]:
     """The waves of the lift file, and what of them came to each vessel."""
     recording, sea = subject.recording, subject.rig.sea
+    if recorded := subject.rig.moved_in_still_water:
+        names = " and ".join(recorded)
+        return [("sea", f"none in the lift file: the water stays still, {names} by a record of motions")]
     if sea is None or "vessel_wave_elevation" not in recording or not len(recording.time):
         return []
     rows = [("sea", train.in_words) for train in sea.trains]

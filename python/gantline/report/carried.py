@@ -18,7 +18,7 @@ from gantline.results.variable import FloatArray
 #: Shares of the weight over at which a load cell is read.
 READINGS = (0.25, 0.5, 0.75, 1.0)
 #: A load cell is read over this time once the load is clear, some swings of the load on its ropes [s].
-_READ_OVER = 5.0
+READ_OVER = 5.0
 
 
 def hook_row(subject: Subject, hook: Hook) -> dict[str, Any]:
@@ -66,7 +66,7 @@ def _load_cell(subject: Subject, load: FloatArray) -> list[float | None]:
     transferred = recording["load_transferred"].values.min(axis=1)
     if recording.is_equilibrium or transferred[0] >= READINGS[0]:
         return [*(None for _ in READINGS[1:]), _mass(subject, subject.static(load))]
-    if subject.rig.sea is not None:
+    if subject.rig.is_in_waves:
         return _between_crests(subject, load)
     found: list[float | None] = []
     for part in READINGS[:-1]:
@@ -104,7 +104,7 @@ def _once_clear(subject: Subject, load: FloatArray) -> float | None:
     standing = np.flatnonzero(~clear[begin:])
     end = begin + int(standing[0]) if standing.size else len(time)
     parted = [one.time for one in partings(subject.recording) if one.time > time[begin]]
-    until = min([time[begin] + _READ_OVER, *parted])
+    until = min([time[begin] + READ_OVER, *parted])
     first = begin + np.flatnonzero(time[begin:end] <= until)
     return series.mean_over(time[first], load[first])
 

@@ -7,22 +7,24 @@ from typing import Any
 
 import numpy as np
 
-from gantline.checks import NO_WARNINGS, Check, Verdict, foremost, outcome_of, past_limits
+from gantline.checks import NO_WARNINGS, Check, Verdict, foremost, hold_points, outcome_of, past_limits
 from gantline.checks.check import HANGS_STILL
 from gantline.checks.forces import hook_force
 from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.attitude import attitude
 from gantline.report.booms import boom_rows
-from gantline.report.carried import READINGS, equalizer_row, hook_row, sling_rows
+from gantline.report.carried import READ_OVER, READINGS, equalizer_row, hook_row, sling_rows
 from gantline.report.rest import unsound_cases, what_if
 from gantline.report.section import Section
 from gantline.report.sketch import sketches
 from gantline.report.steps import first_steps
-from gantline.report.subject import ABSENT, Subject, as_given, share, show, typeset
+from gantline.report.subject import ABSENT, Subject, as_given, number, share, show, typeset
 from gantline.report.turning import turnings
+from gantline.results import series
 from gantline.results.boom import Boom
 from gantline.results.crane import Crane
 from gantline.results.metrics import energy_bound
+from gantline.results.progress import spans
 from gantline.results.refinement import in_per_cent, refinement_of
 from gantline.results.rig import Load, Rig
 from gantline.results.saved import digest_of
@@ -221,7 +223,8 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
         # Contingency raises rigging too that hangs between a load and its slings: so the sum adds up.
         rigging = force.static / rig.gravity - designed
         if rig.loads and rigging > 0.0:
-            rows.append(("+ rigging below the hooks", show(rigging, "t", 1)))
+            pull = " and pull of tag lines" if rig.tag_lines else ""
+            rows.append((f"+ rigging below the hooks{pull}", show(rigging, "t", 1)))
         rows.append(("= static hook load", show(force.static / rig.gravity, "t", 1)))
     factor = rig.factors.get("dynamic_amplification_factor")
     if factor is not None and force.rule is not None:
@@ -258,8 +261,8 @@ def _simulated_mass(rig: Rig, load: Load) -> float:
 def stop_if(subject: Subject) -> list[str]:
     """When to stop the lift: the usual bounds, or the lift's own where it has some."""
     limits = subject.rig.limits
-    cell = "a load cell" if subject.rig.sea is None else "the mean of a load cell over some waves"
-    found = [f"{cell} differs by more than 10 % from its reading in the table “Hooks”"]
+    cell = "the mean of a load cell over some waves" if subject.rig.is_in_waves else "a load cell"
+    found = [f"{cell} differs by more than 10 % from its reading in the table “Hooks”{_in_water(subject)}"]
     found.append(_tilt(subject, limits.get("load_tilt")))
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
         found.append(f"a sheave is over {show(subject.most_travel, '%', 0)} of its stroke")
@@ -273,6 +276,24 @@ def _rods(subject: Subject) -> list[str]:
     least = rig.limits.get("compensator_stroke_margin")
     where = f"nearer to a stop than {show(float(least), '%', 0)} of its stroke" if least else "on a stop"
     return [f"the rod of {one.name} is {where}, the load clear" for one in rig.compensators]
+
+
+def _in_water(subject: Subject) -> str:
+    """What load cells read at hold points where water bears a part of the load; their table has it in air."""
+    recording, rig = subject.recording, subject.rig
+    if all(load.in_water is None for load in rig.loads) or not (wet := series.is_wet(recording)).any():
+        return ""
+    last = rig.time_to_average or READ_OVER
+    found = []
+    for point in (one for one in hold_points(recording) if one.step.kind == "hold"):
+        begin, end = spans(recording)[point.step.step]
+        late = (recording.time >= max(begin, end - last)) & (recording.time <= end)
+        if not late.any() or not wet[late].all():
+            continue
+        loads = [recording.column("hoist_load", hook.name)[late] for hook in rig.hooks]
+        means = [number(series.mean_over(recording.time[late], load) / rig.gravity, "t", 1) for load in loads]
+        found.append(f"{' / '.join(means)} t in “{point.step.step}”")
+    return f", which is that in air; in water from {', '.join(found) or 'what water leaves of it'}"
 
 
 def _tilt(subject: Subject, limit: Any) -> str:
@@ -299,6 +320,10 @@ def _waves(subject: Subject) -> list[str]:
     return [
         f"{train.name} is over {' or '.join(train.height_and_period)}, or from elsewhere"
         for train in (() if sea is None else sea.trains)
+    ] + [
+        f"{vessel.name} moves more than its record has it"
+        for vessel in subject.rig.vessels
+        if vessel.grows_over > 0.0
     ]
 
 

@@ -32,7 +32,7 @@ class Player(Section):
             "bodies"
         ):
             return None
-        return {}
+        return {"in_still_water": subject.rig.moved_in_still_water}
 
 
 class _Plots(Section):

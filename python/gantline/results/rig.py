@@ -341,6 +341,16 @@ class Rig(FromJson):
         return {**found, **({"recorded motions": of_records} if of_records > 0.0 else {})}
 
     @property
+    def is_in_waves(self) -> bool:
+        """Whether waves move something: those of the lift file, or those that a record of a vessel holds."""
+        return self.sea is not None or any(vessel.grows_over > 0.0 for vessel in self.vessels)
+
+    @property
+    def moved_in_still_water(self) -> list[str]:
+        """Vessels that move by a record over water that stays still, as no lift file has its waves."""
+        return [] if self.sea is not None else [one.name for one in self.vessels if one.grows_over > 0.0]
+
+    @property
     def time_to_average(self) -> float:
         """Time over which what waves, gusts and records do averages [s]; 0 where there are none."""
         return max(self.growing.values(), default=0.0)
