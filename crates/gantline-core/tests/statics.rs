@@ -22,6 +22,14 @@ fn potential(system: &System, state: &gantline_core::state::State) -> Potential 
     here
 }
 
+/// On which line of its curve the third rope of the rig is. It bends at strains of 2 and 5, where its energy is 1e5 and 1e6 J;
+/// a value g of its row is √(2ε E) there, with ε = 2E/T² of the last point, 3.4e6 J and 7e5 N.
+fn line_of_curve(system: &System, here: &Potential) -> usize {
+    let value = here.value[system.rows.first[2]];
+    let compliance = 2.0 * 3.4e6 / 7e5_f64.powi(2);
+    [1e5_f64, 1e6].iter().filter(|energy| value > (2.0 * compliance * **energy).sqrt()).count()
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
@@ -48,6 +56,10 @@ proptest! {
         };
         let sides = [-2.0, -1.0, 1.0, 2.0].map(|k| along(k * step));
         prop_assume!(sides.iter().all(|side| side.follows == here.follows));
+        // So it does at a bend of a curve. With PROPTEST_RNG_SEED=56012 the farthest place is 1.7 mm beyond one: 83 kN/m more
+        // are 0.125 J there, which over 12 steps are 10.45 of the difference, and 0.47 were allowed.
+        let line = line_of_curve(&system, &here);
+        prop_assume!(sides.iter().all(|side| line_of_curve(&system, side) == line));
         let [far_below, below, above, far_above] = sides.map(|side| side.energy);
         let slope: f64 = here.slope.iter().zip(direction).map(|(slope, d)| slope * d).sum();
         let first = (8.0 * (above - below) - (far_above - far_below)) / (12.0 * step);
