@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import gantline
-from ship_section import MEASURED, Measured, lift, simulated
+from ship_section import BREADTH, MEASURED, Measured, lift, simulated, wave_number
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "verification" / "measured_section.md"
 #: Half of what a pixel of the camera saw [m]: differences below that are none.
@@ -43,8 +43,9 @@ def test_motions_are_those_measured(measured: Measured, found: dict[Measured, tu
     if not HEAVES[0] < measured.period < HEAVES[1]:
         assert heave == pytest.approx(measured.heave, rel=0.1, abs=half)
     if measured.roll is not None and not ROLLS[0] < measured.period < ROLLS[1]:
-        # Two markers 0.26 m apart see roll over the slope of the waves.
-        assert roll == pytest.approx(measured.roll, rel=0.1, abs=0.02)
+        # At the sides of the section, over the slope of the waves.
+        rolled = half / (BREADTH / 2) / wave_number(measured.frequency)
+        assert roll == pytest.approx(measured.roll, rel=0.1, abs=rolled)
 
 
 @pytest.mark.parametrize(
