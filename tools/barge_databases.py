@@ -161,6 +161,12 @@ if __name__ == "__main__":
         CRANE_BARGE.body("barge", (LENGTH / 2, 0.0), of_lid=OF_LID),
         CARGO_BARGE.body("cargo", (103.0, 0.0), np.pi / 2, of_lid=OF_LID),
     )
-    together = computed(both, PERIODS + OF_THE_GAP, whole)
     # `excitation_force` is the sum of two others.
-    cpt.export_dataset(SCENARIOS / "off_a_barge" / "both_barges.nc", together.drop_vars("excitation_force"))
+    together = computed(both, PERIODS + OF_THE_GAP, whole).drop_vars("excitation_force")
+    # What bodies do to each other is alike there and back by nature. With these faces it differs by up to
+    # 6.4 % of the diagonal, at 3.2 s; gantline takes the mean, and would warn of that in each run.
+    for name in ("added_mass", "radiation_damping"):
+        matrices = together[name].transpose("omega", "influenced_dof", "radiating_dof")
+        values = matrices.values
+        together[name] = matrices.dims, (values + values.transpose(0, 2, 1)) / 2
+    cpt.export_dataset(SCENARIOS / "off_a_barge" / "both_barges.nc", together)

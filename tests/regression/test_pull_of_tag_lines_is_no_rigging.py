@@ -29,7 +29,7 @@ def weights(more: str) -> dict[str, str]:
 
 def test_rigging_with_what_tag_lines_pull_is_called_that() -> None:
     rows = weights(TAG_LINES)
-    assert rows["+ rigging below the hooks and pull of tag lines"] == "2.00 t"
+    assert rows["+ rigging and tag lines"] == "2.00 t"
     assert rows["= static hook load"] == "202.0 t"
 
 

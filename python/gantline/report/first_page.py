@@ -223,8 +223,9 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
         # Contingency raises rigging too that hangs between a load and its slings: so the sum adds up.
         rigging = force.static / rig.gravity - designed
         if rig.loads and rigging > 0.0:
-            pull = " and pull of tag lines" if rig.tag_lines else ""
-            rows.append((f"+ rigging below the hooks{pull}", show(rigging, "t", 1)))
+            # A longer name takes two lines on paper, and a full first page the next sheet.
+            name = "rigging and tag lines" if rig.tag_lines else "rigging below the hooks"
+            rows.append((f"+ {name}", show(rigging, "t", 1)))
         rows.append(("= static hook load", show(force.static / rig.gravity, "t", 1)))
     factor = rig.factors.get("dynamic_amplification_factor")
     if factor is not None and force.rule is not None:
