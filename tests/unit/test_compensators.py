@@ -64,6 +64,7 @@ def test_what_hangs_is_held_against_its_rated_capacity(run: Recording) -> None:
 def test_the_margin_of_the_stroke_counts_once_the_load_is_clear(run: Recording) -> None:
     """Until then the rod stands on its inner stop, as it is meant to."""
     out = run.column("rod_out", "PHC")
+    # The gas pulls 600 kN into a stop of 100 MN/m, which gives 6 mm.
     assert out[0] == pytest.approx(0.0, abs=0.01)
     check = checks_of(run)["compensator_stroke_margin"]
     metrics = run.metrics()
