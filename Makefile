@@ -50,6 +50,7 @@ bench: setup ## race with other codes on the benchmark lifts, growth, stages, ti
 	python -m benchmarks.growth
 	python -m benchmarks.statics
 	python -m benchmarks.losses
+	python -m benchmarks.lines
 	python -m benchmarks.stages
 	python benchmarks/speed.py
 

@@ -3,6 +3,7 @@
 `order.png`: rms error of sling tensions over tolerance and over steps, by `adaptive`.
 `sideways.png`: a chain of masses 1,000,000 : 1 by `del` at h = 0.1 s, with and without geometric stiffness.
 `measured_section.png`: motions of a floating section in waves, measured and simulated.
+`lines_in_moordyn.png`: tensions of ropes whose end moves, by MoorDyn and by gantline.
 """
 
 from __future__ import annotations
@@ -23,7 +24,9 @@ from gantline._core import Simulation
 from gantline.plot.style import RC
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT / "tests" / "support")]
+sys.path[:0] = [str(ROOT / "tests" / "support"), str(ROOT)]
+
+from benchmarks.heaved_lines import LINES, SAMPLE_INTERVAL, tensions  # noqa: E402
 
 from chain import STEP, shake  # noqa: E402
 from ship_section import MEASURED, simulated  # noqa: E402
@@ -182,6 +185,38 @@ def draw_section() -> Figure:
     return figure
 
 
+def draw_lines() -> Figure:
+    """Tensions at the lower end, or at the end that does not move, by MoorDyn and by gantline."""
+    rows = (ROOT / "tests" / "validation" / "lines_in_moordyn.csv").read_text(encoding="utf-8").splitlines()
+    names, kept = rows[2].split(","), np.loadtxt(rows[3:], delimiter=",")
+    figure = Figure(figsize=(9.0, 5.6), layout="constrained")
+    for axes, line in zip(figure.subplots(2, 2).flat, LINES, strict=True):
+        own = tensions(line)[:, 1] / 1e3
+        every = slice(4, None, 8)
+        theirs = kept[every, names.index(f"{line.name}: last")]
+        axes.plot(
+            kept[every, 0],
+            theirs,
+            color=ORANGE,
+            marker="o",
+            ls="",
+            ms=3.2,
+            mfc="white",
+            mew=0.9,
+            label="MoorDyn",
+        )
+        axes.plot(SAMPLE_INTERVAL * np.arange(len(own)), own, color=BLUE, lw=1.2, label="gantline")
+        axes.set_title(line.name, fontsize=10, loc="left")
+        axes.set_xlim(0.0, 20.0)
+        axes.set_ylim(bottom=0.0)
+        axes.set_xlabel("time [s]")
+        axes.set_ylabel("tension [kN]")
+        tidy(axes)
+    handles, labels = figure.axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=2, frameon=False, fontsize=9)
+    return figure
+
+
 def tidy(axes: Axes) -> None:
     """Light grid behind, no box."""
     axes.grid(True, which="major", color="#dddddd", lw=0.6)
@@ -191,7 +226,12 @@ def tidy(axes: Axes) -> None:
 
 def main() -> None:
     """Draw all."""
-    pictures = (("order", draw_order), ("sideways", draw_sideways), ("measured_section", draw_section))
+    pictures = (
+        ("order", draw_order),
+        ("sideways", draw_sideways),
+        ("measured_section", draw_section),
+        ("lines_in_moordyn", draw_lines),
+    )
     for name, draw in pictures:
         with matplotlib.rc_context(RC):
             draw().savefig(FOLDER / f"{name}.png", dpi=DOTS_PER_INCH, metadata={"Software": None})
