@@ -118,8 +118,10 @@ def test_one_that_is_locked_has_no_margin_and_a_pin() -> None:
     assert checks["compensator_stroke_margin"].value is None
     assert "PHC.rod" in run.coordinates["pin"]
     assert "stroke_margin.PHC" not in run.metrics()
-    # Of 72 t that hang the gas pulls 600 kN; the pin holds the rest and the snatch.
-    assert run.column("pin_force", "PHC.rod")[-1] == pytest.approx(72e3 * 9.81 - 600e3, rel=0.02)
+    # Of 72 t that hang the gas pulls 600 kN, and as chords of its law at most 1e-4 of that more, (PC4);
+    # the pin holds the rest. The snatch of the lift-off has died away by then, of 100 kN less than a newton is left.
+    rest = 72e3 * 9.81 - 600e3
+    assert rest - 1e-4 * 600e3 <= run.column("pin_force", "PHC.rod")[-1] <= rest
 
 
 def test_a_pin_is_pulled_and_put_in_by_the_plan() -> None:
