@@ -119,7 +119,7 @@ def test_one_that_is_locked_has_no_margin_and_a_pin() -> None:
     assert "PHC.rod" in run.coordinates["pin"]
     assert "stroke_margin.PHC" not in run.metrics()
     # Of 72 t that hang the gas pulls 600 kN, and as chords of its law at most 1e-4 of that more, (PC4);
-    # the pin holds the rest. The snatch of the lift-off has died away by then, of 100 kN less than a newton is left.
+    # the pin holds the rest. The snatch of the lift-off has died away by then: less than a newton is left.
     rest = 72e3 * 9.81 - 600e3
     assert rest - 1e-4 * 600e3 <= run.column("pin_force", "PHC.rod")[-1] <= rest
 
