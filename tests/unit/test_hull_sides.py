@@ -102,7 +102,7 @@ def lowest_of_all(corners: np.ndarray, half: tuple[float, float]) -> float | Non
 
 
 def test_the_lowest_of_random_triangles_over_rectangles() -> None:
-    """Small ones and large, beside the rectangle, over its corners and all of it; of a third nothing is over it."""
+    """Small ones and large, beside the rectangle, over its corners and all of it; nothing is over a third."""
     rng = np.random.default_rng(20)
     without = 0
     for _ in range(400):
