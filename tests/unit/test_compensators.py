@@ -9,11 +9,15 @@ import pytest
 
 from gantline.assembly import assemble
 from gantline.checks import Check, Verdict, check_recording
+from gantline.checks.compensators import stroke_margin
+from gantline.checks.measure import Caution
 from gantline.cli.summary import summary
 from gantline.plot.traces import rod_out
 from gantline.report.first_page import stop_if
 from gantline.report.subject import Subject
 from gantline.results import Recording
+from gantline.results.compensators import counted, met_while
+from gantline.results.variable import Variable
 from gantline.scenario import Scenario, ScenarioError, parse_scenario
 from gantline.simulation import simulate
 from gantline.statics import Statics
@@ -61,6 +65,17 @@ def test_what_hangs_is_held_against_its_rated_capacity(run: Recording) -> None:
     assert checks["compensator_peak_of_rated_capacity"].value == pytest.approx(peak, rel=1e-3)
 
 
+def test_one_of_unknown_capacity_is_not_checked() -> None:
+    """Neither what hangs from it nor the peak of that; the rest of it is."""
+    text = ("    rated_capacity: 100 t                          # of all that hangs below it\n", "")
+    checks = checks_of(simulate(lift(text), duration=20.0))
+    for name in ("compensator_load_of_rated_capacity", "compensator_peak_of_rated_capacity"):
+        assert (checks[name].verdict, checks[name].value) == (Verdict.NOT_CHECKED, None)
+        assert checks[name].remark == "rated capacity not known: PHC"
+    assert checks["compensator_stroke_margin"].value is not None
+    assert doubts(text) == []
+
+
 def test_the_margin_of_the_stroke_counts_once_the_load_is_clear(run: Recording) -> None:
     """Until then the rod stands on its inner stop, as it is meant to."""
     out = run.column("rod_out", "PHC")
@@ -73,6 +88,49 @@ def test_the_margin_of_the_stroke_counts_once_the_load_is_clear(run: Recording) 
     assert check.verdict is Verdict.NOT_CHECKED
     assert metrics["stroke_margin.PHC"] == check.value
     assert metrics["largest_rod_out.PHC"] == out.max()
+
+
+def with_stops(run: Recording, *times: float) -> Recording:
+    """The recording with the rod at a stop at these times [s] besides, and another joint at its own."""
+    events = sorted(
+        [*run.events(), *((time, "stop_hit", "PHC.rod") for time in times), (0.5, "stop_hit", "other")]
+    )
+    columns = {"event_time": [one[0] for one in events]}
+    columns |= {"event_kind": [one[1] for one in events], "event_name": [one[2] for one in events]}
+    variables = {
+        name: Variable(("event",), np.array(columns[name]), one.unit, one.description)
+        if name in columns
+        else one
+        for name, one in run.variables.items()
+    }
+    return Recording(variables, run.coordinates, run.attributes)
+
+
+def test_a_stop_that_is_met_between_samples_is_told(run: Recording) -> None:
+    """Where the load is clear at both samples around it, of checks of the whole lift alone."""
+    phc = run.rig.compensators[0]
+    first = int(np.argmax(counted(run, phc)))
+    assert not counted(run, phc)[:first].any() and counted(run, phc)[first:].all()
+    at, before = float(run.time[first]), float(run.time[first - 1])
+    meant = with_stops(run, 0.0, before, (before + at) / 2, at)
+    assert list(met_while(meant, phc)) == list(met_while(run, phc)) == []
+    late = float(run.time[first + 1])
+    for times, again in (((late,), ""), ((late, 15.01, before), ", 2 times in all")):
+        hit = with_stops(run, *times)
+        check = checks_of(hit)["compensator_stroke_margin"]
+        said = f"PHC.rod met its stop at {late:.2f} s, with the load hanging{again}"
+        assert check.verdict is Verdict.WARNING and check.remark.endswith(said)
+        everywhere = np.ones(len(hit.time), dtype=np.bool_)
+        assert Caution(said) in list(stroke_margin(hit, everywhere))
+        part = everywhere.copy()
+        part[0] = False
+        assert not any(isinstance(one, Caution) for one in stroke_margin(hit, part))
+
+
+def test_how_a_margin_is_said(run: Recording) -> None:
+    """The least way from the nearer stop, with the load clear, over the stroke of 3 m."""
+    least = run.metrics()["least_rod_out.PHC"]
+    assert checks_of(run)["compensator_stroke_margin"].formula == f"{least:.3f} m / 3.000 m"
 
 
 @pytest.mark.parametrize(("limit", "verdict"), [("20 %", Verdict.OK), ("40 %", Verdict.FAILED)])

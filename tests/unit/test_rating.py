@@ -60,6 +60,40 @@ def test_outside_of_the_chart_nothing_may_hang(radius: float, words: str) -> Non
     assert "12.00 m to 18.00 m: no lift" in found.remark
 
 
+def test_where_a_row_has_nothing_nothing_may_hang() -> None:
+    """0 t at 16 m: of 283 t at 14 m a twentieth is left at 15.9 m. An empty hook, of 9 t, may be there."""
+    rated = (360 * T, 283 * T, 0.0, 0.0)
+    found = check(recording([[15.9], [14.0]], [[10.0], [100.0]], rated=rated))
+    assert found.value == pytest.approx(10 / 14.15) and found.verdict is Verdict.OK
+    found = check(recording([[14.0], [16.0], [17.0]], [[10.0], [10.0], [10.0]], rated=rated))
+    assert found.verdict is Verdict.FAILED
+    assert "nothing may hang at 16.00 m, at 1.00 s" in found.remark
+    found = check(recording([[14.0], [16.0], [14.0]], [[10.0], [9.0], [10.0]], rated=rated))
+    assert found.value == pytest.approx(10 / 283) and found.verdict is Verdict.OK
+
+
+def test_how_it_comes_to_what_it_says() -> None:
+    """150 t are 1471.5 kN, 231 t 2266.1 kN; of 283 t, 2776.2 kN, a hook has 40 %."""
+    alone = check(recording([[16.0]] * 2, [[150.0]] * 2))
+    assert alone.formula == "1471.5 kN / 2266.1 kN at 16.00 m"
+    of_row = recording([[14.0, 14.0]] * 2, [[120.0, 60.0]] * 2, shares={"H0": 0.4, "H1": 0.4})
+    assert check(of_row).formula == "1177.2 kN / 40 % of 2776.2 kN at 14.00 m"
+    factors = {"several_cranes_factor": {"value": 1.25, "source": "our rule"}}
+    of = recording([[16.0] * 2] * 2, [[150.0] * 2] * 2, cranes=("c1", "c2"), factors=factors)
+    together = check(of)
+    assert together.formula == "1471.5 kN x 1.25 / 2266.1 kN at 16.00 m"
+    assert "our rule" in together.source and "our rule" not in alone.source
+
+
+def test_one_crane_of_several_lifts_alone() -> None:
+    """The second has no hook from which a sling hangs, so that the first keeps nothing back."""
+    factors = {"several_cranes_factor": {"value": 1.25, "source": "our rule"}}
+    of = recording([[16.0] * 2] * 2, [[150.0, 9.0]] * 2, cranes=("c1", "c2"), factors=factors)
+    rig = {**of.attributes["rig"], "slings": of.attributes["rig"]["slings"][:1]}
+    found = check(Recording(of.variables, of.coordinates, {**of.attributes, "rig": rig}))
+    assert found.value == pytest.approx(150 / 231)
+
+
 def test_an_empty_hook_may_be_anywhere() -> None:
     found = check(recording([[14.0], [30.0]], [[100.0], [9.0]]))
     assert found.verdict is Verdict.OK
