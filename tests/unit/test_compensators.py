@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,6 @@ from gantline.report.first_page import stop_if
 from gantline.report.subject import Subject
 from gantline.results import Recording
 from gantline.results.compensators import counted, met_while
-from gantline.results.variable import Variable
 from gantline.scenario import Scenario, ScenarioError, parse_scenario
 from gantline.simulation import simulate
 from gantline.statics import Statics
@@ -95,15 +95,10 @@ def with_stops(run: Recording, *times: float) -> Recording:
     events = sorted(
         [*run.events(), *((time, "stop_hit", "PHC.rod") for time in times), (0.5, "stop_hit", "other")]
     )
-    columns = {"event_time": [one[0] for one in events]}
-    columns |= {"event_kind": [one[1] for one in events], "event_name": [one[2] for one in events]}
-    variables = {
-        name: Variable(("event",), np.array(columns[name]), one.unit, one.description)
-        if name in columns
-        else one
-        for name, one in run.variables.items()
-    }
-    return Recording(variables, run.coordinates, run.attributes)
+    names = ("event_time", "event_kind", "event_name")
+    columns = zip(names, map(np.array, zip(*events, strict=True)), strict=True)
+    changed = {name: replace(run[name], values=values) for name, values in columns}
+    return Recording({**run.variables, **changed}, run.coordinates, run.attributes)
 
 
 def test_a_stop_that_is_met_between_samples_is_told(run: Recording) -> None:
