@@ -17,7 +17,7 @@ from gantline.plot.traces import rod_out
 from gantline.report.first_page import stop_if
 from gantline.report.subject import Subject
 from gantline.results import Recording
-from gantline.results.compensators import counted, met_while
+from gantline.results.compensators import borne, counted, in_words, met_while
 from gantline.scenario import Scenario, ScenarioError, parse_scenario
 from gantline.simulation import simulate
 from gantline.statics import Statics
@@ -93,7 +93,7 @@ def test_the_margin_of_the_stroke_counts_once_the_load_is_clear(run: Recording) 
 def with_stops(run: Recording, *times: float) -> Recording:
     """The recording with the rod at a stop at these times [s] besides, and another joint at its own."""
     events = sorted(
-        [*run.events(), *((time, "stop_hit", "PHC.rod") for time in times), (0.5, "stop_hit", "other")]
+        [*run.events(), *((time, "stop_hit", "PHC.rod") for time in times), (15.0, "stop_hit", "other")]
     )
     names = ("event_time", "event_kind", "event_name")
     columns = zip(names, map(np.array, zip(*events, strict=True)), strict=True)
@@ -126,6 +126,33 @@ def test_how_a_margin_is_said(run: Recording) -> None:
     """The least way from the nearer stop, with the load clear, over the stroke of 3 m."""
     least = run.metrics()["least_rod_out.PHC"]
     assert checks_of(run)["compensator_stroke_margin"].formula == f"{least:.3f} m / 3.000 m"
+
+
+def test_what_it_says_is_what_was_recorded(run: Recording) -> None:
+    """Of samples at which the load is clear; the other end of the stroke is 3 m away. 70 t hang from it."""
+    phc = run.rig.compensators[0]
+    out = run.column("rod_out", "PHC")
+    clear = (run["contact_force"].values == 0.0).all(axis=1)
+    least, most, last = out[clear].min(), out[clear].max(), out[-1]
+    assert least < last < most
+    assert run.metrics()["least_rod_out.PHC"] == least
+    assert run.metrics()["largest_rod_out.PHC"] == most
+    assert run.metrics()["stroke_margin.PHC"] == pytest.approx(min(least, 3.0 - most) / 3.0, rel=1e-12)
+    upright = borne(run, phc)
+    at = int(np.argmax(upright))
+    said = dict(in_words(run, phc))
+    assert list(said) == ["rod out", "stroke used", "pull of the gas", "hangs from it"]
+    assert said["rod out"] == f"{least:.3f} m to {most:.3f} m when clear, {last:.3f} m at the end"
+    margins = f"margins {least:.3f} m to the inner stop, {3.0 - most:.3f} m to the outer one"
+    assert said["stroke used"] == f"{100 * (most - least) / 3.0:.1f} % of 3.000 m, {margins}"
+    gas = run.column("rope_tension", "PHC.gas").max() / 1e3
+    pulls = "600.0 kN with the rod in, 900.0 kN with it out"
+    assert said["pull of the gas"] == f"{gas:.1f} kN at most; {pulls}"
+    peak = f"{upright[at] / 1e3:.1f} kN at most, at {run.time[at]:.2f} s"
+    static, _, rest = said["hangs from it"].partition(" kN static, ")
+    assert rest == peak and float(static) == pytest.approx(70 * 9.81, rel=1e-3)
+    hit = dict(in_words(with_stops(run, 3.0, 7.25), phc))
+    assert hit["stop met"] == "at 3.00 s, 2 times in all"
 
 
 @pytest.mark.parametrize(("limit", "verdict"), [("20 %", Verdict.OK), ("40 %", Verdict.FAILED)])
@@ -171,6 +198,10 @@ def test_one_that_is_locked_has_no_margin_and_a_pin() -> None:
     assert checks["compensator_stroke_margin"].value is None
     assert "PHC.rod" in run.coordinates["pin"]
     assert "stroke_margin.PHC" not in run.metrics()
+    said = dict(in_words(run, run.rig.compensators[0]))
+    assert said["rod out"] == "0.000 m at the end, locked or the load never clear"
+    pin = np.abs(run.column("pin_force", "PHC.rod")).max() / 1e3
+    assert said["locking pin"] == f"{pin:.1f} kN at most" and "stroke used" not in said
     # Of 72 t that hang the gas pulls 600 kN, and as chords of its law at most 1e-4 of that more, (PC4);
     # the pin holds the rest. The snatch of the lift-off has died away by then: less than a newton is left.
     rest = 72e3 * 9.81 - 600e3
@@ -188,6 +219,9 @@ def test_a_pin_is_pulled_and_put_in_by_the_plan() -> None:
     out = run.column("rod_out", "PHC")
     kinds = [kind for _, kind, name in run.events() if name == "PHC.rod" and kind.startswith("pin")]
     assert kinds == ["pin_pulled", "pin_put_in"]
+    pulled, put_in = (time for time, kind, _ in run.events() if kind.startswith("pin"))
+    words = dict(in_words(run, run.rig.compensators[0]))["locking pin"]
+    assert words.endswith(f" kN at most, pulled at {pulled:.2f} s, put in at {put_in:.2f} s")
     assert out[0] == pytest.approx(0.0, abs=1e-6)
     column = 3.0 / (1.0 - (600 / 900) ** (1 / 1.1))
     assert out[-1] == pytest.approx(column * (1.0 - (600e3 / (72e3 * 9.81)) ** (1 / 1.1)), abs=5e-3)
