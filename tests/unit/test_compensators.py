@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Any
 
@@ -266,7 +267,67 @@ def test_what_gantline_check_warns_of() -> None:
     assert capacity.startswith(
         "the gas of PHC pulls with 900 kN at the end of the stroke, and it may carry 785 kN"
     )
-    assert doubts((PULL, "{rod_in: 700 kN, rod_out: 900 kN}"), (SEALS, "    locked: true\n")) == []
+    locked, strong = (SEALS, "    locked: true\n"), (PULL, "{rod_in: 720 kN, rod_out: 900 kN}")
+    assert doubts(locked, strong) == []
+    freed = ("{step: hold, hold: until_end}", "{step: hold, hold: until_end, pull_pins: PHC}")
+    (stays_in,) = doubts(locked, strong, freed)
+    assert "no more than it holds, 720 kN with the rod in: the rod stays in" in stays_in
+
+
+#: Own period of 72 t on the gas, (PC5) with the rod as far out as it goes for that, (PC1).
+COLUMN = 3.0 / (1.0 - (600 / 900) ** (1 / 1.1)) * (600e3 / (72e3 * 9.81)) ** (1 / 1.1)
+OWN_PERIOD = 2 * math.pi * math.sqrt(72e3 / (1.1 * 72e3 * 9.81 / COLUMN))
+BARGE = """\
+vessels:
+  barge:
+    draft: 4 m
+    hull: {box: [100 m, 30 m, 8 m]}
+    masses: {all: {mass: 12300 t, at: [50 m, 0 m, 5 m]}}
+    radii_of_gyration: [11 m, 27 m, 27 m]
+    position: [-200 m, 0 m]
+"""
+
+
+@pytest.mark.parametrize(
+    ("ratio", "said"),
+    [
+        (0.5, "the load goes 2 times as far"),
+        (0.895, "the load goes 9.5 times as far"),
+        (0.905, "the load goes more than 10 times as far"),
+        (1.08, "the load goes more than 10 times as far"),
+        (1.25, "the load goes 4 times as far"),
+        (1.999, "the load goes 1 times as far"),
+        (2.001, None),
+    ],
+)
+def test_waves_that_are_too_slow_for_a_compensator(ratio: float, said: str | None) -> None:
+    """1/|1 - (T0/T)²|, (PC6), which is less than one below T0/√2; there are none where no vessel is."""
+    period = OWN_PERIOD / math.sqrt(ratio)
+    waves = f"waves: {{swell: {{height: 0.1 m, period: {period!r} s, direction: 30 deg}}}}\n"
+    load = ("load:\n", f"water: {{level: -9 m}}\n{waves}{BARGE}load:\n")
+    found = [one for one in doubts(load) if "period" in one]
+    assert len(found) == (said is not None)
+    if said is not None:
+        own = f"has a period of {OWN_PERIOD:.1f} s of its own, and swell one of {period:.1f} s"
+        least = f"damping aside; below {OWN_PERIOD / math.sqrt(2):.1f} s it goes less"
+        assert found[0].endswith(f"{own}: {said} as its hook, {least}")
+
+
+def test_what_it_holds_counts_its_seals() -> None:
+    """706 kN hang on it; with the rod in it holds 687 kN and 20 kN of its seals, or so much less."""
+    (stays_in,) = doubts((PULL, "{rod_in: 687 kN, rod_out: 900 kN}"))
+    assert "no more than it holds, 707 kN with the rod in, seals counted: the rod stays in" in stays_in
+    assert doubts((PULL, "{rod_in: 686 kN, rod_out: 900 kN}")) == []
+    (alone,) = doubts((PULL, "{rod_in: 707 kN, rod_out: 900 kN}"), (SEALS, ""))
+    assert "no more than it holds, 707 kN with the rod in: the rod stays in" in alone
+    (kept,) = doubts((PULL, "{rod_in: 500 kN, rod_out: 687 kN}"))
+    assert "only its seals, 20.0 kN, may keep" in kept
+    (stays_out,) = doubts((PULL, "{rod_in: 500 kN, rod_out: 686 kN}"))
+    assert "686 kN: the rod stays out" in stays_out
+    capacity = "    rated_capacity: 100 t  "
+    assert doubts((capacity, "    rated_capacity: 91.8 t  ")) == []
+    (told,) = doubts((capacity, "    rated_capacity: 91.7 t  "))  # 900 kN are 91.74 t
+    assert "pulls with 900 kN at the end of the stroke, and it may carry 900 kN" in told
 
 
 def test_in_the_water_less_hangs_on_it() -> None:
