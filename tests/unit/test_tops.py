@@ -136,3 +136,14 @@ def test_nothing_is_over_what_is_beside() -> None:
         assert (found is not None) == is_over
         if found is not None:
             assert found.place == pytest.approx([4.0, 0.0, 0.4], abs=2e-6)
+
+
+@pytest.mark.parametrize(("share", "place"), [(0.3, 0.0), (-0.3, -0.3)])
+def test_a_steep_side_beside_a_flat_one_bears_nothing(share: float, place: float) -> None:
+    """A level underside that ends at an edge, a side of 68° beyond it: what both share is the flat one's."""
+    edge = share * HALF[0]
+    section = [(-4.0, 0.0), (edge, 0.0), (4.0, 2.5 * (4.0 - edge)), (-4.0, 2.5 * (4.0 - edge))]
+    sides = hull_sides(convex([(x, y, z) for x, z in section for y in (-4.0, 4.0)]), 0.0)
+    found = Sides(sides.outlines).over(top())
+    assert found is not None and found.rise == pytest.approx(0.0, abs=1e-9)
+    assert found.place == pytest.approx([place * HALF[0], 0.0, 0.0], abs=1e-9)
