@@ -29,7 +29,7 @@ from gantline.scenario.mechanics import (
 )
 from gantline.scenario.model import Scenario
 from gantline.scenario.motion import SpeedRamp, TurnRamp
-from gantline.scenario.reeving import hoist_ropes
+from gantline.scenario.parting import rigging_ropes
 from gantline.scenario.rope_weight import check_rope_weight
 from gantline.scenario.sheave import check_losses, sheave_losses
 
@@ -50,12 +50,8 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
             _check_direction(findings, (*path, "orientation", "about"), body.orientation.about)
         _check_mass(findings, path, body)
         check_afloat(findings, path, body)
-    slings = [f"sling.{sling}" for sling in scenario.slings or {}]
-    taken = [*slings, *(f"{equalizer}.equalizing" for equalizer in scenario.equalizers or {})]
-    taken += [gas_rope(name) for name in scenario.compensators or {}]
-    for name, hook in scenario.hooks.items():
-        taken += hoist_ropes(name, hook.reeving) if hook.reeving is not None else []
-    taken += [rope for placed in scenario.booms.values() for rope in placed.ropes]
+    taken = [*rigging_ropes(scenario), *map(gas_rope, scenario.compensators or {})]
+    taken += [f"{equalizer}.equalizing" for equalizer in scenario.equalizers or {}]
     for name, rope in (mechanics.ropes or {}).items():
         path = ("mechanics", "ropes", name)
         if rope.rope not in (scenario.ropes or {}):
