@@ -90,7 +90,8 @@ def yard_bodies(scenario: Scenario) -> list[str]:
         kind = (scenario.equalizer_types or {}).get(equalizer.type or "")
         sheaves = equalizer.moving_sheaves or (kind.moving_sheaves if kind is not None else None)
         names.append(name)
-        names += [f"{name}.{place + 1}" for place in range(len(sheaves.along) if sheaves is not None else 0)]
+        if sheaves is not None and scenario.moves_sheaves(name):
+            names += [f"{name}.{place + 1}" for place in range(len(sheaves.along))]
     if scenario.load is not None:
         names.append(scenario.load.name)
     return names

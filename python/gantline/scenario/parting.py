@@ -90,13 +90,7 @@ def partings(scenario: Scenario) -> dict[str, Parting]:
 
 def rigging_ropes(scenario: Scenario) -> list[str]:
     """Names of equalizing ropes, of ropes of hoists and booms, and of slings."""
-    kinds = scenario.equalizer_types or {}
-    found = []
-    for name, equalizer in (scenario.equalizers or {}).items():
-        kind = kinds.get(equalizer.type or "")
-        # Slings of an approximated one hang from its frame, and no rope runs over sheaves.
-        if (equalizer.mechanism or (kind and kind.mechanism)) != "approximated":
-            found.append(f"{name}.equalizing")
+    found = [f"{name}.equalizing" for name in scenario.equalizers or {} if scenario.moves_sheaves(name)]
     for name, hook in scenario.hooks.items():
         found += hoist_ropes(name, hook.reeving) if hook.reeving is not None else []
     found += [rope for placed in scenario.booms.values() for rope in placed.ropes]
