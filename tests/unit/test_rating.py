@@ -12,6 +12,7 @@ from pydantic import ValidationError
 
 from gantline.assembly import assemble
 from gantline.checks.check import Check, Verdict
+from gantline.checks.ratings import kept_back
 from gantline.checks.run import check_recording
 from gantline.results.rating import overloads
 from gantline.results.rating_chart import RatingChart
@@ -57,7 +58,15 @@ def test_outside_of_the_chart_nothing_may_hang(radius: float, words: str) -> Non
     found = check(recording([[14.0], [radius]], [[10.0], [10.0]]))
     assert found.verdict is Verdict.FAILED
     assert words in found.remark
-    assert "12.00 m to 18.00 m: no lift" in found.remark
+    assert found.remark.endswith("12.00 m to 18.00 m: no lift: crane c1") and found.value is None
+
+
+def test_one_hook_of_several_outside_of_the_chart_is_enough() -> None:
+    """Both hang at 14 m, then the second at 18.5 m: neither may any more."""
+    found = check(recording([[14.0, 14.0], [14.0, 18.5]], [[50.0, 50.0]] * 2))
+    assert (found.verdict, found.value) == (Verdict.FAILED, None)
+    said = "radius of 18.50 m at 1.00 s is outside of the chart, 12.00 m to 18.00 m: no lift"
+    assert found.remark == f"{said}: crane c1; {said}: H1"
 
 
 def test_where_a_row_has_nothing_nothing_may_hang() -> None:
@@ -67,7 +76,7 @@ def test_where_a_row_has_nothing_nothing_may_hang() -> None:
     assert found.value == pytest.approx(10 / 14.15) and found.verdict is Verdict.OK
     found = check(recording([[14.0], [16.0], [17.0]], [[10.0], [10.0], [10.0]], rated=rated))
     assert found.verdict is Verdict.FAILED
-    assert "nothing may hang at 16.00 m, at 1.00 s" in found.remark
+    assert found.remark == "nothing may hang at 16.00 m, at 1.00 s: crane c1" and found.value is None
     found = check(recording([[14.0], [16.0], [14.0]], [[10.0], [9.0], [10.0]], rated=rated))
     assert found.value == pytest.approx(10 / 283) and found.verdict is Verdict.OK
 
@@ -92,6 +101,16 @@ def test_one_crane_of_several_lifts_alone() -> None:
     rig = {**of.attributes["rig"], "slings": of.attributes["rig"]["slings"][:1]}
     found = check(Recording(of.variables, of.coordinates, {**of.attributes, "rig": rig}))
     assert found.value == pytest.approx(150 / 231)
+
+
+def test_a_crane_beside_two_that_lift_together() -> None:
+    """Nothing is slung in its hook: what it bears is no share of theirs."""
+    factors = {"several_cranes_factor": {"value": 1.25, "source": "our rule"}}
+    three = ("c1", "c2", "c3")
+    of = recording([[16.0] * 3] * 2, [[150.0] * 3] * 2, cranes=three, factors=factors)
+    rig = {**of.attributes["rig"], "slings": of.attributes["rig"]["slings"][:2]}
+    two = Recording(of.variables, of.coordinates, {**of.attributes, "rig": rig})
+    assert [kept_back(two, crane) for crane in three] == [(1.25, []), (1.25, []), (1.0, [])]
 
 
 def test_an_empty_hook_may_be_anywhere() -> None:
@@ -133,6 +152,7 @@ def test_without_a_rule_for_several_cranes_there_is_a_warning() -> None:
     found = check(recording([[16.0] * 2] * 2, [[150.0] * 2] * 2, cranes=("c1", "c2")))
     assert found.verdict is Verdict.WARNING
     assert "2 cranes lift together" in found.remark
+    assert found.value == pytest.approx(150 / 231)
 
 
 def test_factors_of_the_rule_by_number_of_cranes() -> None:
