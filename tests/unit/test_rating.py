@@ -12,6 +12,7 @@ from pydantic import ValidationError
 
 from gantline.assembly import assemble
 from gantline.checks.check import Check, Verdict
+from gantline.checks.forces import UNRAISED
 from gantline.checks.ratings import kept_back
 from gantline.checks.run import check_recording
 from gantline.results.rating import overloads
@@ -101,6 +102,15 @@ def test_one_crane_of_several_lifts_alone() -> None:
     rig = {**of.attributes["rig"], "slings": of.attributes["rig"]["slings"][:1]}
     found = check(Recording(of.variables, of.coordinates, {**of.attributes, "rig": rig}))
     assert found.value == pytest.approx(150 / 231)
+
+
+def test_a_rule_that_cannot_raise_what_never_hung_still_is_told() -> None:
+    """Samples of 2 s are no hold: the peak stands for itself, and the factor is left out."""
+    factors = {"dynamic_amplification_factor": {"value": 1.2, "source": "our rule"}}
+    still, plain = (check(recording([[16.0]] * 2, [[150.0]] * 2, factors=one)) for one in (factors, None))
+    assert still.value == plain.value == pytest.approx(150 / 231)
+    assert (still.verdict, plain.verdict) == (Verdict.WARNING, Verdict.OK)
+    assert UNRAISED in still.remark and not plain.remark
 
 
 def test_a_crane_beside_two_that_lift_together() -> None:
