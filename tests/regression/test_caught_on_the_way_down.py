@@ -13,44 +13,17 @@ from gantline.checks import Check, Verdict
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
+from held_aside import held_aside
 from of_recording import checks_of
 
 #: Room between load and ledge as it hangs plumb; it swings to 13.2 kN / (588.6 kN / 13.5 m) = 0.3 m [m].
 GAP = 0.2
 
-_LIFT = """\
-format: 1
-lift: {{title: A box beside a ledge}}
-duration: 75 s
+_AROUND = """\
 ground: {{level: 0 m, friction: 0.1}}
-ropes:
-  sling: {{axial_stiffness: 188 MN, damping_time: 10 ms, mass: none}}
-  tag: {{axial_stiffness: 150 kN, damping_time: 0.2 s, mass: none}}
 structures:
   ledge: {{type: box, x: [{ledge} m, 8 m], y: [-5 m, 5 m], z: [0 m, 4 m]}}
-load:
-  name: box
-  shape: {{box: [8 m, 4 m, 6 m]}}
-  position: [0 m, 0 m, 6 m]
-  weight: {{calculated: 60 t}}
-  centre_of_gravity: {{at: [0 m, 0 m, 3 m]}}
-  lugs: {{A: {{at: [-3 m, 1.5 m, 6 m]}}, B: {{at: [-3 m, -1.5 m, 6 m]}}, C: {{at: [3 m, 1.5 m, 6 m]}},
-    D: {{at: [3 m, -1.5 m, 6 m]}}}}
-cranes:
-  hook: {{type: fixed_hook, at: [0 m, 0 m, 22.43 m], hoist: {{speed: 6 m/min, acceleration: 0.05 m/s^2}}}}
-sling_defaults: {{rope: sling, length: 11 m}}
-slings:
-  A: {{from: hook, to: box.A}}
-  B: {{from: hook, to: box.B}}
-  C: {{from: hook, to: box.C}}
-  D: {{from: hook, to: box.D}}
-tag_lines:
-  back: {{at: [-4 m, 0 m, 3 m], to: [-30 m, 0 m, 9 m], rope: tag, pretension: {pull} kN}}
-plan:
-{plan}
-  - {{step: end, hold: until_end}}
 """
-
 #: Let go of 6 s before, it comes to the ledge at its farthest, after three and a half swings of 7.5 s.
 DOWN = """\
   - {step: let go, hold: 6 s, cut: tag.back}
@@ -58,7 +31,8 @@ DOWN = """\
 
 
 def simulated(plan: str = DOWN, gap: float = GAP, pull: float = 13.2) -> Recording:
-    return simulate(parse_scenario(_LIFT.format(plan=plan, ledge=4.0 + gap, pull=pull)))
+    text = held_aside(plan, duration=75.0, pull=pull, more=_AROUND.format(ledge=4.0 + gap))
+    return simulate(parse_scenario(text))
 
 
 def told(recording: Recording) -> list[Check]:

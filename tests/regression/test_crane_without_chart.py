@@ -52,6 +52,8 @@ def test_one_number_is_enough_for_a_boom_that_keeps_its_angle(luffs: Any, verdic
     rating = {"name": "c2", "level": "crane", "hooks": ["H1"], "rated_capacity": RATED[2]}
     booms = [{"name": "c1"}, {"name": "c2", "range": luffs}]
     assert checked(["c1"], booms, ratings=[rating]).verdict is verdict
+    unsaid = checked(["c1"], booms, ratings=[{**rating, "rated_capacity": None}])
+    assert unsaid.remark == "not checked, no rating chart: c2"
 
 
 def test_a_crane_from_which_nothing_hangs_needs_none() -> None:

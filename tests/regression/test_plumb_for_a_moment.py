@@ -16,6 +16,7 @@ from gantline.cli.hold_points import hold_points
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
+from held_aside import held_aside
 
 #: Centre of gravity below the bearing [m], pull that holds the load aside and weight [N].
 DEPTH, PULL, WEIGHT = 13.49, 13.2e3, 60e3 * 9.81
@@ -25,41 +26,18 @@ PERIOD = 2 * math.pi * math.sqrt(DEPTH / 9.81)  # 7.4 [s]
 STIFFNESS, LEVER = 150e3 / 26.0, DEPTH - 0.08
 FARTHEST = math.degrees(PULL * LEVER / (WEIGHT * DEPTH + STIFFNESS * LEVER**2))  # 1.13 [deg]
 
-_LIFT = """\
-format: 1
-lift: {{title: A box on a hook that is let go of}}
-duration: {end} s
-ground: {{level: 0 m}}
-ropes:
-  sling: {{axial_stiffness: 188 MN, damping_time: 10 ms, mass: none}}
-  tag: {{axial_stiffness: 150 kN, damping_time: 0.2 s, mass: none}}
-load:
-  name: box
-  shape: {{box: [8 m, 4 m, 6 m]}}
-  position: [0 m, 0 m, 6 m]
-  weight: {{calculated: 60 t}}
-  centre_of_gravity: {{at: [0 m, 0 m, 3 m]}}
-  lugs: {{A: {{at: [-3 m, 1.5 m, 6 m]}}, B: {{at: [-3 m, -1.5 m, 6 m]}}, C: {{at: [3 m, 1.5 m, 6 m]}},
-    D: {{at: [3 m, -1.5 m, 6 m]}}}}
-cranes:
-  hook: {{type: fixed_hook, at: [0 m, 0 m, 22.43 m], hoist: {{speed: 6 m/min, acceleration: 0.05 m/s^2}}}}
-sling_defaults: {{rope: sling, length: 11 m}}
-slings: {{A: {{from: hook, to: box.A}}, B: {{from: hook, to: box.B}}, C: {{from: hook, to: box.C}},
-  D: {{from: hook, to: box.D}}}}
-tag_lines:
-  back: {{at: [-4 m, 0 m, 3 m], to: [-30 m, 0 m, 9 m], rope: tag, pretension: {pull} kN}}
-plan:
+_LOOK = """\
   - {{step: look, hold: {hold} s, cut: tag.back, report: [load_tilt],
-     require: {{load_tilt: below {below} deg}}}}
-  - {{step: end, hold: until_end}}
-"""
+     require: {{load_tilt: below {below} deg}}}}"""
 
 #: Two and a quarter periods from its farthest a load goes through plumb; after two it is farthest.
 PLUMB, FAR = 2.25 * PERIOD, 2.0 * PERIOD
 
 
 def simulated(hold: float, below: float = 0.5, pull: float = PULL) -> Recording:
-    text = _LIFT.format(hold=round(hold, 2), below=below, pull=pull / 1e3, end=round(hold + 5, 2))
+    look = _LOOK.format(hold=round(hold, 2), below=below)
+    ground = "ground: {level: 0 m}\n"
+    text = held_aside(look, duration=round(hold + 5, 2), pull=pull / 1e3, more=ground)
     return simulate(parse_scenario(text))
 
 

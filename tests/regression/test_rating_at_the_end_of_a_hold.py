@@ -103,6 +103,21 @@ def test_a_step_that_requires_a_share_of_the_chart_has_them(lift: Recording, ste
     assert check.verdict is Verdict.FAILED
 
 
+@pytest.mark.parametrize(("rated", "used"), [(RATED, CONTINGENCY * DYNAMIC * LOAD / RATED), (0.0, None)])
+def test_a_chart_for_what_hangs_in_the_hook(lift: Recording, rated: float, used: float | None) -> None:
+    """Without hook block and falls; where the chart has nothing, nothing may hang, whichever the factors."""
+    rig = lift.attributes["rig"]
+    chart = {**rig["rating_charts"][0], "includes_hook_block": False, "rated": [rated * G, rated * G]}
+    attributes = {**lift.attributes, "rig": {**rig, "rating_charts": [chart]}}
+    changed = Recording(lift.variables, lift.coordinates, attributes)
+    (check,) = (one for one in check_recording(changed) if one.step == "hold point")
+    assert check.verdict is Verdict.FAILED
+    assert check.value == (used and pytest.approx(used, rel=1e-3))
+    if used is None:
+        still = "nothing may hang where the load hangs still"
+        assert check.remark.startswith(still) and "nothing may hang at 14.00 m" in check.remark
+
+
 def test_two_cranes_that_lift_together_have_them_too() -> None:
     """Each has half of the girder by a sling of its own, plumb above its lug; as simulated that is 22 %."""
     crane = LIFT[LIFT.index("  crane:\n") : LIFT.index("slings:\n")]

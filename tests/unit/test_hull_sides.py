@@ -80,3 +80,48 @@ def test_the_lowest_of_a_roof_over_a_rectangle_is_at_its_rim() -> None:
     # A triangle whose box is over the rectangle and that is not.
     aside = np.array([[[-3.0, -0.2, 0.0], [-0.2, -3.0, 0.0], [-3.0, -3.0, 0.0]]])
     assert lowest_over(aside, (0.3, 0.3)) is None
+
+
+def lowest_of_all(corners: np.ndarray, half: tuple[float, float]) -> float | None:
+    """The same by listing every corner that a piece of a triangle over the rectangle can have."""
+    found = []
+    for triangle in corners:
+        for start, end in zip(triangle, np.roll(triangle, -1, axis=0), strict=True):
+            shares = [0.0]
+            for axis, most in enumerate(half):
+                for side in (-most, most):
+                    shares.append((side - start[axis]) / (end[axis] - start[axis]))
+            places = [start + share * (end - start) for share in shares if 0.0 <= share <= 1.0]
+            found += [at[2] for at in places if (np.abs(at[:2]) <= np.array(half) + 1e-12).all()]
+        for x in (-half[0], half[0]):
+            for y in (-half[1], half[1]):
+                weights = np.linalg.solve(np.vstack([triangle[:, :2].T, np.ones(3)]), [x, y, 1.0])
+                if (weights >= 0.0).all():
+                    found.append(float(weights @ triangle[:, 2]))
+    return min(found, default=None)
+
+
+def test_the_lowest_of_random_triangles_over_rectangles() -> None:
+    """Small ones and large, beside the rectangle, over its corners and all of it; nothing is over a third."""
+    rng = np.random.default_rng(20)
+    without = 0
+    for _ in range(400):
+        half = (rng.uniform(0.1, 1.0), rng.uniform(0.1, 1.0))
+        middles = rng.uniform(-2.0, 2.0, (rng.integers(1, 6), 1, 3))
+        corners = middles + rng.uniform(-1.0, 1.0, (len(middles), 3, 3)) * rng.choice([0.2, 1.0, 4.0])
+        found, wanted = lowest_over(corners, half), lowest_of_all(corners, half)
+        without += wanted is None
+        assert found == (None if wanted is None else pytest.approx(wanted, abs=1e-9))
+    assert 80 < without < 320
+
+
+def test_a_triangle_that_touches_the_rim_is_over_the_rectangle() -> None:
+    """By a corner at x = 1/4, by an edge along it; a micrometre further out nothing is."""
+    for touching in (
+        [(0.25, 0.0, 1.0), (1.0, 0.5, 2.0), (1.0, -0.5, 3.0)],
+        [(0.25, -0.125, 2.0), (1.0, 0.0, 3.0), (0.25, 0.125, 1.0)],
+    ):
+        corners = np.array([touching])
+        for turned in (corners, corners * (-1.0, 1.0, 1.0), corners[:, :, [1, 0, 2]]):
+            assert lowest_over(turned, (0.25, 0.25)) == 1.0
+        assert lowest_over(corners + np.array([1e-6, 0.0, 0.0]), (0.25, 0.25)) is None

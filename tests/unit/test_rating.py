@@ -12,6 +12,8 @@ from pydantic import ValidationError
 
 from gantline.assembly import assemble
 from gantline.checks.check import Check, Verdict
+from gantline.checks.forces import UNRAISED
+from gantline.checks.ratings import kept_back
 from gantline.checks.run import check_recording
 from gantline.results.rating import overloads
 from gantline.results.rating_chart import RatingChart
@@ -57,7 +59,68 @@ def test_outside_of_the_chart_nothing_may_hang(radius: float, words: str) -> Non
     found = check(recording([[14.0], [radius]], [[10.0], [10.0]]))
     assert found.verdict is Verdict.FAILED
     assert words in found.remark
-    assert "12.00 m to 18.00 m: no lift" in found.remark
+    assert found.remark.endswith("12.00 m to 18.00 m: no lift: crane c1") and found.value is None
+
+
+def test_one_hook_of_several_outside_of_the_chart_is_enough() -> None:
+    """Both hang at 14 m, then the second at 18.5 m: neither may any more."""
+    found = check(recording([[14.0, 14.0], [14.0, 18.5]], [[50.0, 50.0]] * 2))
+    assert (found.verdict, found.value) == (Verdict.FAILED, None)
+    said = "radius of 18.50 m at 1.00 s is outside of the chart, 12.00 m to 18.00 m: no lift"
+    assert found.remark == f"{said}: crane c1; {said}: H1"
+
+
+def test_where_a_row_has_nothing_nothing_may_hang() -> None:
+    """0 t at 16 m: of 283 t at 14 m a twentieth is left at 15.9 m. An empty hook, of 9 t, may be there."""
+    rated = (360 * T, 283 * T, 0.0, 0.0)
+    found = check(recording([[15.9], [14.0]], [[10.0], [100.0]], rated=rated))
+    assert found.value == pytest.approx(10 / 14.15) and found.verdict is Verdict.OK
+    found = check(recording([[14.0], [16.0], [17.0]], [[10.0], [10.0], [10.0]], rated=rated))
+    assert found.verdict is Verdict.FAILED
+    assert found.remark == "nothing may hang at 16.00 m, at 1.00 s: crane c1" and found.value is None
+    found = check(recording([[14.0], [16.0], [14.0]], [[10.0], [9.0], [10.0]], rated=rated))
+    assert found.value == pytest.approx(10 / 283) and found.verdict is Verdict.OK
+
+
+def test_how_it_comes_to_what_it_says() -> None:
+    """150 t are 1471.5 kN, 231 t 2266.1 kN; of 283 t, 2776.2 kN, a hook has 40 %."""
+    alone = check(recording([[16.0]] * 2, [[150.0]] * 2))
+    assert alone.formula == "1471.5 kN / 2266.1 kN at 16.00 m"
+    of_row = recording([[14.0, 14.0]] * 2, [[120.0, 60.0]] * 2, shares={"H0": 0.4, "H1": 0.4})
+    assert check(of_row).formula == "1177.2 kN / 40 % of 2776.2 kN at 14.00 m"
+    factors = {"several_cranes_factor": {"value": 1.25, "source": "our rule"}}
+    of = recording([[16.0] * 2] * 2, [[150.0] * 2] * 2, cranes=("c1", "c2"), factors=factors)
+    together = check(of)
+    assert together.formula == "1471.5 kN x 1.25 / 2266.1 kN at 16.00 m"
+    assert "our rule" in together.source and "our rule" not in alone.source
+
+
+def test_one_crane_of_several_lifts_alone() -> None:
+    """The second has no hook from which a sling hangs, so that the first keeps nothing back."""
+    factors = {"several_cranes_factor": {"value": 1.25, "source": "our rule"}}
+    of = recording([[16.0] * 2] * 2, [[150.0, 9.0]] * 2, cranes=("c1", "c2"), factors=factors)
+    rig = {**of.attributes["rig"], "slings": of.attributes["rig"]["slings"][:1]}
+    found = check(Recording(of.variables, of.coordinates, {**of.attributes, "rig": rig}))
+    assert found.value == pytest.approx(150 / 231)
+
+
+def test_a_rule_that_cannot_raise_what_never_hung_still_is_told() -> None:
+    """Samples of 2 s are no hold: the peak stands for itself, and the factor is left out."""
+    factors = {"dynamic_amplification_factor": {"value": 1.2, "source": "our rule"}}
+    still, plain = (check(recording([[16.0]] * 2, [[150.0]] * 2, factors=one)) for one in (factors, None))
+    assert still.value == plain.value == pytest.approx(150 / 231)
+    assert (still.verdict, plain.verdict) == (Verdict.WARNING, Verdict.OK)
+    assert UNRAISED in still.remark and not plain.remark
+
+
+def test_a_crane_beside_two_that_lift_together() -> None:
+    """Nothing is slung in its hook: what it bears is no share of theirs."""
+    factors = {"several_cranes_factor": {"value": 1.25, "source": "our rule"}}
+    three = ("c1", "c2", "c3")
+    of = recording([[16.0] * 3] * 2, [[150.0] * 3] * 2, cranes=three, factors=factors)
+    rig = {**of.attributes["rig"], "slings": of.attributes["rig"]["slings"][:2]}
+    two = Recording(of.variables, of.coordinates, {**of.attributes, "rig": rig})
+    assert [kept_back(two, crane) for crane in three] == [(1.25, []), (1.25, []), (1.0, [])]
 
 
 def test_an_empty_hook_may_be_anywhere() -> None:
@@ -99,6 +162,7 @@ def test_without_a_rule_for_several_cranes_there_is_a_warning() -> None:
     found = check(recording([[16.0] * 2] * 2, [[150.0] * 2] * 2, cranes=("c1", "c2")))
     assert found.verdict is Verdict.WARNING
     assert "2 cranes lift together" in found.remark
+    assert found.value == pytest.approx(150 / 231)
 
 
 def test_factors_of_the_rule_by_number_of_cranes() -> None:

@@ -60,3 +60,40 @@ def test_what_other_threads_look_for_is_given_up() -> None:
         raise KeyboardInterrupt
     with pytest.raises(NoEquilibriumError, match="it was stopped"):
         pending.result()
+
+
+def test_threads_go_on_until_all_is_given_up() -> None:
+    """What has begun is told as its `with` ends, and what has not is never begun."""
+    has_begun, may_end = threading.Event(), threading.Event()
+
+    def wait() -> bool:
+        has_begun.set()
+        may_end.wait()
+        return pool.goes_on()
+
+    with SideBySide(1) as pool:
+        assert pool.submit(pool.goes_on).result() is True
+        first, second = pool.submit(wait), pool.submit(wait)
+        has_begun.wait()
+        threading.Timer(0.05, may_end.set).start()
+    assert first.result() is False
+    assert second.cancelled()
+
+
+@pytest.mark.parametrize("workers", [1, 3])
+def test_as_many_threads_as_asked_for(workers: int) -> None:
+    """So many wait for each other and meet; one more is not there before the others have given up."""
+
+    def meet(timeout: float) -> None:
+        together.wait(timeout)
+
+    together = threading.Barrier(workers + 1)
+    with SideBySide(workers) as pool:
+        met = [pool.submit(meet, 0.2) for _ in range(workers + 1)]
+        assert all(isinstance(one.exception(), threading.BrokenBarrierError) for one in met[:workers])
+    together = threading.Barrier(workers)
+    with SideBySide(workers) as pool:
+        met = [pool.submit(meet, 60.0) for _ in range(workers)]
+        assert [one.exception() for one in met] == [None] * workers
+    with pytest.raises(ValueError, match="workers"):
+        SideBySide(0)

@@ -59,35 +59,69 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
                 heights[name] = _after(hoist, heights[name])
         lugs = {hook: _lugs(scenario, rigging, [hook], on) for hook in scenario.hooks}
         after = turned.after(hoists, speeds, {hook: at for hook, at in lugs.items() if at is not None})
+        now = _Stage(scenario, rigging, tuple(stage), on, speeds, heights, turned, after)
         for step in stage:
-            if not isinstance(step, AlongStep) or not step.keep_plumb:
-                continue
-            one = mover(scenario, step.kind, step.moved[0])
-            assert one is not None  # checked with the file
-            own = full_names(step.keep_plumb, scenario.hooks)
-            others = [hook for hook in hooks_beside(scenario, rigging, one) if lugs[hook] is not None]
-            near, far = (_lugs(scenario, rigging, names, on) for names in (own, others))
-            if near is None or far is None:
-                continue
-            line = far - near
-            assert scenario.load is not None  # it hangs between hooks
-            towards = scenario.load.heading + math.atan2(line[1], line[0])
-            way = way_of(scenario, one, own, towards, (float(np.linalg.norm(line)), float(line[2])))
-            if _others_beside(scenario, stage, step):
-                continue
-            path = ("plan", scenario.plan.index(step))
-            yield from (Doubt(path, said) for said in _askew(step, one, way, towards, line))
-            speed = _mean(speeds, others) - _mean(speeds, own)
-            if isinstance(way, Luffing | Slewing) and (speed < 0.0 or _is_elsewhere(scenario, step)):
-                continue  # equations of both are for an end that stays low, and from where they start
-            lifted = _lifted(scenario, heights, others) - _lifted(scenario, heights, own)
-            steepest = _steepest(line, turned, after, lifted, way)
-            sentences = (
-                *_out_of_reach(step, one, way, steepest),
-                *_too_slow(step, abs(speed), steepest, way),
-            )
-            yield from (Doubt(path, said) for said in sentences)
+            if isinstance(step, AlongStep) and step.keep_plumb:
+                yield from _doubts_of(now, step)
         turned, before = after, on
+
+
+def _doubts_of(stage: _Stage, step: AlongStep) -> Iterator[Doubt]:
+    """Doubts of one step that follows, among those that go on beside it."""
+    scenario = stage.scenario
+    one = mover(scenario, step.kind, step.moved[0])
+    assert one is not None and step.keep_plumb is not None  # checked with the file; it follows
+    own = full_names(step.keep_plumb, scenario.hooks)
+    others = [
+        hook for hook in hooks_beside(scenario, stage.rigging, one) if stage.lugs_of([hook]) is not None
+    ]
+    near, far = stage.lugs_of(own), stage.lugs_of(others)
+    if near is None or far is None:
+        return
+    line = far - near
+    assert scenario.load is not None  # it hangs between hooks
+    towards = scenario.load.heading + math.atan2(line[1], line[0])
+    way = way_of(scenario, one, own, towards, (float(np.linalg.norm(line)), float(line[2])))
+    if _others_beside(scenario, stage.steps, step):
+        return
+    path = ("plan", [other is step for other in scenario.plan].index(True))
+    yield from (Doubt(path, said) for said in _askew(step, one, way, towards, line))
+    speed = _mean(stage.speeds, others) - _mean(stage.speeds, own)
+    if isinstance(way, Luffing | Slewing) and (speed < 0.0 or _is_elsewhere(scenario, step)):
+        return  # equations of both are for an end that stays low, and from where they start
+    lifted = _lifted(scenario, stage.heights, others) - _lifted(scenario, stage.heights, own)
+    steepest = _steepest(line, stage.before, stage.after, lifted, way)
+    yield from (Doubt(path, said) for said in _out_of_reach(step, one, way, steepest))
+    yield from (Doubt(path, said) for said in _too_slow(step, abs(speed), steepest, way))
+
+
+@dataclass(frozen=True)
+class _Stage:
+    """Steps that go on side by side, and what the plan tells of hooks and load by then.
+
+    Attributes:
+        scenario: The lift.
+        rigging: Who carries whom.
+        steps: The steps.
+        on: Names of the slings that are on.
+        speeds: Of hooks that are hoisted or lowered [m/s].
+        heights: Of hooks as the steps end [m]; None where that is not known.
+        before: How the load was turned as they began.
+        after: The same as they end.
+    """
+
+    scenario: Scenario
+    rigging: Rigging
+    steps: tuple[Step, ...]
+    on: frozenset[str]
+    speeds: Mapping[str, float]
+    heights: Mapping[str, float | None]
+    before: _Turned
+    after: _Turned
+
+    def lugs_of(self, hooks: Iterable[str]) -> Array | None:
+        """Mean of the lugs to which slings lead from some hooks, axes of the load (3,) [m]; or None."""
+        return _lugs(self.scenario, self.rigging, hooks, self.on)
 
 
 @dataclass(frozen=True)

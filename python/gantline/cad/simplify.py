@@ -174,9 +174,7 @@ def contact_hull(mesh: TriangleMesh, tolerance: float, most: int = 64) -> Contac
     from scipy.spatial import ConvexHull, QhullError
 
     try:
-        points = mesh.vertices[np.unique(mesh.triangles)]
-        corners = points[np.sort(ConvexHull(points).vertices)]
-        chosen = _outermost(corners)
+        corners, chosen = _corners_to_start_from(mesh)
         while True:
             hull = ConvexHull(corners[chosen])
             # Facets with their outward normals and distances from the origin: n·x + d > 0 is outside.
@@ -187,6 +185,19 @@ def contact_hull(mesh: TriangleMesh, tolerance: float, most: int = 64) -> Contac
             chosen.append(worst)
     except (QhullError, ValueError):
         raise CadError("the geometry is flat or has no extent, so it has no convex hull") from None
+
+
+def _corners_to_start_from(mesh: TriangleMesh) -> tuple[Array, list[int]]:
+    """Corners of the convex hull of a mesh (n, 3) [m], and which of them are farthest out.
+
+    Raises:
+        QhullError, ValueError: if the mesh is flat.
+    """
+    from scipy.spatial import ConvexHull
+
+    points = mesh.vertices[np.unique(mesh.triangles)]
+    corners = points[np.sort(ConvexHull(points).vertices)]
+    return corners, _outermost(corners)
 
 
 def _outermost(corners: Array) -> list[int]:
@@ -221,9 +232,7 @@ def hull_sides(mesh: TriangleMesh, tolerance: float, most: int = 400) -> HullSid
     from scipy.spatial import ConvexHull, QhullError
 
     try:
-        points = mesh.vertices[np.unique(mesh.triangles)]
-        corners = points[np.sort(ConvexHull(points).vertices)]
-        chosen = _outermost(corners)
+        corners, chosen = _corners_to_start_from(mesh)
         while True:
             hull = ConvexHull(corners[chosen])
             out = corners @ hull.equations[:, :3].T + hull.equations[:, 3]

@@ -229,16 +229,7 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         return _refused(check, found.refused)
     check = replace(check, cautions=found.cautions)
     if found.worst is None:
-        is_asked = given is not None and key not in rig.assumed_limits
-        missing = found.missing or _never_clear(recording, measure)
-        # A preset is for every lift; its limits have other sources than those of the lift file.
-        is_own = rig.limit_sources.get(key, LIFT_FILE) in (LIFT_FILE, rig.limits.get("rule"))
-        is_vain = is_own and given is not None and not missing and not found.cautions
-        check = replace(check, is_vain=is_vain)
-        check = _without_value(recording, check, missing, _NOTHING, is_asked=is_asked)
-        if not found.cautions:
-            return check
-        return replace(check, verdict=Verdict.WARNING, remark=_joined([check.remark, *found.cautions]))
+        return _of_nothing(recording, measure, check, found, is_given=given is not None)
     check = replace(_with_value(check, found.worst), is_beside=found.of <= set(rig.outer_ropes))
     remarks = [f"not checked, {found.missing}" if found.missing else "", *found.cautions]
     if given is None and (limit is None or _verdict(measure, found.worst.value, limit) is Verdict.OK):
@@ -260,6 +251,22 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if remark and verdict is Verdict.OK:
         verdict = Verdict.WARNING
     return replace(check, verdict=verdict, remark=remark)
+
+
+def _of_nothing(
+    recording: Recording, measure: Measure, check: Check, found: _Outcome, *, is_given: bool
+) -> Check:
+    """The check of a lift that has no value to hold against its limit."""
+    rig = recording.rig
+    missing = found.missing or _never_clear(recording, measure)
+    # A preset is for every lift; its limits have other sources than those of the lift file.
+    is_own = rig.limit_sources.get(check.name, LIFT_FILE) in (LIFT_FILE, rig.limits.get("rule"))
+    check = replace(check, is_vain=is_own and is_given and not missing and not found.cautions)
+    is_asked = is_given and check.name not in rig.assumed_limits
+    check = _without_value(recording, check, missing, _NOTHING, is_asked=is_asked)
+    if not found.cautions:
+        return check
+    return replace(check, verdict=Verdict.WARNING, remark=_joined([check.remark, *found.cautions]))
 
 
 def _alarmed(recording: Recording, measure: Measure, check: Check, values: Sequence[Found]) -> Check | None:

@@ -92,7 +92,7 @@ def read_table(place: Path, titles: Titles) -> tuple[tuple[str, ...], Iterator[t
         reason = (problem.strerror or str(problem)).lower()
         raise DatabaseError(f"{place}: cannot be read ({reason})") from None
     by = _parted_by(text)
-    rows = _rows(text, by)
+    rows = _rows(text, by, (place, titles))
     scale = titles.of(place, *next(rows, (1, [])))
     return tuple(scale), _lines(rows, (place, titles), scale, by)
 
@@ -103,11 +103,18 @@ def _parted_by(text: str) -> str:
     return ";" if ";" in first else "\t" if "\t" in first else ","
 
 
-def _rows(text: str, by: str) -> Iterator[tuple[int, list[str]]]:
+def _rows(text: str, by: str, of: tuple[Path, Titles]) -> Iterator[tuple[int, list[str]]]:
     """Lines that are not empty and no remarks, with their numbers, in columns."""
+    place, titles = of
     for number, line in enumerate(text.splitlines(), 1):
         if line.strip() and not line.startswith("#"):
-            yield number, next(csv.reader([line], delimiter=by))
+            try:
+                row = next(csv.reader([line], delimiter=by))
+            except csv.Error:  # the one that is left of whole lines: a cell that is too long
+                found = f"a column of {titles.what} has more than {csv.field_size_limit()} characters here"
+                right = "commas, tabs or semicolons part columns"
+                raise DatabaseError(f"{place}:{number}: {found}; {right}") from None
+            yield number, row
 
 
 def _lines(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from gantline.scenario.check_booms import check_booms
 from gantline.scenario.check_crawlers import check_crawlers
 from gantline.scenario.check_cut_lines import check_cut_lines
@@ -25,7 +27,7 @@ from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
 from gantline.scenario.luffing import luffing_drum
-from gantline.scenario.mechanics import HalfTurn, HingeJoint, Slider
+from gantline.scenario.mechanics import HalfTurn, HingeJoint, Mechanics, Slider
 from gantline.scenario.model import Scenario
 from gantline.scenario.mooring import check_moorings
 from gantline.scenario.parting import check_partings
@@ -94,8 +96,29 @@ def check(scenario: Scenario) -> None:
 
 
 def _check_names(findings: Findings) -> None:
-    """Vessels, cranes, equalizers, sheaves that move, load, plain bodies and drums share one set of names."""
-    scenario = findings.scenario
+    """Note names of `_named` that stand for two things, or for what a name cannot stand for."""
+    equalizers, taken = findings.scenario.equalizers or {}, dict[str, str]()
+    for name, what, path in _named(findings.scenario):
+        if name == "ground":
+            findings.add(path, f"'ground' means the ground; {what} needs another name")
+        if name == "world":
+            findings.add(path, f"'world' means what stands still; {what} needs another name")
+        if name in taken:
+            findings.add(path, f"'{name}' is already the name of {taken[name]}; {what} needs another name")
+        taken.setdefault(name, what)
+        for equalizer in equalizers:
+            if name.startswith(f"{equalizer}.") and name[len(equalizer) + 1 :].isdecimal():
+                sentence = (
+                    f"'{name}' would be a moving sheave of '{equalizer}' too; {what} needs another name"
+                )
+                findings.add(path, sentence)
+
+
+def _named(scenario: Scenario) -> list[tuple[str, str, Path]]:
+    """Vessels, cranes, equalizers, sheaves that move, load, plain bodies, drums: they share one set of names.
+
+    Each with what it is, in words, and where the lift file has it.
+    """
     named: list[tuple[str, str, Path]] = []
     named += [(name, "a vessel", ("vessels", name)) for name in scenario.vessels or {}]
     named += [(name, "a crane", ("cranes", name)) for name in scenario.cranes or {}]
@@ -127,21 +150,7 @@ def _check_names(findings: Findings) -> None:
         named += [(name, "a body", ("mechanics", "bodies", name)) for name in scenario.mechanics.bodies]
         drums = scenario.mechanics.drums or {}
         named += [(name, "a drum", ("mechanics", "drums", name)) for name in drums]
-    taken: dict[str, str] = {}
-    for name, what, path in named:
-        if name == "ground":
-            findings.add(path, f"'ground' means the ground; {what} needs another name")
-        if name == "world":
-            findings.add(path, f"'world' means what stands still; {what} needs another name")
-        if name in taken:
-            findings.add(path, f"'{name}' is already the name of {taken[name]}; {what} needs another name")
-        taken.setdefault(name, what)
-        for equalizer in scenario.equalizers or {}:
-            if name.startswith(f"{equalizer}.") and name[len(equalizer) + 1 :].isdecimal():
-                sentence = (
-                    f"'{name}' would be a moving sheave of '{equalizer}' too; {what} needs another name"
-                )
-                findings.add(path, sentence)
+    return named
 
 
 def _check_hook_groups(findings: Findings) -> None:
@@ -175,26 +184,36 @@ def _check_simulation(findings: Findings) -> None:
 
 def _has_friction(scenario: Scenario) -> bool:
     """Whether a sheave has losses, a drum a brake, or a joint friction."""
-    lines = (scenario.mooring_lines or {}).values()
-    found = any(line.winch is not None and line.winch.capacity is not None for line in lines)
-    found |= any(one.seal_friction > 0.0 for one in (scenario.compensators or {}).values())
-    tags = (scenario.tag_lines or {}).values()
-    found |= any(line.pull or (line.winch and line.winch.capacity) for line in tags)
+    return any(_frictions_of_yard(scenario)) or any(_frictions_of_mechanics(scenario.mechanics))
+
+
+def _frictions_of_yard(scenario: Scenario) -> Iterator[bool]:
+    """Of each part of the yard, `mechanics` aside, whether it has some."""
+    for line in (scenario.mooring_lines or {}).values():
+        yield line.winch is not None and line.winch.capacity is not None
+    for tag in (scenario.tag_lines or {}).values():
+        yield bool(tag.pull or (tag.winch and tag.winch.capacity))
+    for compensator in (scenario.compensators or {}).values():
+        yield compensator.seal_friction > 0.0
     for name, given in (scenario.equalizers or {}).items():
         for key in SHEAVES:
             words = [said for _, said in sheave_levels(scenario, name, key)]
-            found |= taken_together(words).bearing_efficiency < 1
+            yield taken_together(words).bearing_efficiency < 1
         kind = (scenario.equalizer_types or {}).get(given.type or "")
         hinge = given.hinge or (kind and kind.hinge)
-        found |= bool(hinge and (hinge.friction or hinge.tilt_friction))
+        yield bool(hinge and (hinge.friction or hinge.tilt_friction))
     for hook in scenario.hooks.values():
-        found |= hook.reeving is not None and hook.reeving.words.bearing_efficiency < 1
-        found |= hook.hoist.capacity is not None
-    if scenario.mechanics is not None:
-        guides = [guide for rope in (scenario.mechanics.ropes or {}).values() for guide in rope.route]
-        found |= any(isinstance(guide, HalfTurn) and guide.bearing_efficiency < 1 for guide in guides)
-        drums = (scenario.mechanics.drums or {}).values()
-        found |= any(drum.brake or (drum.drive and drum.drive.capacity) for drum in drums)
-        joints = [body.joint for body in (scenario.mechanics.bodies or {}).values()]
-        found |= any(isinstance(joint, HingeJoint | Slider) and joint.friction > 0.0 for joint in joints)
-    return found
+        yield hook.reeving is not None and hook.reeving.words.bearing_efficiency < 1
+        yield hook.hoist.capacity is not None
+
+
+def _frictions_of_mechanics(mechanics: Mechanics | None) -> Iterator[bool]:
+    """The same of guides, drums and joints of `mechanics`."""
+    if mechanics is None:
+        return
+    for rope in (mechanics.ropes or {}).values():
+        yield from (isinstance(guide, HalfTurn) and guide.bearing_efficiency < 1 for guide in rope.route)
+    for drum in (mechanics.drums or {}).values():
+        yield bool(drum.brake or (drum.drive and drum.drive.capacity))
+    for body in mechanics.bodies.values():
+        yield isinstance(body.joint, HingeJoint | Slider) and body.joint.friction > 0.0

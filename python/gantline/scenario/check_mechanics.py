@@ -29,11 +29,11 @@ from gantline.scenario.mechanics import (
 )
 from gantline.scenario.model import Scenario
 from gantline.scenario.motion import SpeedRamp, TurnRamp
-from gantline.scenario.reeving import hoist_ropes
+from gantline.scenario.parting import rigging_ropes
 from gantline.scenario.rope_weight import check_rope_weight
 from gantline.scenario.sheave import check_losses, sheave_losses
 
-__all__ = ["check_mechanics", "yard_bodies"]
+__all__ = ["check_mechanics", "of_slings_alone", "yard_bodies"]
 
 _SMALLEST = 1e-9
 
@@ -50,12 +50,8 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
             _check_direction(findings, (*path, "orientation", "about"), body.orientation.about)
         _check_mass(findings, path, body)
         check_afloat(findings, path, body)
-    slings = [f"sling.{sling}" for sling in scenario.slings or {}]
-    taken = [*slings, *(f"{equalizer}.equalizing" for equalizer in scenario.equalizers or {})]
-    taken += [gas_rope(name) for name in scenario.compensators or {}]
-    for name, hook in scenario.hooks.items():
-        taken += hoist_ropes(name, hook.reeving) if hook.reeving is not None else []
-    taken += [rope for placed in scenario.booms.values() for rope in placed.ropes]
+    taken = [*rigging_ropes(scenario), *map(gas_rope, scenario.compensators or {})]
+    taken += [f"{equalizer}.equalizing" for equalizer in scenario.equalizers or {}]
     for name, rope in (mechanics.ropes or {}).items():
         path = ("mechanics", "ropes", name)
         if rope.rope not in (scenario.ropes or {}):
@@ -78,7 +74,7 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
     for name, contact in (mechanics.contacts or {}).items():
         path = ("mechanics", "contacts", name)
         if contact.body not in known:
-            findings.add((*path, "body"), f"'{contact.body}' is not a body; {nearest(contact.body, known)}")
+            findings.add((*path, "body"), _no_body(scenario, contact.body, known))
         elif rigid.get(contact.body) == "world":
             sentence = f"'{contact.body}' stands still, as the plane does; name a body that moves"
             findings.add((*path, "body"), sentence)
@@ -94,10 +90,30 @@ def yard_bodies(scenario: Scenario) -> list[str]:
         kind = (scenario.equalizer_types or {}).get(equalizer.type or "")
         sheaves = equalizer.moving_sheaves or (kind.moving_sheaves if kind is not None else None)
         names.append(name)
-        names += [f"{name}.{place + 1}" for place in range(len(sheaves.along) if sheaves is not None else 0)]
+        if sheaves is not None and scenario.moves_sheaves(name):
+            names += [f"{name}.{place + 1}" for place in range(len(sheaves.along))]
     if scenario.load is not None:
         names.append(scenario.load.name)
     return names
+
+
+def of_slings_alone(scenario: Scenario, name: str) -> str | None:
+    """What a name stands for that bodies, ropes and tag lines cannot be made fast to, in words; or None."""
+    gear = {
+        "a spreader": scenario.spreaders,
+        "a compensator": scenario.compensators,
+        "an extension sheave": scenario.extension_sheaves,
+    }
+    what = next((what for what, named in gear.items() if name in (named or {})), None)
+    return None if what is None else f"'{name}' is {what}, which slings alone are made fast to"
+
+
+def _no_body(scenario: Scenario, name: str, known: Sequence[str]) -> str:
+    """What is wrong with a name that is none of these bodies."""
+    own = of_slings_alone(scenario, name)
+    if own is not None:
+        return f"{own}; for anything else make it a body of 'mechanics'"
+    return f"'{name}' is not a body; {nearest(name, known)}"
 
 
 def _check_parent(
@@ -105,7 +121,7 @@ def _check_parent(
 ) -> None:
     path: Path = ("mechanics", "bodies", name, "parent")
     if body.parent is not None and body.parent not in (*known, "world"):
-        findings.add(path, f"'{body.parent}' is not a body; {nearest(body.parent, known)}")
+        findings.add(path, _no_body(findings.scenario, body.parent, known))
     chain = [name]
     parent = body.parent
     while parent is not None and parent in mechanics.bodies and parent not in chain:
@@ -288,7 +304,7 @@ def _check_guide(findings: Findings, path: Path, guide: Guide, is_last: bool, kn
         findings.add((*path, "type"), sentence)
     allowed = [*known, "world"]
     if guide.body not in allowed:
-        findings.add((*path, "body"), f"'{guide.body}' is not a body; {nearest(guide.body, allowed)}")
+        findings.add((*path, "body"), _no_body(findings.scenario, guide.body, allowed))
     if isinstance(guide, Sheave):
         _check_direction(findings, (*path, "axis"), guide.axis)
     if isinstance(guide, HalfTurn):

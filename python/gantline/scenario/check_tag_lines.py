@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gantline.scenario.check_mechanics import yard_bodies
+from gantline.scenario.check_mechanics import of_slings_alone, yard_bodies
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.tag_line import TagLine, tag_rope
@@ -26,8 +26,12 @@ def check_tag_lines(findings: Findings) -> None:
             sentence = f"'{tag_rope(name)}' is already the name of a rope of 'mechanics'"
             findings.add(path, f"{sentence}; use another name")
         if line.held_by is not None and line.held_by not in (*known, "world"):
-            sentence = f"'{line.held_by}' is not a vessel, a part of a crane or a body"
-            findings.add((*path, "held_by"), f"{sentence}; {nearest(line.held_by, known)}")
+            right = nearest(line.held_by, known)
+            own = of_slings_alone(scenario, line.held_by)
+            if own is not None:
+                right = "a vessel, a part of a crane, a hook or a body may hold a tag line"
+            sentence = own or f"'{line.held_by}' is not a vessel, a part of a crane or a body"
+            findings.add((*path, "held_by"), f"{sentence}; {right}")
         elif scenario.load is not None and line.held_by == scenario.load.name:
             sentence = "the load cannot hold its own tag line"
             findings.add((*path, "held_by"), f"{sentence}; leave it out for a place in the yard")

@@ -257,6 +257,12 @@ class Scenario(Element):
         """Whether everything is in equilibrium before the lift begins."""
         return self.starts == "rest"
 
+    def moves_sheaves(self, equalizer: str) -> bool:
+        """Whether sheaves of an equalizer move; of an approximated one slings hang from its frame."""
+        given = (self.equalizers or {})[equalizer]
+        kind = (self.equalizer_types or {}).get(given.type or "")
+        return (given.mechanism or (kind and kind.mechanism)) != "approximated"
+
     @property
     def load_has_settled(self) -> bool:
         """Whether the load has settled on the ground before the lift begins."""

@@ -15,7 +15,16 @@ if TYPE_CHECKING:
     from gantline.scenario.gear import RopeMaterial
     from gantline.scenario.model import Scenario
 
-__all__ = ["BREAKS_SHOWN", "CUT_SHOWN", "BreaksAt", "Parting", "breaking_force", "check_partings", "partings"]
+__all__ = [
+    "BREAKS_SHOWN",
+    "CUT_SHOWN",
+    "BreaksAt",
+    "Parting",
+    "breaking_force",
+    "check_partings",
+    "partings",
+    "rigging_ropes",
+]
 
 BreaksAt = Annotated[
     float | Literal["minimum_breaking_force", "never"],
@@ -79,6 +88,15 @@ def partings(scenario: Scenario) -> dict[str, Parting]:
     return found
 
 
+def rigging_ropes(scenario: Scenario) -> list[str]:
+    """Names of equalizing ropes, of ropes of hoists and booms, and of slings."""
+    found = [f"{name}.equalizing" for name in scenario.equalizers or {} if scenario.moves_sheaves(name)]
+    for name, hook in scenario.hooks.items():
+        found += hoist_ropes(name, hook.reeving) if hook.reeving is not None else []
+    found += [rope for placed in scenario.booms.values() for rope in placed.ropes]
+    return found + [f"sling.{name}" for name in scenario.slings or {}]
+
+
 def check_partings(findings: Findings) -> None:
     """Note breaking forces that are not known, cuts after the end, cuts through ropes that are not there."""
     scenario = findings.scenario
@@ -97,19 +115,8 @@ def check_partings(findings: Findings) -> None:
         for name, line in (lines or {}).items():
             _check_force(findings, (section, name), line.rope, line.breaks_at)
             _check_time(findings, (section, name, "cut_at"), line.cut_at)
-    equalizing = [f"{name}.equalizing" for name in scenario.equalizers or {}]
-    hoisting = [
-        rope
-        for name, hook in scenario.hooks.items()
-        if hook.reeving is not None
-        for rope in hoist_ropes(name, hook.reeving)
-    ]
-    luffing = [rope for placed in scenario.booms.values() for rope in placed.ropes]
     known = [
-        *equalizing,
-        *hoisting,
-        *luffing,
-        *(f"sling.{name}" for name in scenario.slings or {}),
+        *rigging_ropes(scenario),
         *(f"mooring.{name}" for name in scenario.mooring_lines or {}),
         *(f"tag.{name}" for name in scenario.tag_lines or {}),
         *mechanics,
