@@ -3,6 +3,7 @@
 `order.png`: rms error of sling tensions over tolerance and over steps, by `adaptive`.
 `sideways.png`: a chain of masses 1,000,000 : 1 by `del` at h = 0.1 s, with and without geometric stiffness.
 `measured_section.png`: motions of a floating section in waves, measured and simulated.
+`measured_turning.png`: periods of a rod on two slings over how far it turns, measured and simulated.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tests" / "support")]
 
 from chain import STEP, shake  # noqa: E402
+from rod_on_two_slings import AMPLITUDES, periods, records  # noqa: E402
 from ship_section import MEASURED, simulated  # noqa: E402
 from swinging import EA, RINGING, swinging  # noqa: E402
 
@@ -182,6 +184,31 @@ def draw_section() -> Figure:
     return figure
 
 
+def draw_turning() -> Figure:
+    """Periods of a rod on two slings over the amplitude of its turns, by the length of the slings."""
+    figure = Figure(figsize=(9.0, 4.6), layout="constrained")
+    axes = figure.subplots()
+    hung = records()
+    for length in sorted({one.length for one in hung}):
+        with tempfile.TemporaryDirectory() as folder:
+            curve = periods(Path(folder), length)
+        wide = np.linspace(0.0, AMPLITUDES[-1], 100)
+        axes.plot(wide, curve(wide), color=GREY, lw=1.4, zorder=1)
+        axes.annotate(f"{length:.3f} m", (1.52, float(curve(1.5))), va="center", fontsize=8, color=GREY)
+        for one in hung:
+            if one.length == length:
+                colour, marker = ((BLUE, "o"), (ORANGE, "s"), (GREEN, "^"))[one.series - 1]
+                label = f"series {one.series}" if length == 0.494 else None
+                look = {"color": colour, "marker": marker, "mfc": "none", "ms": 4.5, "mew": 1.2}
+                axes.plot(one.amplitudes, one.periods, ls="", label=label, **look)
+    axes.set_xlim(0.0, 1.65)
+    axes.set_xlabel("amplitude of the turn [rad]")
+    axes.set_ylabel("period [s]")
+    axes.legend(fontsize=9, frameon=False, loc="upper left")
+    tidy(axes)
+    return figure
+
+
 def tidy(axes: Axes) -> None:
     """Light grid behind, no box."""
     axes.grid(True, which="major", color="#dddddd", lw=0.6)
@@ -191,7 +218,12 @@ def tidy(axes: Axes) -> None:
 
 def main() -> None:
     """Draw all."""
-    pictures = (("order", draw_order), ("sideways", draw_sideways), ("measured_section", draw_section))
+    pictures = (
+        ("order", draw_order),
+        ("sideways", draw_sideways),
+        ("measured_section", draw_section),
+        ("measured_turning", draw_turning),
+    )
     for name, draw in pictures:
         with matplotlib.rc_context(RC):
             draw().savefig(FOLDER / f"{name}.png", dpi=DOTS_PER_INCH, metadata={"Software": None})
