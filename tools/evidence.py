@@ -199,8 +199,9 @@ def draw_turning() -> Figure:
             if one.length == length:
                 colour, marker = ((BLUE, "o"), (ORANGE, "s"), (GREEN, "^"))[one.series - 1]
                 label = f"series {one.series}" if length == 0.494 else None
-                look = {"color": colour, "marker": marker, "mfc": "none", "ms": 4.5, "mew": 1.2}
-                axes.plot(one.amplitudes, one.periods, ls="", label=label, **look)
+                axes.plot(
+                    one.amplitudes, one.periods, ls="", color=colour, marker=marker, mfc="none", label=label
+                )
     axes.set_xlim(0.0, 1.65)
     axes.set_xlabel("amplitude of the turn [rad]")
     axes.set_ylabel("period [s]")
