@@ -4,6 +4,8 @@
 `sideways.png`: a chain of masses 1,000,000 : 1 by `del` at h = 0.1 s, with and without geometric stiffness.
 `measured_section.png`: motions of a floating section in waves, measured and simulated.
 `lines_in_moordyn.png`: tensions of ropes whose end moves, by MoorDyn and by gantline.
+`measured_drift.png`: forces of waves on that section, measured and simulated.
+`measured_turning.png`: periods of a rod on two slings over how far it turns, measured and simulated.
 """
 
 from __future__ import annotations
@@ -21,6 +23,7 @@ from matplotlib.figure import Figure
 
 import gantline
 from gantline._core import Simulation
+from gantline.hydro import read_database
 from gantline.plot.style import RC
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -29,7 +32,11 @@ sys.path[:0] = [str(ROOT / "tests" / "support"), str(ROOT)]
 from benchmarks.heaved_lines import LINES, SAMPLE_INTERVAL, tensions  # noqa: E402
 
 from chain import STEP, shake  # noqa: E402
-from ship_section import MEASURED, simulated  # noqa: E402
+from rod_on_two_slings import AMPLITUDES, periods, records  # noqa: E402
+from section_drift import DENSITY, FORCES, G, drift  # noqa: E402
+from section_drift import MEASURED as PUSHED  # noqa: E402
+from section_drift import SET_UPS as PUSHED_AS  # noqa: E402
+from ship_section import FILE, LENGTH, MEASURED, simulated  # noqa: E402
 from swinging import EA, RINGING, swinging  # noqa: E402
 
 FloatArray = npt.NDArray[np.float64]
@@ -194,17 +201,8 @@ def draw_lines() -> Figure:
         own = tensions(line)[:, 1] / 1e3
         every = slice(4, None, 8)
         theirs = kept[every, names.index(f"{line.name}: last")]
-        axes.plot(
-            kept[every, 0],
-            theirs,
-            color=ORANGE,
-            marker="o",
-            ls="",
-            ms=3.2,
-            mfc="white",
-            mew=0.9,
-            label="MoorDyn",
-        )
+        times = kept[every, 0]
+        axes.plot(times, theirs, "o", color=ORANGE, ms=3.2, mfc="white", mew=0.9, label="MoorDyn")
         axes.plot(SAMPLE_INTERVAL * np.arange(len(own)), own, color=BLUE, lw=1.2, label="gantline")
         axes.set_title(line.name, fontsize=10, loc="left")
         axes.set_xlim(0.0, 20.0)
@@ -214,6 +212,72 @@ def draw_lines() -> Figure:
         tidy(axes)
     handles, labels = figure.axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=2, frameon=False, fontsize=9)
+    return figure
+
+
+def draw_drift() -> Figure:
+    """Mean forces of waves over their period by what is held, and amplitudes on the held section."""
+    figure = Figure(figsize=(9.0, 5.4), layout="constrained")
+    panels = figure.subplots(2, 3, sharex=True)
+    for axes, set_up in zip(panels.flat, PUSHED_AS, strict=False):
+        frequencies, forces = drift(set_up)
+        axes.plot(2 * np.pi / frequencies, forces / (DENSITY * G * LENGTH / 2), color=BLUE, lw=1.4)
+        for one in PUSHED:
+            if one.set_up == set_up:
+                _mark(axes, one.period, one.share, one.amplitude, ORANGE)
+        axes.set_title(set_up, fontsize=9)
+        axes.set_ylim(0.0, 1.2)
+        axes.set_ylabel("mean force / ½ρga²L")
+    axes = panels[1, 2]
+    database = read_database(FILE)
+    assert database.excitation is not None
+    for motion, colour, name in ((1, BLUE, "sway"), (2, GREEN, "heave")):
+        shown = database.frequencies > 3.5
+        sizes = np.abs(database.excitation[shown, 0, motion]) / 1e3
+        axes.plot(2 * np.pi / database.frequencies[shown], sizes, color=colour, lw=1.4, label=name)
+        for shaken in FORCES:
+            _mark(axes, shaken.period, getattr(shaken, name) / 1e3, shaken.amplitude, colour)
+    axes.set_title("held: amplitudes", fontsize=9)
+    axes.set_ylim(0.0, 2.0)
+    axes.set_xlim(0.6, 1.55)
+    axes.set_ylabel("force / wave amplitude [kN/m]")
+    axes.legend(fontsize=8, frameon=False)
+    for axes in panels.flat:
+        tidy(axes)
+    for axes in panels[1]:
+        axes.set_xlabel("period of waves [s]")
+    return figure
+
+
+def _mark(axes: Axes, period: float, value: float, amplitude: float, colour: str) -> None:
+    """One measured value, by the height of the waves."""
+    marker = "s" if amplitude > 0.015 else "o"
+    axes.plot(period, value, color=colour, marker=marker, ls="", ms=5, mfc="white", mew=1.3)
+
+
+def draw_turning() -> Figure:
+    """Periods of a rod on two slings over the amplitude of its turns, by the length of the slings."""
+    figure = Figure(figsize=(9.0, 4.6), layout="constrained")
+    axes = figure.subplots()
+    hung = records()
+    for length in sorted({one.length for one in hung}):
+        with tempfile.TemporaryDirectory() as folder:
+            curve = periods(Path(folder), length)
+        wide = np.linspace(0.0, AMPLITUDES[-1], 100)
+        axes.plot(wide, curve(wide), color=GREY, lw=1.4, zorder=1)
+        axes.annotate(f"{length:.3f} m", (1.52, float(curve(1.5))), va="center", fontsize=8, color=GREY)
+        for one in hung:
+            if one.length == length:
+                colour, marker = ((BLUE, "o"), (ORANGE, "s"), (GREEN, "^"))[one.series - 1]
+                label = f"series {one.series}" if length == 0.494 else None
+                axes.plot(
+                    one.amplitudes, one.periods, ls="", color=colour, marker=marker, mfc="none", label=label
+                )
+    axes.set_xlim(0.0, 1.65)
+    axes.set_xlabel("amplitude of the turn [rad]")
+    axes.set_ylabel("period [s]")
+    axes.legend(fontsize=9, frameon=False, loc="upper left")
+    tidy(axes)
     return figure
 
 
@@ -231,6 +295,8 @@ def main() -> None:
         ("sideways", draw_sideways),
         ("measured_section", draw_section),
         ("lines_in_moordyn", draw_lines),
+        ("measured_drift", draw_drift),
+        ("measured_turning", draw_turning),
     )
     for name, draw in pictures:
         with matplotlib.rc_context(RC):

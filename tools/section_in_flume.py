@@ -46,11 +46,14 @@ class Flow:
         added: A of sway, heave and roll (3, 3) [kg/m, kg, kg m].
         damping: B (3, 3).
         force: X of waves of 1 m towards +y, time as exp(−iωt) (3,) [N/m², N/m].
+        away: Waves that run off towards +y and −y, as they would be at y = 0, by motions of 1 m/s, and those
+            that the section throws of waves of 1 m (2, 4) [s, s, m s, 1].
     """
 
     added: Array
     damping: Array
     force: Complex
+    away: Complex
 
 
 def flow(frequency: float) -> Flow:
@@ -91,11 +94,19 @@ def flow(frequency: float) -> Flow:
     through = k * deep * (1j * np.cosh(over) * normal[:, 0] + np.sinh(over) * normal[:, 1])
     known = np.column_stack([motions.T, -through])
     matrix = np.pi * np.eye(len(middle)) - double + single * of_potential
-    potential = np.linalg.solve(matrix, -single[:, on_it] @ known)[on_it]
+    everywhere = np.linalg.solve(matrix, -single[:, on_it] @ known)
+    potential = everywhere[on_it]
     # Pressure iωρφ pushes along the normal, which points into the section.
     pushed = 1j * frequency * DENSITY * (motions * length[on_it])
     by_motions = pushed @ potential[:, :3]
-    return Flow(by_motions.imag / frequency, -by_motions.real, pushed @ (potential[:, 3] + of_waves))
+    # Of a wave, φ = −i (g/ω) η cosh k(z + h)/cosh kh at the sides.
+    away = []
+    for side in (kind == 0, kind == 4):
+        shape = np.cosh(k * (middle[side, 1] + DEPTH))
+        share = (shape * length[side]) @ everywhere[side] / (shape**2 @ length[side])
+        away.append(share * np.cosh(k * DEPTH) * 1j * frequency / G * np.exp(-1j * k * far))
+    force = pushed @ (potential[:, 3] + of_waves)
+    return Flow(by_motions.imag / frequency, -by_motions.real, force, np.array(away))
 
 
 def _water_surface(wave: float) -> Array:

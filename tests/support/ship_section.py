@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 from dataclasses import dataclass
@@ -11,6 +12,7 @@ from typing import Any
 import numpy as np
 
 import gantline
+from gantline.hydro import read_database, write_database
 from waves import harmonic
 
 #: Its sizes along the flume, across it, to the water and to the deck, radius of the bilges [m]; mass [kg];
@@ -108,16 +110,26 @@ def wave_number(frequency: float, depth: float = 1.0) -> float:
     return k
 
 
-def lift(folder: Path, period: float, held: str | None = None, **given: Any) -> Path:
-    """A lift file: water of one period [s], springs and guides as lines, a motion that is held."""
+def lift(
+    folder: Path, period: float, held: str | None = None, drift: float | None = None, **given: Any
+) -> Path:
+    """A lift file: water of one period [s], springs and guides as lines, a motion that is held or all.
+
+    With `drift`, the mean force of waves of 1 m [N/m²], waves have that, whatever their frequency.
+    """
     _write_hull(folder / "section.obj")
-    (folder / FILE.name).write_bytes(FILE.read_bytes())
+    _write_water(folder / FILE.name, drift)
     by_file = {"database": FILE.name, "at": ["0 m", "0 m", f"{DRAFT} m"]}
     of_period = {**by_file, "period": f"{period} s"}
     # A motion is held by springs a thousand times as stiff, or by a thousand times the inertia.
-    stiffness, damping = (SPRINGS / 2, GUIDES / SPRINGS) if held != "sway" else (500 * SPRINGS, 0.01)
-    radii = [f"{ROLLS} m", "0.2 m", "0.2 m"] if held != "roll" else ["5 m"] * 3
-    pulled = 0.25 * stiffness if held != "sway" else 0.6e-3 * stiffness
+    fixed = held in ("sway", "all")
+    stiffness, damping = (500 * SPRINGS, 0.01) if fixed else (SPRINGS / 2, GUIDES / SPRINGS)
+    radii = ["5 m"] * 3 if held in ("roll", "all") else [f"{ROLLS} m", "0.2 m", "0.2 m"]
+    pulled = 0.6e-3 * stiffness if fixed else 0.25 * stiffness
+    # 1 N/m beside the 2.3 kN/m of the water, or hundreds of times as much, from so far above and below that
+    # their pull does not count in sway.
+    guided, taut, far = (1e6, 100.0, 100 * _FAR) if held in ("heave", "all") else (1.0, 1.0, _FAR)
+    guides = {"guide": far, **({"below": -far} if guided > 1 else {})}
     centre = ["0 m", "0 m", f"{KG} m"]
     springs = {
         name: {
@@ -130,13 +142,16 @@ def lift(folder: Path, period: float, held: str | None = None, **given: Any) -> 
         }
         for name, side in (("ahead", 1), ("behind", -1))
     }
-    guide = {
-        "vessel": "section",
-        "fairlead": centre,
-        "to": ["0 m", "0 m", f"{_FAR} m"],
-        "rope": "guide",
-        "pretension": "1 N",
-        "type": "spring",
+    upright = {
+        name: {
+            "vessel": "section",
+            "fairlead": centre,
+            "to": ["0 m", "0 m", f"{height} m"],
+            "rope": "guide",
+            "pretension": f"{taut} N",
+            "type": "spring",
+        }
+        for name, height in guides.items()
     }
     whole = {
         "format": 1,
@@ -150,8 +165,11 @@ def lift(folder: Path, period: float, held: str | None = None, **given: Any) -> 
                 "damping_time": f"{damping} s",
                 "mass": "none",
             },
-            # 1 N/m beside the 2.3 kN/m of the water.
-            "guide": {"axial_stiffness": f"{_FAR} N", "damping_time": f"{GUIDES} s", "mass": "none"},
+            "guide": {
+                "axial_stiffness": f"{guided * far} N",
+                "damping_time": f"{GUIDES / guided} s",
+                "mass": "none",
+            },
         },
         "vessels": {
             "section": {
@@ -162,15 +180,27 @@ def lift(folder: Path, period: float, held: str | None = None, **given: Any) -> 
                 "radii_of_gyration": radii,
                 "added_mass": of_period,
                 "water_damping": of_period,
-                **({"wave_forces": {**by_file, "drift": False}} if "waves" in given else {}),
+                **({"wave_forces": {**by_file, "drift": drift is not None}} if "waves" in given else {}),
             }
         },
-        "mooring_lines": {**springs, "guide": guide},
+        "mooring_lines": {**springs, **upright},
         **given,
     }
     path = folder / "lift.yaml"
     path.write_text(json.dumps(whole), encoding="utf-8")
     return path
+
+
+def _write_water(path: Path, drift: float | None) -> None:
+    """The database, with a mean force of waves of 1 m from either side, if there is one."""
+    if drift is None:
+        path.write_bytes(FILE.read_bytes())
+        return
+    database = read_database(FILE)
+    assert database.directions is not None
+    forces = np.zeros((len(database.frequencies), len(database.directions), 3))
+    forces[:, :, 1] = drift * np.sin(database.directions)
+    write_database(dataclasses.replace(database, drift=forces), path)
 
 
 def outline(element: float = 0.008) -> Any:

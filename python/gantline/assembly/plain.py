@@ -157,7 +157,7 @@ def _add_rope(parts: Parts, scenario: Scenario, name: str, rope: MechanicsRope) 
     kind = (scenario.ropes or {})[rope.rope]
     mechanics = scenario.mechanics
     drums = mechanics.drums if mechanics is not None else None
-    route = _route(parts, drums or {}, name, rope, kind)
+    route = _route(parts, scenario, drums or {}, name, rope, kind)
     length = None if isinstance(rope.length, str) else rope.length
     # Where the rope touches sheaves with true tangents, and so how long it is, is the core's to say.
     if not any(guide["type"] == "sheave" for guide in route):
@@ -269,9 +269,18 @@ def _ramp(ramp: Any) -> Json:
 
 
 def _route(
-    parts: Parts, drums: Mapping[str, Drum], name: str, rope: MechanicsRope, kind: RopeMaterial
+    parts: Parts,
+    scenario: Scenario,
+    drums: Mapping[str, Drum],
+    name: str,
+    rope: MechanicsRope,
+    kind: RopeMaterial,
 ) -> list[Json]:
-    """Guides of a rope; sheaves count from 1 along it, and those that are not ideal have a flow."""
+    """Guides of a rope; sheaves count from 1 along it, and those that are not ideal have a flow.
+
+    Raises:
+        ScenarioError: if the rope does not lie on one that is not ideal.
+    """
     route: list[Json] = []
     for guide in rope.route:
         body = None if guide.body == _WORLD else guide.body
@@ -288,6 +297,13 @@ def _route(
     for place, guide in enumerate(rope.route):
         if isinstance(guide, HalfTurn | Sheave):
             losses = sheave_losses(guide, guide.radius, kind.mass_per_length, wrap=arcs[place] / guide.radius)
+            # Nothing would move where it slips, and one that is seized would hold any tension.
+            if arcs[place] == 0 and not losses.is_ideal:
+                raise scenario.start_error(
+                    ("mechanics", "ropes", name, "route", place),
+                    "the rope does not lie on this sheave at the start, as on one with losses or inertia it "
+                    "has to; turn 'axis' round if it runs the other way (more than 270° cannot be said)",
+                )
             route[place] |= add_sheave_flow(parts, f"{name}/sheave_{place}", losses)
     return route
 
