@@ -282,6 +282,8 @@ pub struct System {
     pub fed: Vec<usize>,
     /// First constraint that is a brake; brakes come last, and each has one row.
     pub first_brake: usize,
+    /// First brake of a light sheave; these come last among brakes. Of them only the modes count: they exert no force.
+    pub first_light: usize,
     /// Rows of the brakes of motors, and their drives.
     pub motors: Vec<(usize, usize)>,
     /// Degrees of freedom of flows.
@@ -402,6 +404,21 @@ impl System {
         self.rows.first[self.first_brake]
     }
 
+    /// First row of the brakes of light sheaves, which come last.
+    pub fn first_light_row(&self) -> usize {
+        self.rows.first[self.first_light]
+    }
+
+    /// The constraints that exert forces: all but the brakes of light sheaves.
+    pub fn exerting(&self) -> &[AnyConstraint] {
+        &self.constraints[..self.first_light]
+    }
+
+    /// Laws of their rows.
+    pub fn exerting_laws(&self) -> &[Law] {
+        &self.rows.laws[..self.first_light_row()]
+    }
+
     /// Brakes with their rows.
     pub fn brakes(&self) -> impl Iterator<Item = (usize, &Brake)> {
         let rows = self.first_brake_row()..;
@@ -409,6 +426,11 @@ impl System {
             AnyConstraint::Brake(brake) => Some((row, brake)),
             _ => None,
         })
+    }
+
+    /// Those of them that exert forces.
+    pub fn exerting_brakes(&self) -> impl Iterator<Item = (usize, &Brake)> {
+        self.brakes().take_while(|(row, _)| *row < self.first_light_row())
     }
 
     /// The tension that the force of a row stands for [N]; those of rows of ropes differ where rope is fed or has a curve.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::light::check_inertia;
+use super::light::{check_inertia, is_light};
 use super::rows::flow_named;
 use super::{BuildError, at_least_zero, error, positive};
 use crate::constraint::AnyConstraint;
@@ -15,7 +15,8 @@ use crate::tree::Tree;
 /// A joint with dry friction that turns back as slowly as this [m/s or rad/s] is as good as held.
 const SLOW: f64 = 1e-4;
 
-/// Friction of all flows and joints that no drive prescribes: of joints, of the sheave that rope passes, and of brakes.
+/// Friction of all flows and joints that no drive prescribes: of joints, of the sheave that rope passes, and of brakes;
+/// that of light sheaves last.
 pub(super) fn build_brakes(
     spec: &SystemSpec,
     tree: &Tree,
@@ -28,6 +29,7 @@ pub(super) fn build_brakes(
     for index in 0..spec.bodies.len() {
         brakes.extend(brake_of_flow(spec, tree, ropes, index)?);
     }
+    brakes.sort_by_key(|brake| is_light(tree, brake));
     Ok(brakes.into_iter().map(AnyConstraint::Brake).collect())
 }
 

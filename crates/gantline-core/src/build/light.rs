@@ -3,6 +3,7 @@
 use super::brakes::Passing;
 use super::{BuildError, error};
 use crate::constraint::AnyConstraint;
+use crate::constraint::brake::Brake;
 use crate::spec::{JointSpec, SystemSpec};
 use crate::system::{LightSheaves, Rows};
 use crate::tree::Tree;
@@ -32,12 +33,15 @@ pub(super) fn check_inertia(
     Ok(())
 }
 
+/// True of the losses of a sheave without inertia.
+pub(super) fn is_light(tree: &Tree, brake: &Brake) -> bool {
+    !brake.grip.is_none() && tree.armature[brake.dof] == 0.0
+}
+
 /// Rows of light sheaves next to each other on one rope, in the order of ropes and routes.
 pub(super) fn rows_of_light(tree: &Tree, constraints: &[AnyConstraint], rows: &Rows) -> Vec<LightSheaves> {
     let brakes = constraints.iter().enumerate().filter_map(|(index, constraint)| match constraint {
-        AnyConstraint::Brake(brake) if !brake.grip.is_none() && tree.armature[brake.dof] == 0.0 => {
-            Some((rows.first[index], brake))
-        }
+        AnyConstraint::Brake(brake) if is_light(tree, brake) => Some((rows.first[index], brake)),
         _ => None,
     });
     let mut sheaves: Vec<_> = brakes.collect();

@@ -109,6 +109,8 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let fed = (0..constraints.len()).filter(|&index| is_fed(&constraints[index])).collect();
     let is_brake = |constraint: &AnyConstraint| matches!(constraint, AnyConstraint::Brake(_));
     let first_brake = constraints.iter().position(is_brake).unwrap_or(constraints.len());
+    let light_brakes = light.iter().map(|light| light.brakes.len()).sum::<usize>();
+    let first_light = constraints.len() - light_brakes;
     let motors = motors_of(&constraints[first_brake..], rows.first[first_brake], &drives);
     let flows = (0..tree.velocities)
         .filter(|&dof| matches!(tree.bodies[tree.owner[dof]].joint, Joint::Flow(_)))
@@ -131,6 +133,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         friction,
         fed,
         first_brake,
+        first_light,
         motors,
         flows,
         coils,

@@ -52,18 +52,32 @@ pub struct Slips {
 impl Slips {
     /// Tension after a sheave over that before it, by its ρ; none where it holds.
     pub fn step(&self, sheave: usize, ratio: f64) -> Option<f64> {
-        match self.way[sheave] {
-            _ if self.is_loose => Some(1.0),
-            0 => None,
-            way if way > 0 => Some(ratio),
-            _ => Some(1.0 / ratio),
+        step(self.way[sheave], self.is_loose, ratio)
+    }
+
+    /// The first span of the row that a span belongs to.
+    fn first_with(&self, span: usize) -> usize {
+        if self.is_loose {
+            return 0;
         }
+        self.way[..span].iter().rposition(|&way| way == 0).map_or(0, |sheave| sheave + 1)
     }
 
     /// Takes over others of the same sheaves.
     pub fn copy_from(&mut self, other: &Self) {
         self.way.copy_from_slice(&other.way);
         self.is_loose = other.is_loose;
+    }
+}
+
+/// See [`Slips::step`].
+#[inline]
+fn step(way: i8, is_loose: bool, ratio: f64) -> Option<f64> {
+    match way {
+        _ if is_loose => Some(1.0),
+        0 => None,
+        way if way > 0 => Some(ratio),
+        _ => Some(1.0 / ratio),
     }
 }
 
@@ -90,8 +104,8 @@ pub struct Division {
     /// Which sheaves slip.
     pub slips: Slips,
     weight: Vec<f64>,
-    /// Which sheaves have turned over since tensions were shared.
-    turned: Vec<bool>,
+    /// Which sheaves have turned over since tensions were shared, ascending; what stands after them is of earlier times.
+    turned: Vec<usize>,
 }
 
 impl Division {
@@ -102,7 +116,7 @@ impl Division {
             passed: vec![0.0; sheaves],
             slips: Slips { way: vec![0; sheaves], is_loose: false },
             weight: vec![1.0; sheaves + 1],
-            turned: vec![true; sheaves],
+            turned: vec![0; sheaves],
         }
     }
 
@@ -152,10 +166,10 @@ impl Division {
         is_asked: impl Fn(i8) -> bool,
         may: impl Fn(usize, i8) -> bool,
     ) -> bool {
-        let mut any = false;
+        let mut count = 0;
         let sides = self.tension.windows(2).zip(spans.ratio);
-        let sheaves = self.slips.way.iter_mut().zip(&mut self.turned).zip(&self.passed).zip(sides);
-        for (sheave, (((slip, turned), passed), (sides, ratio))) in sheaves.enumerate() {
+        let sheaves = self.slips.way.iter_mut().zip(&self.passed).zip(sides);
+        for (sheave, ((slip, passed), (sides, ratio))) in sheaves.enumerate() {
             let slips = |low: f64, high: f64| high - ratio * low > ROUNDING * (high.abs() + low.abs());
             *slip = match *slip {
                 0 if is_asked(1) && slips(sides[0], sides[1]) && may(sheave, 1) => 1,
@@ -163,70 +177,83 @@ impl Division {
                 way if is_asked(way) && f64::from(way) * passed < -NOTHING => 0,
                 _ => continue,
             };
-            *turned = true;
-            any = true;
+            self.turned[count] = sheave;
+            count += 1;
         }
-        if any {
-            self.share_beside(spans);
-        }
-        any
+        self.share_beside_turned(spans, count);
+        count > 0
     }
 
     /// Tensions, and what passes, with the sheaves slipping as they do.
     pub fn share(&mut self, spans: Spans) {
-        self.turned.fill(true);
-        self.share_beside(spans);
-    }
-
-    /// The same of the spans that a sheave which has turned over bounds or joins.
-    fn share_beside(&mut self, spans: Spans) {
         let mut first = 0;
         while first < self.tension.len() {
-            let (mut end, mut weight) = (first + 1, 1.0);
-            let mut is_asked = first > 0 && self.turned[first - 1];
-            self.weight[first] = weight;
-            while let Some(&ratio) = spans.ratio.get(end - 1) {
-                is_asked |= self.turned[end - 1];
-                let Some(step) = self.slips.step(end - 1, ratio) else { break };
-                weight *= step;
-                self.weight[end] = weight;
-                end += 1;
-            }
-            if is_asked {
-                self.share_row(spans, first..end);
-            }
-            first = end;
+            first = self.share_from(spans, first);
         }
-        self.turned.fill(false);
     }
 
-    /// Tensions of spans between which all sheaves slip, and what passes these.
-    fn share_row(&mut self, spans: Spans, row: Range<usize>) {
-        let last = row.end - 1;
+    /// The same of the spans that the `count` sheaves which have turned over bound or join.
+    fn share_beside_turned(&mut self, spans: Spans, count: usize) {
+        let mut settled = 0;
+        for index in 0..count {
+            let sheave = self.turned[index];
+            // The spans on both sides; where it slips they are in one row.
+            for span in [sheave, sheave + 1] {
+                if span >= settled {
+                    settled = self.share_from(spans, self.slips.first_with(span));
+                }
+            }
+        }
+    }
+
+    /// The same of the row of spans that begins with the span `first`; returns where it ends.
+    fn share_from(&mut self, spans: Spans, first: usize) -> usize {
+        let (long, plain) = (spans.stretch[first], spans.compliance[first]);
+        let mut row = Row { long, plain, soft: plain, largest: 1.0 };
+        let (mut end, mut weight) = (first + 1, 1.0);
+        self.weight[first] = weight;
+        let sheaves = self.slips.way[first..].iter().zip(&spans.ratio[first..]);
+        let after = spans.stretch[end..].iter().zip(&spans.compliance[end..]);
+        let after = after.zip(&mut self.weight[end..]);
+        for ((&way, &ratio), ((stretch, compliance), after)) in sheaves.zip(after) {
+            let Some(step) = step(way, self.slips.is_loose, ratio) else { break };
+            weight *= step;
+            *after = weight;
+            row.long += stretch;
+            row.soft += weight * compliance;
+            row.plain += compliance;
+            row.largest = row.largest.max(weight);
+            end += 1;
+        }
+        // What is loose has no strain.
+        let k = if row.long > 0.0 { spans.softening } else { 0.0 };
+        if end == first + 1 {
+            self.tension[first] = row.long / (row.plain - k * row.long);
+        } else {
+            self.share_row(spans, (first..end, row), k);
+        }
         // Where the rope goes on, a sheave holds.
-        if let Some(passed) = self.passed.get_mut(last) {
+        if let Some(passed) = self.passed.get_mut(end - 1) {
             *passed = 0.0;
         }
-        let (stretch, compliance) = (&spans.stretch[row.clone()], &spans.compliance[row.clone()]);
-        let long: f64 = stretch.iter().sum();
-        // What is loose has no strain.
-        let k = if long > 0.0 { spans.softening } else { 0.0 };
-        if let [compliance] = compliance {
-            self.tension[last] = long / (compliance - k * long);
-            return;
-        }
-        let weights = &self.weight[row.clone()];
-        let common = common((weights, compliance), (long, k));
-        let tensions = &mut self.tension[row.clone()];
-        for (tension, weight) in tensions.iter_mut().zip(weights) {
-            *tension = weight * common;
-        }
+        end
+    }
+
+    /// Tensions of several spans between which all sheaves slip, and what passes these.
+    fn share_row(&mut self, spans: Spans, (range, row): (Range<usize>, Row), k: f64) {
+        let (stretch, compliance) = (&spans.stretch[range.clone()], &spans.compliance[range.clone()]);
+        let weights = &self.weight[range.clone()];
+        let common = row.common((weights, compliance), k);
         let mut so_far = 0.0;
-        let own = tensions.iter().zip(compliance).zip(stretch);
-        for (passed, ((tension, compliance), stretch)) in self.passed[row.start..last].iter_mut().zip(own) {
-            so_far += compliance * tension / (1.0 + k * tension) - stretch;
+        let own = weights.iter().zip(compliance).zip(stretch);
+        let out = self.tension[range.clone()].iter_mut().zip(&mut self.passed[range.start..range.end - 1]);
+        for (((weight, compliance), stretch), (tension, passed)) in own.zip(out) {
+            *tension = weight * common;
+            let strained = compliance * *tension;
+            so_far += if k == 0.0 { strained } else { strained / (1.0 + k * *tension) } - stretch;
             *passed = so_far;
         }
+        self.tension[range.end - 1] = self.weight[range.end - 1] * common;
     }
 
     /// Counts sheaves that hold, and could hold no more, as slipping: [`Division::turn`] knows whether they do.
@@ -246,32 +273,39 @@ impl Division {
     }
 }
 
-/// The tension that the weights of spans are shares of, if they are stretched by `long` [m] together.
-fn common((weights, compliances): (&[f64], &[f64]), (long, k): (f64, f64)) -> f64 {
-    let (mut soft, mut plain, mut largest) = (0.0, 0.0, 0.0_f64);
-    for (weight, compliance) in weights.iter().zip(compliances) {
-        soft += weight * compliance;
-        plain += compliance;
-        largest = largest.max(*weight);
-    }
-    // Right where all weights are one, and where strains do not count.
-    let mut common = long / (soft * (1.0 - k * long / plain));
-    if k == 0.0 {
-        return common;
-    }
-    for _ in 0..STEPS {
-        let (mut excess, mut slope) = (-long, 0.0);
-        for (weight, compliance) in weights.iter().zip(compliances) {
-            let share = 1.0 / (1.0 + k * weight * common);
-            let soft = weight * compliance * share;
-            excess += soft * common;
-            slope += soft * share;
+/// Sums over spans between which all sheaves slip.
+struct Row {
+    /// Of what they are stretched by [m].
+    long: f64,
+    /// Of their compliances, and of these times their weights.
+    plain: f64,
+    soft: f64,
+    /// Largest weight.
+    largest: f64,
+}
+
+impl Row {
+    /// The tension that the weights of the spans are shares of.
+    fn common(&self, (weights, compliances): (&[f64], &[f64]), k: f64) -> f64 {
+        // Right where all weights are one, and where strains do not count.
+        let mut common = self.long / (self.soft * (1.0 - k * self.long / self.plain));
+        if k == 0.0 {
+            return common;
         }
-        let change = excess / slope;
-        common -= change;
-        if k * largest * change.abs() <= CLOSE {
-            break;
+        for _ in 0..STEPS {
+            let (mut excess, mut slope) = (-self.long, 0.0);
+            for (weight, compliance) in weights.iter().zip(compliances) {
+                let share = 1.0 / (1.0 + k * weight * common);
+                let soft = weight * compliance * share;
+                excess += soft * common;
+                slope += soft * share;
+            }
+            let change = excess / slope;
+            common -= change;
+            if k * self.largest * change.abs() <= CLOSE {
+                break;
+            }
         }
+        common
     }
-    common
 }

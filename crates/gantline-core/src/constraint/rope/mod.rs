@@ -167,20 +167,39 @@ impl Rope {
     }
 
     /// Turns what [`Rope::measure`] found into values and rates of the rows, by what feeds the spans at the configuration
-    /// and with the velocities given.
-    pub fn answer(&self, [q, v]: [&[f64]; 2], value: &mut [f64], rate: &mut [f64], lines: &mut [Line]) {
+    /// and with the velocities given. Of spans over light sheaves w, −∂g/∂L and L are `known`, where they are not zero.
+    pub fn answer(
+        &self,
+        [q, v]: [&[f64]; 2],
+        known: Option<&[[f64; 3]]>,
+        (value, rate, lines): (&mut [f64], &mut [f64], &mut [Line]),
+    ) {
         for (row, span) in self.spans.iter().enumerate() {
-            let Stretch { value: g, scale, supply, .. } = span.stretch(q, value[row]);
-            value[row] = g;
-            if span.is_scaled() {
-                let lines = &mut lines[span.parts.clone()];
-                for line in &mut *lines {
-                    line.direction *= scale;
+            if !span.is_scaled() {
+                value[row] = span.stretch(q, value[row]).value;
+                continue;
+            }
+            let known = known.map(|known| known[row]).filter(|[scale, ..]| *scale > 0.0);
+            let [scale, supply, _] = match known {
+                Some(answer) => {
+                    [value[row], rate[row]] = span.answer(answer, [value[row], rate[row]], v);
+                    [answer[0], -answer[1], answer[2]]
+                }
+                None => {
+                    let Stretch { value: g, scale, supply, unstretched } = span.stretch(q, value[row]);
+                    value[row] = g;
+                    rate[row] = scale * rate[row] + supply * span.speed(v);
+                    [scale, supply, unstretched]
+                }
+            };
+            let lines = &mut lines[span.parts.clone()];
+            for line in &mut *lines {
+                line.direction *= scale;
+                if !self.route.is_plain {
                     line.couple = line.couple.map(|couple| couple * scale);
                 }
-                lines[0].supply = supply;
-                rate[row] = scale * rate[row] + supply * span.speed(v);
             }
+            lines[0].supply = supply;
         }
     }
 
@@ -283,7 +302,7 @@ impl Constraint for Rope {
 
     fn locate(&self, at: &Moving, value: &mut [f64], rate: &mut [f64], lines: &mut [Line]) {
         self.measure(at, value, rate, lines);
-        self.answer([at.q, at.v], value, rate, lines);
+        self.answer([at.q, at.v], None, (value, rate, lines));
     }
 
     fn rates(&self, twists: &[Twist], v: &[f64], lines: &[Line], rate: &mut [f64]) {

@@ -94,6 +94,17 @@ impl Span {
         Stretch { unstretched, value: excess * scale, scale, supply }
     }
 
+    /// Value and rate of the row from the length of a fed span and the rate of that, with w, −∂g/∂L and L known.
+    #[inline]
+    pub fn answer(
+        &self,
+        [scale, supply, unstretched]: [f64; 3],
+        [length, rate]: [f64; 2],
+        v: &[f64],
+    ) -> [f64; 2] {
+        [(length - unstretched) * scale, scale * rate - supply * self.speed(v)]
+    }
+
     /// True where the row's force is not the tension.
     pub fn is_scaled(&self) -> bool {
         !self.feeds.is_empty() || self.curve.is_some()

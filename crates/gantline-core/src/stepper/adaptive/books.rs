@@ -96,6 +96,15 @@ impl Adaptive {
         self.book_point(system, state, duration);
     }
 
+    /// The same where the rows have been looked at and nothing else.
+    pub(super) fn book_seen(&mut self, system: &System, state: &State, theta: f64, duration: f64) {
+        self.rodas.course.at(theta, &mut self.point);
+        self.rodas.course.rate_at(theta, &mut self.rate);
+        let point = Point { a: &self.rate.v, ..Point::of(state, &self.point, theta * self.rodas.course.h) };
+        self.probe.follow_rows(system, &point);
+        self.book_point(system, state, duration);
+    }
+
     /// What the flow integrals do not hold: energy that a row's law takes or gives at once with its value, by its
     /// difference over the step (`sign` −1 at the start, +1 at the end).
     ///
@@ -103,7 +112,7 @@ impl Adaptive {
     /// slack loses what its spring still held.
     pub(super) fn book_springs(&mut self, system: &System, state: &State, sign: f64) {
         let here = &self.rodas.here;
-        for (row, law) in system.rows.laws.iter().enumerate() {
+        for (row, law) in system.exerting_laws().iter().enumerate() {
             let (mode, value) = (state.modes[row], here.frame.value[row]);
             let lost = match (law, mode) {
                 (_, Mode::Parted | Mode::Off) => 0.0,
@@ -167,7 +176,7 @@ impl Adaptive {
     /// What the dampers of rows take, what slips over brakes, and what the coils of drums hold and lose.
     fn book_rows(&mut self, system: &System, state: &State, duration: f64) {
         let (probe, ledger) = (&self.probe, &mut self.flows);
-        for (row, law) in system.rows.laws.iter().enumerate() {
+        for (row, law) in system.exerting_laws().iter().enumerate() {
             let compliance = law.compliance();
             let (rate, tension) = (probe.rate[row], probe.tension[row]);
             if state.modes[row].is_absent() {
@@ -234,7 +243,7 @@ impl Adaptive {
         let (probe, ledger) = (&self.probe, &mut self.flows);
         let twists = (probe.dynamics.twists.as_slice(), self.defect.as_slice());
         let mut power = drift::power(&system.tree, &probe.frame.kinematics, twists, &mut self.changes);
-        for (row, law) in system.rows.laws.iter().enumerate() {
+        for (row, law) in system.exerting_laws().iter().enumerate() {
             if state.modes[row].is_absent() {
                 continue;
             }

@@ -32,7 +32,7 @@ impl Far {
 impl Adaptive {
     /// How far a place is from what it should be.
     pub(super) fn farthest(&self, system: &System, state: &State, at: &Evaluation) -> Far {
-        let rows = (0..system.rows.count())
+        let rows = (0..system.first_light_row())
             .map(|row| Far::new(self.distance(system, state, row, at), self.allowed(system, row, at)));
         rows.fold(self.turned(system, &state.modes, at), Far::or)
     }

@@ -59,6 +59,8 @@ pub struct Evaluation {
     pub v: Vec<f64>,
     /// What passes light sheaves, by [`System::light`].
     pub light: Vec<Light>,
+    /// w, −∂g/∂L and L of every span of a rope over light sheaves, by row.
+    pub answers: Vec<[f64; 3]>,
     /// Work space by row: what spans of their ropes are stretched by, and how they answer.
     pub(super) stretch: Vec<f64>,
     pub(super) compliance: Vec<f64>,
@@ -90,6 +92,7 @@ impl Evaluation {
             anchor_rate: vec![0.0; system.friction.len()],
             v: vec![0.0; size],
             light: Light::all(system),
+            answers: vec![[0.0; 3]; rows],
             stretch: vec![0.0; rows],
             compliance: vec![0.0; rows],
             lines: vec![Line::default(); system.rows.lines.last().copied().unwrap_or(0)],
@@ -120,8 +123,21 @@ impl Evaluation {
         self.divide(system, at, modes);
         self.locate(system, at, modes);
         self.tensions(system, at, modes);
+        self.push(system, at);
+    }
+
+    /// The imbalance after [`Evaluation::rows`] at the same point.
+    pub fn follow_rows(&mut self, system: &System, at: &Point) {
+        system.clock.time(Stage::Assembly, || {
+            self.dynamics.forward(&system.tree, &self.frame.kinematics, at.v, Some(at.a));
+            self.push(system, at);
+        });
+    }
+
+    /// Lets the rows act on what the motion asks for.
+    fn push(&mut self, system: &System, at: &Point) {
         let rows = &system.rows;
-        for (index, constraint) in system.constraints.iter().enumerate() {
+        for (index, constraint) in system.exerting().iter().enumerate() {
             let tension = &self.tension[rows.first[index]..rows.first[index + 1]];
             if tension.iter().any(|tension| *tension != 0.0) {
                 let lines = &self.lines[rows.lines[index]..rows.lines[index + 1]];
@@ -129,7 +145,7 @@ impl Evaluation {
             }
         }
         self.balance(system, at);
-        for &index in &system.fed {
+        for &index in system.fed.iter().take_while(|&&index| index < system.first_light) {
             let tension = &self.tension[rows.first[index]..rows.first[index + 1]];
             let lines = &self.lines[rows.lines[index]..rows.lines[index + 1]];
             system.constraints[index].feed(tension, lines, &mut self.imbalance);
@@ -151,13 +167,13 @@ impl Evaluation {
         self.divide(system, at, modes);
         self.frame.rows(system, &self.q, &at.remembered(modes));
         self.move_anchors(system, at);
-        for (row, rate) in self.rate.iter_mut().enumerate() {
+        for (row, rate) in self.rate.iter_mut().enumerate().take(system.first_light_row()) {
             *rate = system.rows.rate(&self.frame.gradient, row, &self.v);
         }
         self.follow(system, at);
         self.tensions(system, at, modes);
         self.balance(system, at);
-        for (row, &tension) in self.tension.iter().enumerate() {
+        for (row, &tension) in self.tension.iter().enumerate().take(system.first_light_row()) {
             if tension != 0.0 {
                 for (dof, entry) in system.rows.entries(&self.frame.gradient, row) {
                     self.imbalance[dof] += entry * tension;
@@ -181,14 +197,14 @@ impl Evaluation {
     fn locate(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         let rows = &system.rows;
         let mut light = system.light.iter().map(|light| light.rope).peekable();
-        for (index, constraint) in system.constraints.iter().enumerate() {
+        for (index, constraint) in system.exerting().iter().enumerate() {
             let own = rows.first[index]..rows.first[index + 1];
             let lines = &mut self.lines[rows.lines[index]..rows.lines[index + 1]];
             let (value, rate) = (&mut self.frame.value[own.clone()], &mut self.rate[own.clone()]);
             let is_measured = light.next_if_eq(&index).is_some();
             if let (true, AnyConstraint::Rope(rope)) = (is_measured, constraint) {
                 while light.next_if_eq(&index).is_some() {}
-                rope.answer([&self.q, &self.v], value, rate, lines);
+                rope.answer([&self.q, &self.v], Some(&self.answers[own]), (value, rate, lines));
                 continue;
             }
             value.copy_from_slice(&at.memory[own]);
@@ -227,7 +243,7 @@ impl Evaluation {
     /// Rates of the rows under other velocities, after [`Evaluation::forces`].
     pub fn rates(&self, system: &System, twists: &[Twist], v: &[f64], rate: &mut [f64]) {
         let rows = &system.rows;
-        for (index, constraint) in system.constraints.iter().enumerate() {
+        for (index, constraint) in system.exerting().iter().enumerate() {
             let lines = &self.lines[rows.lines[index]..rows.lines[index + 1]];
             constraint.rates(twists, v, lines, &mut rate[rows.first[index]..rows.first[index + 1]]);
         }
@@ -236,7 +252,7 @@ impl Evaluation {
     /// Forces of the rows from their values and rates.
     fn tensions(&mut self, system: &System, at: &Point, modes: &[Mode]) {
         let states = self.frame.value.iter().zip(&self.rate);
-        for ((law, trial), (value, rate)) in system.rows.laws.iter().zip(&mut self.trial).zip(states) {
+        for ((law, trial), (value, rate)) in system.exerting_laws().iter().zip(&mut self.trial).zip(states) {
             let compliance = law.compliance();
             *trial = if compliance > 0.0 { (value + law.damping_time() * rate) / compliance } else { 0.0 };
         }
@@ -255,11 +271,7 @@ impl Evaluation {
                 Mode::Slipping => self.trial[row] * self.slip_share(&system.rows.laws[row]),
             };
         }
-        for (row, brake) in system.brakes() {
-            if system.is_light[brake.dof] {
-                self.tension[row] = 0.0;
-                continue;
-            }
+        for (row, brake) in system.exerting_brakes() {
             let slips = modes[row] == Mode::Slipping;
             let direction = if slips { at.memory[row] } else { self.trial[row].signum() };
             let (q, kinematics, seats) = (self.q.as_slice(), &self.frame.kinematics, at.seats);

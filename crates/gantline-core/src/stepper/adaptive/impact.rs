@@ -270,7 +270,7 @@ fn told(system: &System) -> impl Iterator<Item = usize> {
 
 /// Brakes and their rows, but for those of light sheaves.
 fn brakes(system: &System) -> impl Iterator<Item = (usize, &Brake)> {
-    system.brakes().filter(|(_, brake)| !system.is_light[brake.dof])
+    system.exerting_brakes()
 }
 
 /// Lets all brakes go, whose rows are returned: a force that is bounded has no share in an impact.

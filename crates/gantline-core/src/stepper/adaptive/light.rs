@@ -77,12 +77,13 @@ pub struct Light {
     other: Division,
     /// Speeds, and rates of tensions.
     runs: Division,
-    /// What has passed every sheave as it should be, where that was looked for [m].
+    /// What has passed every sheave as it should be, where that was looked for [m], and which way it slips then.
     judged: Vec<f64>,
+    judged_way: Vec<i8>,
+    /// Forces of the rows at the end of a step with the sheaves going on as they did in it [N], but for what drums feed.
+    pub arriving: Vec<f64>,
     /// Which sheaves slip in what follows.
     pub moving: Slips,
-    /// w, −∂g/∂L and L of every span.
-    pub answers: Vec<[f64; 3]>,
 }
 
 impl Light {
@@ -92,8 +93,9 @@ impl Light {
             let division = Division::new(light.dofs.len());
             Self {
                 moving: division.slips.clone(),
-                answers: vec![[1.0; 3]; light.rows.len()],
                 judged: vec![0.0; light.dofs.len()],
+                judged_way: vec![0; light.dofs.len()],
+                arriving: vec![0.0; light.rows.len()],
                 lies: division.clone(),
                 other: division.clone(),
                 runs: division,
@@ -141,7 +143,7 @@ impl Laid {
         for (light, now) in system.light.iter().zip(&at.light) {
             for (sheave, (&position, &dof)) in light.positions.iter().zip(&light.dofs).enumerate() {
                 self.passed[index] = now.judged[sheave];
-                self.way[index] = now.other.slips.way[sheave];
+                self.way[index] = now.judged_way[sheave];
                 (self.course[index], self.speed[index]) = (at.q[position], at.v[dof]);
                 index += 1;
             }
@@ -185,10 +187,13 @@ impl Adaptive {
     }
 }
 
-/// Keeps which way light sheaves slip.
+/// Keeps what has passed light sheaves, and which way they slip, as it was found at the end of a step.
 pub fn keep(system: &System, here: &Evaluation, state: &mut State) {
     for (light, now) in system.light.iter().zip(&here.light) {
-        for (&row, &way) in light.brakes.iter().zip(&now.lies.slips.way) {
+        for (&position, &passed) in light.positions.iter().zip(&now.judged) {
+            state.q[position] = passed;
+        }
+        for (&row, &way) in light.brakes.iter().zip(&now.judged_way) {
             state.modes[row] = if way == 0 { Mode::Acting } else { Mode::Slipping };
             state.memory[row] = f64::from(way);
         }
@@ -210,14 +215,14 @@ pub fn follow(system: &System, here: &Evaluation, modes: &[Mode], (r, moved): (&
         if !carries(light, modes) {
             continue;
         }
-        for (row, [_, supply, _]) in light.rows.clone().zip(&now.answers) {
+        for (row, [_, supply, _]) in light.rows.clone().zip(&here.answers[light.rows.clone()]) {
             moved[row] = system.rows.rate(&here.frame.gradient, row, r) / supply;
         }
         let mut first = 0;
         for sheave in 0..=light.dofs.len() {
             let step = light.ratio.get(sheave).and_then(|&ratio| now.moving.step(sheave, ratio));
             if step.is_none() {
-                follow_row(system, (light, now), first..sheave + 1, (r, moved));
+                follow_row(here, (light, now), first..sheave + 1, (r, moved));
                 first = sheave + 1;
             }
         }
@@ -227,28 +232,28 @@ pub fn follow(system: &System, here: &Evaluation, modes: &[Mode], (r, moved): (&
 /// The same for spans between which all sheaves slip: of ġ_j/S_j = moved_j + u_j − u_{j−1}, S = −∂g/∂L, all w_j ġ_j/ε_j
 /// are shares of one.
 fn follow_row(
-    system: &System,
+    here: &Evaluation,
     (light, now): (&LightSheaves, &Light),
     spans: Range<usize>,
     (r, moved): (&mut [f64], &[f64]),
 ) {
-    let soft = |span: usize| {
-        let [scale, supply, _] = now.answers[span];
-        system.rows.laws[light.rows.start + span].compliance() / (scale * supply)
-    };
+    let rows = light.rows.start + spans.start..light.rows.start + spans.end;
+    // ε/wS, as it has been found with the speeds.
+    let (soft, moved) = (&here.compliance[rows.clone()], &moved[rows]);
+    let sheaves = spans.start..spans.end - 1;
     let step = |sheave: usize| now.moving.step(sheave, light.ratio[sheave]).unwrap_or(1.0);
     let (mut sum, mut slope, mut weight) = (0.0, 0.0, 1.0);
-    for span in spans.clone() {
-        sum += moved[light.rows.start + span];
-        slope += weight * soft(span);
+    for (span, (moved, soft)) in spans.clone().zip(moved.iter().zip(soft)) {
+        sum += moved;
+        slope += weight * soft;
         if span + 1 < spans.end {
             weight *= step(span);
         }
     }
     let common = sum / slope;
     let (mut passed, mut weight) = (0.0, 1.0);
-    for span in spans.start..spans.end - 1 {
-        passed += weight * common * soft(span) - moved[light.rows.start + span];
+    for (span, (moved, soft)) in sheaves.zip(moved.iter().zip(soft)) {
+        passed += weight * common * soft - moved;
         r[light.dofs[span]] = passed;
         weight *= step(span);
     }

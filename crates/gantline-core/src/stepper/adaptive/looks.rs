@@ -65,6 +65,14 @@ impl Looks {
         }
     }
 
+    /// Keeps for rows over light sheaves the forces at the end of the part that is made before sheaves turn over, where no drum
+    /// feeds them.
+    pub fn note_arriving(&mut self, system: &System, at: &Evaluation) {
+        for (light, now) in system.light.iter().zip(&at.light) {
+            self.forces[POINTS - 1][light.rows.clone()].copy_from_slice(&now.arriving);
+        }
+    }
+
     /// Puts polynomials through what was noted.
     pub fn fit(&mut self) {
         for (terms, forces) in self.terms.iter_mut().zip(&self.forces) {
@@ -103,6 +111,11 @@ impl Looks {
     /// The force of one row at the share `x` of the step [N], without bound.
     fn at(&self, row: usize, x: f64) -> f64 {
         self.terms.iter().zip(TIMES).rev().fold(0.0, |sum, (terms, time)| sum * (x - time) + terms[row])
+    }
+
+    /// Whether the force of a row is on the given side of zero at the share `x` of the step.
+    pub fn is_over(&self, row: usize, upwards: bool, x: f64) -> bool {
+        (self.at(row, x) > 0.0) == upwards
     }
 
     /// The share of the step at which the force of a row goes through zero to the given side.

@@ -47,6 +47,7 @@ use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
 use crate::system::System;
 use crate::tree::kinematics::Twist;
+use books::WEIGHTS;
 use course::Increment;
 use evaluation::Evaluation;
 use light::Laid;
@@ -97,6 +98,8 @@ pub struct Adaptive {
     weights: error::Weights,
     prescribed: Prescribed,
     probe: Evaluation,
+    /// The looks at a step that may yet be cut, but for the last.
+    seen: Vec<Evaluation>,
     /// The end of the part of the step that is made.
     next: Evaluation,
     /// What flows in it, and the part of that which looks along its course have seen.
@@ -153,6 +156,7 @@ impl Adaptive {
             prescribed: Prescribed::new(system),
             rodas,
             next: probe.clone(),
+            seen: if system.light.is_empty() { Vec::new() } else { vec![probe.clone(); WEIGHTS.len()] },
             probe,
             flows: Flows::default(),
             looked: Flows::default(),
@@ -261,10 +265,10 @@ impl Adaptive {
             .map_err(|pivot| self.singular(system, state, pivot))?;
         self.log_slipping(system, state, log);
         frame.follow_slowly(system, state);
-        // Rope over light sheaves and on drums, what slides and what waves do is evaluated anew from what the state knows, as
-        // after a restore: the same bytes.
+        // Rope on drums, what slides and what waves do is evaluated anew from what the state knows, as after a restore: the
+        // same bytes.
         let slides = system.friction.iter().any(|&row| state.modes[row] == Mode::Slipping);
-        self.current &= system.light.is_empty() && system.coils.is_empty() && !slides;
+        self.current &= system.coils.is_empty() && !slides;
         self.current &= !force::has_waves(&system.tree);
         Ok(report)
     }

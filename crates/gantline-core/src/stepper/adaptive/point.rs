@@ -89,10 +89,18 @@ impl<'a> Point<'a> {
 }
 
 impl Adaptive {
-    /// Evaluates the course at one share of the step, rows only.
+    /// Evaluates the course at one share of the step, rows only, whatever was looked at.
     pub(super) fn probe_rows(&mut self, system: &System, state: &State, theta: f64) {
         self.rodas.course.at(theta, &mut self.point);
         let laying = Laying::Watched(&self.rodas.here.light, &self.laid_before);
+        let point = Point { laying, ..Point::of(state, &self.point, theta * self.rodas.course.h) };
+        self.probe.rows(system, &point, &state.modes);
+    }
+
+    /// The same as a look at the course after others.
+    pub(super) fn look_at_rows(&mut self, system: &System, state: &State, theta: f64) {
+        self.rodas.course.at(theta, &mut self.point);
+        let laying = Laying::Watched(&self.rodas.here.light, &self.laid);
         let point = Point { laying, ..Point::of(state, &self.point, theta * self.rodas.course.h) };
         self.probe.rows(system, &point, &state.modes);
     }

@@ -44,25 +44,43 @@ impl Adaptive {
     /// Looks along the part of the step that is made: what flows, and how far rows are from their laws; ends at the
     /// first look that is further than `allowed`, in what the tolerance allows, and tells which.
     fn survey(&mut self, system: &System, state: &State, allowed: f64) -> Option<usize> {
+        // Steps with light sheaves are cut more often than not: what flows is then looked for where none is.
+        let is_doubtful = allowed.is_finite() && !system.light.is_empty();
         self.follow_waves(system, state);
         self.begin_looks(system, state);
         self.laid_before.start(system, state);
         self.looks.broken = 0.0;
         let length = self.made * self.rodas.course.h;
         for (index, (theta, weight)) in LOOKS.into_iter().zip(WEIGHTS).enumerate() {
-            self.book_look(system, state, theta * self.made, weight * length);
+            if is_doubtful {
+                self.look_at_rows(system, state, theta * self.made);
+            } else {
+                self.book_look(system, state, theta * self.made, weight * length);
+            }
             self.laid.follow(system, &self.probe, state.time + theta * length);
             self.looks.note(system, index + 1, &self.probe);
             self.note_far(system, state, index);
             if self.looks.far[index] > allowed {
                 return Some(index);
             }
+            if is_doubtful {
+                std::mem::swap(&mut self.probe, &mut self.seen[index]);
+            }
         }
         self.arrive(system, state);
         self.note_arrival(system, state);
         let last = LOOKS.len() - 1;
         self.note_far(system, state, last);
-        (self.looks.far[last] > allowed).then_some(last)
+        if self.looks.far[last] > allowed {
+            return Some(last);
+        }
+        if is_doubtful {
+            for (index, (theta, weight)) in LOOKS.into_iter().zip(WEIGHTS).enumerate() {
+                std::mem::swap(&mut self.probe, &mut self.seen[index]);
+                self.book_seen(system, state, theta * self.made, weight * length);
+            }
+        }
+        None
     }
 
     /// Keeps how far the look `index` is from what it should be.
@@ -76,9 +94,11 @@ impl Adaptive {
     /// Keeps the forces at the end of the part that is made, before light sheaves turn over: forces jump there, and no
     /// polynomial goes through a jump. Those after it are the first of the next step.
     fn note_arrival(&mut self, system: &System, state: &State) {
-        if system.light.is_empty() {
+        if system.coils.is_empty() || system.light.is_empty() {
             self.looks.note(system, LOOKS.len(), &self.next);
+            self.looks.note_arriving(system, &self.next);
         } else {
+            // What drums feed is known where all rows are.
             self.probe_frozen(system, state, self.made);
             self.looks.note(system, LOOKS.len(), &self.probe);
         }
@@ -186,22 +206,25 @@ impl Adaptive {
         length: f64,
     ) -> bool {
         let mut any = false;
-        for (index, constraint) in system.constraints.iter().enumerate() {
+        for (index, constraint) in system.exerting().iter().enumerate() {
             match constraint {
                 AnyConstraint::Rope(_) => any |= self.switch_rope(system, state, log, index, (start, length)),
                 AnyConstraint::Brake(brake) => any |= self.switch_brake(system, state, index, brake),
                 AnyConstraint::Pin(_) => {}
                 AnyConstraint::Stop(_) => {
-                    if let Some((hit, crossing)) = self.turn_over(system, state, system.rows.first[index]) {
+                    let row = system.rows.first[index];
+                    if let Some(hit) = self.turn_over(system, state, row) {
                         any = true;
+                        let crossing = self.crossing(row);
                         let kind = if hit { EventKind::StopHit } else { EventKind::StopLeft };
                         log.push(start + length * crossing, kind, index);
                     }
                 }
                 AnyConstraint::Contact(Contact { group, .. }) | AnyConstraint::Touch(Touch { group, .. }) => {
                     let row = system.rows.first[index];
-                    if let Some((taut, crossing)) = self.turn_over(system, state, row) {
+                    if let Some(taut) = self.turn_over(system, state, row) {
                         any = true;
+                        let crossing = self.crossing(row);
                         self.set_friction(system, state, row, state.modes[row]);
                         self.log_group(system, state, log, *group, taut, start + length * crossing);
                     }
@@ -212,16 +235,20 @@ impl Adaptive {
         any
     }
 
-    /// Lets a rope or normal row change side where it has crossed over: whether it acts now, and the share of the
-    /// step at which it crossed.
-    fn turn_over(&self, system: &System, state: &mut State, row: usize) -> Option<(bool, f64)> {
+    /// Lets a rope or normal row change side where it has crossed over: whether it acts now.
+    fn turn_over(&self, system: &System, state: &mut State, row: usize) -> Option<bool> {
         if self.distance(system, state, row, &self.rodas.here) <= 0.0 || self.loosens(system, state, row) {
             return None;
         }
         let taut = state.modes[row] == Mode::Slack;
         state.modes[row] = if taut { Mode::Acting } else { Mode::Slack };
         state.engaged |= taut;
-        Some((taut, self.looks.crossing(row, self.rodas.here.trial[row] > 0.0)))
+        Some(taut)
+    }
+
+    /// The share of the step at which a row crossed that has.
+    fn crossing(&self, row: usize) -> f64 {
+        self.looks.crossing(row, self.rodas.here.trial[row] > 0.0)
     }
 
     /// The rows of a rope; it is slack where any of them is.
@@ -238,9 +265,15 @@ impl Adaptive {
         let before = taut(state);
         let mut last = None;
         for row in rows.clone() {
-            if let Some((_, crossing)) = self.turn_over(system, state, row) {
-                last = Some(last.unwrap_or(0.0_f64).max(crossing));
+            if self.turn_over(system, state, row).is_none() {
+                continue;
             }
+            // A row that is over by then did not cross later.
+            let is_over = |share: f64| self.looks.is_over(row, self.rodas.here.trial[row] > 0.0, share);
+            last = match last {
+                Some(share) if is_over(share) => Some(share),
+                _ => Some(last.unwrap_or(0.0_f64).max(self.crossing(row))),
+            };
         }
         let after = taut(state);
         if let (Some(crossing), true) = (last, before != after) {
@@ -256,7 +289,7 @@ impl Adaptive {
     /// Holding and slipping of the brake `index`.
     fn switch_brake(&self, system: &System, state: &mut State, index: usize, brake: &Brake) -> bool {
         let row = system.rows.first[index];
-        if system.is_light[brake.dof] || self.distance(system, state, row, &self.rodas.here) <= 0.0 {
+        if self.distance(system, state, row, &self.rodas.here) <= 0.0 {
             return false;
         }
         if state.modes[row] == Mode::Slipping {
@@ -275,11 +308,8 @@ impl Adaptive {
     /// start of the step has been evaluated.
     pub(super) fn settle(&self, system: &System, state: &mut State) -> bool {
         let mut any = false;
-        for &index in &system.fed {
+        for &index in system.fed.iter().take_while(|&&index| index < system.first_light) {
             let AnyConstraint::Brake(brake) = &system.constraints[index] else { continue };
-            if system.is_light[brake.dof] {
-                continue;
-            }
             let (row, here) = (system.rows.first[index], &self.rodas.here);
             let slips = match state.modes[row] {
                 Mode::Slipping => {

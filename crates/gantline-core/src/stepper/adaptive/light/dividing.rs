@@ -58,9 +58,12 @@ impl Evaluation {
                 }
                 Laying::Laid(frozen, laid) => {
                     self.freeze(system, on.clone(), drums, (&mut both, &frozen[index]));
+                    self.note_arriving(system, on.clone(), &mut both.arriving);
                     self.judge(on.clone(), &mut both, (laid, own), at.schedule.time);
+                    // What begins here is divided from what the state will keep, as after a restore: the same bytes.
                     let Light { lies, other, .. } = &mut both;
                     std::mem::swap(lies, other);
+                    self.lay(on.clone(), &mut both.lies, false);
                     self.run(system, on, drums, (&mut both, false));
                 }
             }
@@ -108,6 +111,22 @@ impl Evaluation {
         for (judged, &position) in both.judged.iter_mut().zip(&light.positions) {
             *judged = self.q[position];
         }
+        both.judged_way.copy_from_slice(&both.other.slips.way);
+    }
+
+    /// Forces of the rows of a rope that has been frozen.
+    fn note_arriving(
+        &self,
+        system: &System,
+        (light, rope, spans): (&LightSheaves, &Rope, Range<usize>),
+        arriving: &mut [f64],
+    ) {
+        for ((row, span), force) in light.rows.clone().zip(&rope.spans[spans]).zip(arriving) {
+            let [value, rate] =
+                span.answer(self.answers[row], [self.frame.value[row], self.rate[row]], &self.v);
+            let law = &system.rows.laws[row];
+            *force = (value + law.damping_time() * rate) / law.compliance();
+        }
     }
 
     /// Divides a rope from where the flows of `q` have it, and lets them follow.
@@ -154,16 +173,16 @@ impl Evaluation {
             self.v[dof] = 0.0;
         }
         let spans = &rope.spans[spans];
-        for ((span, row), answer) in spans.iter().zip(rows.clone()).zip(&mut both.answers) {
+        for (span, row) in spans.iter().zip(rows.clone()) {
             let Stretch { unstretched, scale, supply, .. } = span.stretch(&self.q, self.frame.value[row]);
-            *answer = [scale, -supply, unstretched];
+            self.answers[row] = [scale, -supply, unstretched];
             self.stretch[row] = -scale * self.rate[row] / supply;
             self.compliance[row] = -system.rows.laws[row].compliance() / (scale * supply);
         }
         // What else feeds the rope does so at its ends.
         for place in [0, spans.len() - 1] {
             let (span, row) = (&spans[place], rows.start + place);
-            let strain = self.frame.value[row] / both.answers[place][2] - 1.0;
+            let strain = self.frame.value[row] / self.answers[row][2] - 1.0;
             let outside = if modes[row].carries() { strain.max(0.0) } else { 0.0 };
             let coils = span.feeds.iter().filter_map(|feed| Some((feed.coil?, feed.dof)));
             let let_go = coils.map(|(coil, dof)| {

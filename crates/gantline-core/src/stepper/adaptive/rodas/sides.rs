@@ -64,7 +64,7 @@ impl Rodas {
     /// Second right side of (AD3), of rows by their laws and modes.
     pub(super) fn row_sides(&mut self, system: &System, state: &State, stage: usize, h: f64) {
         let kappa = GAMMA * h;
-        for (row, law) in system.rows.laws.iter().enumerate() {
+        for (row, law) in system.exerting_laws().iter().enumerate() {
             let tau = law.damping_time();
             self.rows[row] = match state.modes[row] {
                 Mode::Acting if tau > 0.0 => {

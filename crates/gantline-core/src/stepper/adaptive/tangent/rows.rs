@@ -12,7 +12,7 @@ use crate::system::System;
 impl TangentMatrix {
     pub(super) fn place_rows(&mut self, system: &System, here: &Evaluation, state: &State, kappa: f64) {
         let gradient = &here.frame.gradient;
-        for (row, law) in system.rows.laws.iter().enumerate() {
+        for (row, law) in system.exerting_laws().iter().enumerate() {
             let tau = law.damping_time();
             let entries = system.rows.start[row]..system.rows.start[row + 1];
             if law.compliance() == 0.0 {
@@ -30,8 +30,11 @@ impl TangentMatrix {
             let turned = self.spins.turn(joint, [triple[0], triple[1], triple[2]]);
             triple.copy_from_slice(&turned);
         }
-        for (row, law) in system.rows.laws.iter().enumerate() {
+        for (row, law) in system.exerting_laws().iter().enumerate() {
             self.place_row(system, here, state, kappa, (row, law));
+        }
+        for diagonal in &self.places.diagonal[system.first_light_row()..] {
+            self.values[*diagonal as usize] = -1.0;
         }
         self.place_light(system, here, &state.modes, kappa);
     }
@@ -50,8 +53,9 @@ impl TangentMatrix {
                     continue;
                 };
                 let answer = |span: usize| {
-                    let [scale, _, unstretched] = now.answers[span];
-                    let tension = scale * here.tension[light.rows.start + span];
+                    let row = light.rows.start + span;
+                    let [scale, _, unstretched] = here.answers[row];
+                    let tension = scale * here.tension[row];
                     (scale, kappa * kappa * tension / (2.0 * unstretched))
                 };
                 // δL is x₋ − x of the span before and x − x₊ of the one after.
@@ -86,10 +90,6 @@ impl TangentMatrix {
             Mode::Acting => -compliance / (kappa * (kappa + tau)),
             Mode::Slack | Mode::Slipping | Mode::Parted | Mode::Off => -1.0,
         };
-        if brake_of(system, row).is_some_and(|brake| system.is_light[brake.dof]) {
-            self.values[diagonal] = -1.0;
-            return;
-        }
         if !state.modes[row].carries() {
             return;
         }
