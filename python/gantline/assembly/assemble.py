@@ -43,6 +43,7 @@ from gantline.assembly.in_water import add_in_water
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
 from gantline.assembly.long_waves import add_doubts_of_hulls
 from gantline.assembly.moorings import add_moorings
+from gantline.assembly.on_load import kept_on_load
 from gantline.assembly.operations import emergency_stop, operations
 from gantline.assembly.parting import add_partings
 from gantline.assembly.parts import Parts
@@ -139,6 +140,8 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     under: Sequence[UnderLoad] = ()
     if scenario.load is not None:
         lifted = lifted_load(scenario, scenario.load, rigging)
+        scenario = kept_on_load(scenario, lifted)
+        assert scenario.load is not None  # its mechanics alone has changed
         scenario = cut_to_load(scenario, scenario.load, lifted.body)
         assert scenario.load is not None  # its supports alone have changed
         under = under_load(scenario, scenario.load, lifted.body, lifted.centre)
