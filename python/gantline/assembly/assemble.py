@@ -18,6 +18,7 @@ from gantline.assembly.doubtful_beside import doubtful_beside
 from gantline.assembly.doubtful_booms import doubtful_booms
 from gantline.assembly.doubtful_carried import doubtful_carried
 from gantline.assembly.doubtful_compensators import doubtful_compensators
+from gantline.assembly.doubtful_contacts import doubtful_contacts
 from gantline.assembly.doubtful_drums import doubtful_drums
 from gantline.assembly.doubtful_empty import doubtful_empty, doubtful_pins
 from gantline.assembly.doubtful_fenders import doubtful_fenders
@@ -221,6 +222,7 @@ def _doubts(
         *doubtful_cranes(scenario),
         *doubtful_booms(scenario),
         *doubtful_ground(scenario),
+        *doubtful_contacts(scenario),
         *doubtful_gear(scenario, rigging),
         *doubtful_baskets(parts, scenario, lifted),
         *doubtful_compensators(scenario, rigging, pins),
