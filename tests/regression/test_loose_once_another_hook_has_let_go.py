@@ -1,8 +1,8 @@
 """A load that hung from an equalizer alone for a while was told to have no tilt stiffness, as if all along.
 
-A ship block of 800 t was turned over by two hooks with equalizers and a third without: "the slings of E1, E2 give
-it no tilt stiffness" stood on its first page, beside its tilt of 176 degrees, at which the third hook held
-it. It holds while the slings of the third are off; now it says from when on.
+A ship block of 800 t was turned over by two hooks with equalizers and a third without: "the slings of E1, E2
+give it no tilt stiffness" stood on its first page, beside its tilt of 176 degrees, at which the third hook
+held it. It holds while the slings of the third are off; now it says from when on.
 """
 
 from __future__ import annotations

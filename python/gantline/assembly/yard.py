@@ -374,6 +374,8 @@ def _too_short(
         sentence += f": {too_far(distance, sling.length, most_strain(sling.rope))}; " if stretches else "; "
         # No height of the hook helps any sling where it is too far aside for one of them.
         advice = "put crane, boom or load elsewhere" if aside else "lower the hook or make the sling longer"
+        if not aside and (sling.compensator or any(one.compensator for one in sling.ends)):
+            advice += ", or have the rod out where the lift begins, by 'out_at_start'"
         if sling.name in aside:
             way = f"{sideways[sling.name]:.3f} m of that sideways"
             sentence += f"{way}, which no height of the hook makes up; "
