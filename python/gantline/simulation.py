@@ -33,6 +33,7 @@ from gantline.results.immersion import (
     loads_in_bed,
     misplaced_areas,
     never_wet,
+    out_of_water,
 )
 from gantline.results.layout import DIMS
 from gantline.results.longer_falls import longer_falls
@@ -401,6 +402,7 @@ class Simulation:
         warnings += immersion_warnings(columns, names, self.assembly.scene, dry, water.density, rig.sea)
         warnings += loads_in_bed(columns, names, self.assembly.scene, loads, water.depth)
         warnings += askew_in_water(self.assembly.document, columns, names)
+        warnings += out_of_water(self.assembly.document, columns, names)
         if self.ended:
             warnings += never_wet(self.assembly.document, columns, names, self.assembly.scene, loads)
         has_water = self.assembly.scene.get("water") is not None

@@ -18,6 +18,7 @@ from gantline.assembly.doubtful_beside import doubtful_beside
 from gantline.assembly.doubtful_booms import doubtful_booms
 from gantline.assembly.doubtful_carried import doubtful_carried
 from gantline.assembly.doubtful_compensators import doubtful_compensators
+from gantline.assembly.doubtful_contacts import doubtful_contacts
 from gantline.assembly.doubtful_drums import doubtful_drums
 from gantline.assembly.doubtful_empty import doubtful_empty, doubtful_pins
 from gantline.assembly.doubtful_fenders import doubtful_fenders
@@ -43,6 +44,7 @@ from gantline.assembly.in_water import add_in_water
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
 from gantline.assembly.long_waves import add_doubts_of_hulls
 from gantline.assembly.moorings import add_moorings
+from gantline.assembly.on_load import kept_on_load
 from gantline.assembly.operations import emergency_stop, operations
 from gantline.assembly.parting import add_partings
 from gantline.assembly.parts import Parts
@@ -139,6 +141,8 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     under: Sequence[UnderLoad] = ()
     if scenario.load is not None:
         lifted = lifted_load(scenario, scenario.load, rigging)
+        scenario = kept_on_load(scenario, lifted)
+        assert scenario.load is not None  # its mechanics alone has changed
         scenario = cut_to_load(scenario, scenario.load, lifted.body)
         assert scenario.load is not None  # its supports alone have changed
         under = under_load(scenario, scenario.load, lifted.body, lifted.centre)
@@ -218,6 +222,7 @@ def _doubts(
         *doubtful_cranes(scenario),
         *doubtful_booms(scenario),
         *doubtful_ground(scenario),
+        *doubtful_contacts(scenario),
         *doubtful_gear(scenario, rigging),
         *doubtful_baskets(parts, scenario, lifted),
         *doubtful_compensators(scenario, rigging, pins),

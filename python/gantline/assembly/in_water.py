@@ -16,6 +16,7 @@ from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Findings
 from gantline.scenario.in_water import InWater
 from gantline.scenario.load import Load
+from gantline.scenario.steps import HoistStep
 from gantline.scenario.water import Water
 from gantline.units import format_by_size
 
@@ -68,6 +69,7 @@ def add_in_water(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoa
     parts.doubts += _dense(given, load)
     parts.doubts += _too_much(given, box, water.density)
     parts.doubts += _too_little(given, load, water.density)
+    parts.doubts += _free_of_the_bed(scenario, load)
 
 
 def displaced_volume(given: InWater, load: Load) -> float:
@@ -126,6 +128,26 @@ def _floats(given: InWater, load: Load, density: float) -> Iterator[Doubt]:
         carried, weighs = (format_by_size(mass, "mass", 4) for mass in (displaced, weight))
         sentence = f"the load floats: it weighs {weighs} and displaces {carried} of water"
         yield Doubt(("load", "in_water"), f"{sentence}; ropes go slack where it has sunk in so far")
+
+
+def _free_of_the_bed(scenario: Scenario, load: Load) -> Iterator[Doubt]:
+    """Of a load that is lifted off a bed under water, which nothing holds there."""
+    ground, water = scenario.ground, scenario.water or Water()
+    sunk = load.stands_on == "ground" and ground is not None and ground.level < water.level
+    if not sunk or not any(isinstance(step, HoistStep) for step in scenario.plan):
+        return
+    ropes = {} if scenario.mechanics is None else scenario.mechanics.ropes or {}
+    held = (
+        rope.breaks_at is not None and {rope.route[0].body, rope.route[-1].body} == {"world", load.name}
+        for rope in ropes.values()
+    )
+    if not any(held):
+        sentence = (
+            f"{load.name} comes off a bed under water, and no mud or suction holds it there: its hook load "
+            "is that off clean rock; a rope of 'mechanics' from the world to it that 'breaks_at' a force "
+            "stands for what the bed holds with"
+        )
+        yield Doubt(("load", "stands_on"), sentence)
 
 
 def _dense(given: InWater, load: Load) -> Iterator[Doubt]:

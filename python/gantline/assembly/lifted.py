@@ -20,6 +20,7 @@ from gantline.assembly.spatial import (
     rotation_vector,
 )
 from gantline.assembly.under_load import UnderLoad
+from gantline.assembly.underground import under_ground
 from gantline.assembly.yard import lower_lump
 from gantline.cad.mass_properties import point_inertia
 from gantline.scenario import Rigging, Scenario
@@ -34,6 +35,8 @@ __all__ = ["LiftedLoad", "add_load", "lifted_load"]
 _MOST_NAMED = 5
 #: A load may sink into ground and supports by this share of its height.
 _DEEPEST = 0.05
+#: How deep a load that stands on nothing may begin in the ground without a word [m].
+_IN_GROUND = 0.1
 #: Supports that are less beside a line than this stand in it [m].
 _IN_A_LINE = 0.05
 
@@ -126,6 +129,9 @@ def add_load(
         mass=lifted.mass,
         inertia=inertia_list(lifted.inertia),
     )
+    if not scenario.load_has_settled:
+        corners = position + lifted.corners @ rotation_matrix(orientation).T
+        _doubt_depth(parts, scenario, load, corners[int(np.argmin(corners[:, 2]))])
     used = {lug for sling in rigging.slings.values() for lug in sling.lugs}
     free = [name for name in load.lugs if name not in used]
     if used and free:
@@ -149,6 +155,18 @@ def add_load(
                 "friction": ground.friction,
             }
         )
+
+
+def _doubt_depth(parts: Parts, scenario: Scenario, load: Load, lowest: Array) -> None:
+    """Warn of a load that hangs or floats at the start and has its lowest corner (3,) [m] in the ground."""
+    x, y, z = (float(part) for part in lowest)
+    depth = under_ground(scenario, (x, y, z))
+    if depth is not None and under_ground(scenario, (x, y, z + _IN_GROUND)) is not None:
+        sentence = (
+            f"{load.name} starts {depth}, which pushes it up: see its position and the level of the ground"
+        )
+        below = "; a sea bed has a negative one where the water is at 0" if scenario.water else ""
+        parts.doubt(("load", "position"), sentence + below)
 
 
 def _at_rest(

@@ -270,7 +270,9 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
             check_reach(parts, scenario, sling, route)
             if hangs_load(scenario, sling, distance):
                 off.append(sling.name)
-        if sling.starts_on and distance - sling.length > _may_be_short(scenario, sling):
+        if sling.starts_on and distance - sling.length > _may_be_short(
+            parts, scenario, rigging, sling, distance
+        ):
             too_short.append((sling, route))
             continue
         path = ("slings", sling.name)
@@ -316,9 +318,19 @@ def _stretches(scenario: Scenario, sling: SlingRigging) -> bool:
     return not (at_rest or sling.rope.inextensible)
 
 
-def _may_be_short(scenario: Scenario, sling: SlingRigging) -> float:
+def _may_be_short(
+    parts: Parts, scenario: Scenario, rigging: Rigging, sling: SlingRigging, distance: float
+) -> float:
     """By how much a sling may be shorter than its way at the start [m]."""
-    return most_strain(sling.rope) * sling.length if _stretches(scenario, sling) else _TAUT
+    if _stretches(scenario, sling):
+        return most_strain(sling.rope) * sling.length
+    held = sling.over or sling.spreader or sling.compensator
+    if held is None or sling.rope.stiffness is None or _outweighed(parts, scenario, rigging, sling, distance):
+        return _TAUT
+    # Gear that is not plumb below its hook leans on the slings below it, with no more than it weighs.
+    gear = [*rigging.extensions, *(scenario.spreaders or {}), *(scenario.compensators or {})]
+    weight = sum(float(parts.bodies[name]["mass"]) for name in gear) * scenario.simulation.gravity
+    return _TAUT + weight / sling.rope.stiffness * sling.length
 
 
 def _outweighed(
@@ -362,6 +374,8 @@ def _too_short(
         sentence += f": {too_far(distance, sling.length, most_strain(sling.rope))}; " if stretches else "; "
         # No height of the hook helps any sling where it is too far aside for one of them.
         advice = "put crane, boom or load elsewhere" if aside else "lower the hook or make the sling longer"
+        if not aside and (sling.compensator or any(one.compensator for one in sling.ends)):
+            advice += ", or have the rod out where the lift begins, by 'out_at_start'"
         if sling.name in aside:
             way = f"{sideways[sling.name]:.3f} m of that sideways"
             sentence += f"{way}, which no height of the hook makes up; "

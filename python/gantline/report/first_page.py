@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from gantline.checks import NO_WARNINGS, Check, Verdict, foremost, hold_points, outcome_of, past_limits
-from gantline.checks.check import HANGS_STILL
+from gantline.checks.check import ALL_KNOWN, HANGS_STILL, LOAD_LIFTED, PLAN_FINISHED
 from gantline.checks.forces import hook_force
 from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.attitude import attitude
@@ -38,6 +38,8 @@ _MOST_WARNINGS = 3
 #: Failed checks with their numbers, and such as are no more than named after them.
 _MOST_FAILED = 3
 _MOST_FAILED_NAMED = 12
+#: Warnings that tell why all others say little.
+_FIRST = (HANGS_STILL, PLAN_FINISHED, LOAD_LIFTED, ALL_KNOWN)
 #: Tilt at which a lift is stopped where it sets no limit of its own [rad]: 1 deg.
 _USUAL_TILT = float(np.deg2rad(1.0))
 
@@ -156,12 +158,21 @@ def _named_failures(failed: list[Check]) -> str:
 def _foremost_warnings(checks: list[Check]) -> list[Check]:
     """Warnings that the first page spells out: what is past its limit, and what has a remark of its own.
 
-    That a load never hung still stands before what all is not known for that.
+    Why there is no verdict comes first, and that a load never hung still, before what all is not known for
+    that; then what came to pass in the run, such as a load that is dropped on its bed, before what limits and
+    rules do not say.
     """
     past = past_limits(checks)
     others = [one for one in checks if one.verdict is Verdict.WARNING and one not in past and one.remark]
-    others.sort(key=lambda one: one.name != HANGS_STILL)
+    others.sort(key=lambda one: (one.name not in _FIRST, not _came_to_pass(one)))
     return [*past, *others][:_MOST_WARNINGS]
+
+
+def _came_to_pass(check: Check) -> bool:
+    """Whether a warning is of what a run did: it has no number, or one past the least that may be."""
+    if check.value is None or check.limit is None:
+        return check.value is None and check.limit is None and check.name != NO_WARNINGS
+    return check.at_least and check.value < check.limit
 
 
 def _warning(check: Check, own: Container[str]) -> dict[str, str]:

@@ -255,11 +255,12 @@ def _draw(
         style = f"sk-solid sk-{kind if kind in _ORDER else 'other'}"
         marks += [Mark("area", style, drawn_path(outline(paper.place(points)))) for points in pieces]
     slings = {sling.rope for sling in moment.rig.slings}
+    at_loads = slings.union(*(load.other_ropes for load in moment.rig.loads))
     for name, path in ropes.items():
         if name in moment.rig.outer_ropes:
             marks += paper.line(path, "sk-rope")
             continue
-        if plan and slings and name not in slings:
+        if plan and slings and name not in at_loads:
             continue  # what hangs above would cover where slings are
         marks.append(Mark("line", "sk-sling" if name in slings else "sk-rope", drawn_path(paper.place(path))))
     marks += _hangers(moment, paper, solids) if not plan else []

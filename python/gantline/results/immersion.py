@@ -22,10 +22,13 @@ __all__ = [
     "loads_in_bed",
     "misplaced_areas",
     "never_wet",
+    "out_of_water",
 ]
 
 #: How deep a load may dip, and an area come out, without a word [m]: contact and slings give that much.
 _DIPS = 0.01
+#: Share of what a load displaces from which it counts as wholly wet; below the rest it is out [1].
+_WHOLLY = 0.99
 #: How far from upright a load's layers still lie about level [rad].
 _ASKEW = np.radians(45.0)
 #: What is between body and area in the name of a force.
@@ -153,6 +156,30 @@ def never_wet(
         above = f"its lowest point stays {box.lowest.min() - float(water['level']):.2f} m above still water"
         sentences.append(f"{load} has 'in_water' and never gets wet: {above}; see how far the plan lowers it")
     return sentences
+
+
+def out_of_water(document: Mapping[str, Any], columns: Columns, names: Names) -> list[str]:
+    """A sentence for each load with `in_water` that is out of the water again after it was wholly wet.
+
+    What runs off it then, and what stays in it, is no force of the simulation, and hangs on the hook.
+
+    Args:
+        document: What has been assembled of the lift.
+        columns: Columns of the core by name.
+        names: Names along their dimensions.
+    """
+    warnings = []
+    for force in (one for one in document.get("forces", ()) if one["type"] == "submerged"):
+        wet = columns["displaced_volume"][:, list(names["hull"]).index(force["name"])]
+        whole = sum(4 * one["layers"] * one["volume"] for one in force["lattices"])
+        sunk = np.flatnonzero(wet >= _WHOLLY * whole)
+        out = np.flatnonzero(wet < (1.0 - _WHOLLY) * whole)
+        after = out[out > sunk[0]] if sunk.size else out[:0]
+        if after.size:
+            when = f"{force['body']} is out of the water at {columns['time'][after[0]]:.2f} s"
+            held = "what water is held in it then, and runs off, has no weight here: its hook load is more"
+            warnings.append(f"{when}, after it was wholly wet: {held}")
+    return warnings
 
 
 def askew_in_water(document: Mapping[str, Any], columns: Columns, names: Names) -> list[str]:

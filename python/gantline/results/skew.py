@@ -14,6 +14,8 @@ Both are taken where the load hangs; slings that share are taken together:
   spreader and on the load. Spreaders are rigid. Below one that an equalizer holds, slings have a factor only
   where lengths decide nothing.
 
+Of slings beside which ropes of `mechanics` carry the load in the same hook nothing is told.
+
 A sling over an extension sheave shares with none: it follows the sling that its sheave hangs on, and has no
 factor of its own. How slings share that carry such sheaves, where lengths decide it, depends on all that
 hangs below and cannot be told.
@@ -159,6 +161,9 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
         if equalizer is not None
         else set().union(*(_spreaders_at(recording, one) for one in slings))
     )
+    if others := _share_with(recording, window, slings, float(tension.max())):
+        yield from _none(slings, tension, f"ropes of 'mechanics' in their hook share with them: {others}")
+        return
     if joined:
         gradient = _wrenches(recording, window, slings, unit)
     elif equalizer is None:
@@ -185,6 +190,29 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
     lengths = np.array([one.length for one in slings])
     perfect = perfect_forces_of(ropes, lengths, gradient, tension)
     yield from _all(slings, tension, perfect, lengths_decide=True)
+
+
+def _share_with(recording: Recording, window: BoolArray, slings: Sequence[Sling], most: float) -> str:
+    """Ropes of `mechanics` that carry a load beside slings of a hook, by name; empty where there are none.
+
+    Which of the ropes hang in which hook is not recorded: all count where a hook of the slings bears some.
+
+    Args:
+        recording: Of any lift.
+        window: The time that counts, shape (time,).
+        slings: Those that share.
+        most: Largest static force of theirs [N].
+    """
+    hooks = {recording.rig.hook_of(one) for one in slings}
+    if not any(hook.bears_mechanics for hook in recording.rig.hooks if hook.name in hooks):
+        return ""
+    ropes = dict.fromkeys(rope for load in recording.rig.loads for rope in load.other_ropes)
+    carry = [
+        rope
+        for rope in ropes
+        if _static(recording, window, recording.column("rope_tension", rope)) > _SLACK * most
+    ]
+    return ", ".join(carry)
 
 
 def _wrenches(

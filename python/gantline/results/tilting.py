@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -39,19 +39,24 @@ class LooseTilt:
         equalizers: From which it hangs.
         line: Level direction of the line about which it tilts freely, world x and y; None: about any.
         depth: Of its centre of gravity below the middle of the lugs [m]; negative above.
+        since: From when on it hangs so [s]; None of one that does from the first on.
     """
 
     load: str
     equalizers: tuple[str, ...]
     line: tuple[float, float] | None
     depth: float
+    since: float | None = None
 
     def __str__(self) -> str:
         # What is left of rounding has no sign.
         x, y = (round(part, 2) + 0.0 for part in self.line or (0.0, 0.0))
         about = "" if self.line is None else f" about ({x:.2f}, {y:.2f}, 0)"
         names = ", ".join(self.equalizers)
-        no_stiffness = f"the slings of {names} give {self.load} no tilt stiffness{about}"
+        slings = f"the slings of {names}"
+        if self.since is not None:
+            slings = f"from {self.since:.2f} s on, when it hangs from them alone, {slings}"
+        no_stiffness = f"{slings} give {self.load} no tilt stiffness{about}"
         if self.depth <= 0.0:
             return f"{no_stiffness}, and its centre of gravity is not below the middle of its lugs"
         tilt = format_quantity(math.atan2(_OFFSET, self.depth), "deg", 2)
@@ -71,8 +76,11 @@ def loose_tilt(recording: Recording, load: Load) -> LooseTilt | None:
         recording: Any recording; pins count as they are at the end of such a time.
         load: A load of it.
     """
-    found = (_loose(recording, load, *stage) for stage in _stages(recording, load))
-    return next((one for one in found if one is not None), None)
+    for number, (slings, sample, until) in enumerate(_stages(recording, load)):
+        found = _loose(recording, load, slings, sample, until)
+        if found is not None:
+            return replace(found, since=float(recording.time[sample])) if number else found
+    return None
 
 
 def _stages(recording: Recording, load: Load) -> Iterator[tuple[list[Sling], int, float]]:

@@ -134,6 +134,7 @@ class Scenario(Element):
     _text: str = PrivateAttr("")
     _source: str = PrivateAttr("")
     _tree: MapNode = PrivateAttr(default_factory=MapNode)
+    _centre_moved: tuple[float, float, float] = PrivateAttr((0.0, 0.0, 0.0))
 
     @property
     def text(self) -> str:
@@ -149,6 +150,26 @@ class Scenario(Element):
     def tree(self) -> MapNode:
         """The lift file as a tree of texts with lines."""
         return self._tree
+
+    @property
+    def centre_moved(self) -> tuple[float, float, float]:
+        """How far the load's centre of gravity is from that of the file, in a case or other change (3,) [m].
+
+        Points of `mechanics` on the load count from the centre of gravity, and stay on the load where they
+        are; so they count from where the file has it.
+        """
+        return self._centre_moved
+
+    def counted_from(self, before: Scenario) -> Scenario:
+        """The same scenario, knowing the one that was changed into it."""
+        old, new = (None if one.load is None else one.load.centre_of_gravity.at for one in (before, self))
+        moved = before.centre_moved
+        if isinstance(old, tuple) and isinstance(new, tuple):
+            ways = zip(moved, new, old, strict=True)
+            along, across, up = (way + after - at for way, after, at in ways)
+            moved = along, across, up
+        self._centre_moved = moved
+        return self
 
     def read_from(self, source: str, text: str, tree: MapNode) -> Scenario:
         """The same scenario, knowing the file it came from; messages about it then have lines."""

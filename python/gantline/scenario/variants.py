@@ -93,7 +93,7 @@ def variants_of(scenario: Scenario, name: str) -> list[Variant]:
 
 def without_cases(scenario: Scenario) -> Scenario:
     """The lift as it is given, without cases."""
-    return from_tree(_base(scenario), scenario.source, scenario.text)
+    return from_tree(_base(scenario), scenario.source, scenario.text).counted_from(scenario)
 
 
 def with_value(scenario: Scenario, path: str, text: str) -> Scenario:
@@ -252,7 +252,7 @@ def _changed(scenario: Scenario, changes: Mapping[str, Node], path: tuple[PathPa
         except PathError as error:
             raise scenario.error(own, str(error)) from None
     try:
-        return from_tree(tree, scenario.source, scenario.text)
+        return from_tree(tree, scenario.source, scenario.text).counted_from(scenario)
     except ScenarioError as error:
         line = line_of(scenario.tree, path)
         problems = [
@@ -266,7 +266,7 @@ def _with_texts(scenario: Scenario, tree: MapNode, texts: Mapping[str, Any]) -> 
     """The scenario of a tree with values at dotted paths, for which that of `scenario` knows the lines."""
     for path, text in texts.items():
         tree = put(tree, path, node_of(text, line_at(scenario.tree, path)))
-    return from_tree(tree, scenario.source, scenario.text)
+    return from_tree(tree, scenario.source, scenario.text).counted_from(scenario)
 
 
 def _base(scenario: Scenario) -> MapNode:

@@ -77,7 +77,7 @@ impl StaticLift {
     /// free degrees of freedom (none: the start itself).
     ///
     /// The samples are then the start of the lift, as it is given, and the equilibrium; at time 0 that alone.
-    /// A plan that waits for a condition, in which a drive follows, or that has put in a pin is followed from rest to rest,
+    /// A plan that waits for a condition, in which a drive follows, or that has put in a pin or put on a sling is followed from rest to rest,
     /// contacts holding; so is a lift whose drums remember what they wind, or whose friction holds. What slides does so from
     /// there. Before every part `goes_on` is asked. The same way is gone once: who asks again goes on from the nearest place
     /// that it has come by, with the same answer.

@@ -12,7 +12,7 @@ mod parting;
 mod pinning;
 mod removing;
 pub mod seats;
-mod slinging;
+pub mod slinging;
 pub mod spots;
 
 use thiserror::Error;

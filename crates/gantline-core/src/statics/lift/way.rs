@@ -8,7 +8,8 @@ use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::statics::losses::Losses;
 use crate::statics::{NoEquilibrium, Rest, Statics};
-use crate::stepper::flows;
+use crate::stepper::frame::Frame;
+use crate::stepper::{flows, slinging};
 use crate::system::System;
 
 /// Time between looks at the condition of a step while another one ends [s].
@@ -18,6 +19,8 @@ const AHEAD: f64 = 16.0 * LOOK;
 /// Longest and shortest part of a plan that is followed at once; when a condition is met is known to the latter [s].
 const LONGEST: f64 = 5.0;
 const SHORTEST: f64 = 1e-3;
+/// How much too short a sling may seem where it is put on, since friction of sheaves is left out there [m].
+const REACH: f64 = 0.01;
 /// Unstretched rope, wound in one part, that may be in doubt [m]: the error is of second order in it.
 const DOUBT: f64 = 1e-6;
 
@@ -71,12 +74,14 @@ impl Trail {
 
 impl StaticLift {
     /// Whether what the lift comes to at `time` [s] of its plan depends on the way: where that waits for a condition or
-    /// follows what there is to see before, or has put in a pin, which holds its joint where it had come to by then.
+    /// follows what there is to see before, or has put in a pin, which holds its joint where it had come to by then, or has put
+    /// on a sling, which has to reach there.
     pub(super) fn has_way(&self, time: f64) -> bool {
         let mut ahead = self.state.plan.clone();
         ahead.advance(&self.system.plan, 0.0, time, None, &mut EventLog::new());
         let is_put_in = |pin: &Switching| matches!(pin.wanted(ahead.begun()), (true, Some(_)));
-        ahead.has_looked(&self.system.plan) || self.system.pins.iter().any(is_put_in)
+        ahead.has_looked(&self.system.plan)
+            || self.system.pins.iter().chain(&self.system.slings).any(is_put_in)
     }
 
     /// At once.
@@ -145,6 +150,7 @@ impl StaticLift {
             }
             flows::advance_plan(system, state, &placed(system, state), (next, &support), log);
             state.time = next;
+            refuse_short(system, state, now)?;
             part(system, state);
             let is_short = next - now <= SHORTEST;
             // Held as long as there is a way on.
@@ -227,6 +233,28 @@ fn is_fulfilled(system: &System, state: &State, support: &mut [f64]) -> bool {
     let tension =
         |row: usize| flows::tension_at(system, kinematics, (row, &state.tension), [&state.q, &state.v]);
     state.plan.is_fulfilled(&system.plan, &Seen { support, tension: &tension, kinematics })
+}
+
+/// Slings that are put on from here on have to reach: what holds a load before it hangs on them is where `state` has it.
+///
+/// # Errors
+/// [`NoEquilibrium`] where one is too short, as a run ends there.
+fn refuse_short(system: &System, state: &State, time: f64) -> Result<(), NoEquilibrium> {
+    let row = |sling: &Switching| system.rows.first[sling.constraint];
+    let is_put_on =
+        |sling: &&Switching| state.modes[row(sling)] == Mode::Off && sling.wanted(state.plan.begun()).0;
+    let mut put_on = system.slings.iter().filter(is_put_on).peekable();
+    if put_on.peek().is_none() {
+        return Ok(());
+    }
+    let mut frame = Frame::new(system);
+    frame.update(system, state);
+    let when = format!("at {time:.2} s");
+    put_on.try_for_each(|sling| {
+        slinging::too_short(system, &frame, sling.constraint, REACH, &when).map_or(Ok(()), |cause| {
+            Err(NoEquilibrium { element: system.rope_name(sling.constraint).to_owned(), cause })
+        })
+    })
 }
 
 /// Ropes that have been cut before now; slings and pins as the steps that have begun have them.
