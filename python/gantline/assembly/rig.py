@@ -13,6 +13,7 @@ from gantline.assembly.compensators import hung_mass
 from gantline.assembly.crawler import crawler_rig
 from gantline.assembly.goliath import crane_rig
 from gantline.assembly.gusts import wind_rig
+from gantline.assembly.hinges import hinge_rig
 from gantline.assembly.in_water import in_water_name
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.lifting import lifting_by_mechanics
@@ -59,6 +60,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
         **mooring_rig(scenario),
         **tag_rig(scenario),
+        **hinge_rig(scenario, None if lifted is None else lifted.centre),
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
         **({"booms": booms} if (booms := boom_rig(scenario, parts)) else {}),
         **({"crawlers": crawlers} if (crawlers := crawler_rig(scenario, parts)) else {}),
@@ -364,7 +366,7 @@ def _equalised_below(scenario: Scenario) -> Json:
 
 
 #: Keys of a step by which ropes and supports go, and slings come, as it begins.
-_PARTS = ("cut", "detach", "attach", "remove_supports")
+_PARTS = ("cut", "detach", "attach", "remove_supports", "open_hinges")
 
 
 def _step(scenario: Scenario, step: Any) -> Json:
