@@ -17,6 +17,7 @@ from gantline.simulation import Simulation, simulate
 from gantline.statics import Statics
 from gantline.study.lost_load import lose_load
 from hinged_mast import FOOT, HEAD, MAST, RAISE, WEIGHT, mast
+from reference_lift import ROOT
 
 #: A hook over the lug as the mast lies: it bears W a/b, the foot the rest.
 OVER = (19.0, 0.0, 60.0)
@@ -223,6 +224,15 @@ def test_messages(old: str, new: str, message: str) -> None:
         assemble(parse_scenario(text.replace(old, new, 1), "lift.yaml"))
     assert message in str(caught.value)
     assert "Traceback" not in str(caught.value)
+
+
+def test_nothing_is_followed_while_a_hinge_holds_the_load() -> None:
+    """As while a foot stands: the way to where falls come plumb is not that of the hook beside."""
+    text = (ROOT / "scenarios" / "upending" / "scenario.yaml").read_text(encoding="utf-8")
+    hinged = text.replace("plan:\n", "hinges: {foot: {at: [16 m, 0 m, 1.8 m], axis: [0, 1, 0]}}\nplan:\n", 1)
+    message = "hinge 'foot' holds the load, and falls askew; nothing is followed: 'to' or 'by' gives the way"
+    with pytest.raises(ScenarioError, match=message):
+        parse_scenario(hinged)
 
 
 def test_a_hinge_without_a_load() -> None:

@@ -366,6 +366,12 @@ class Rig(FromJson):
         of_trolleys = [hook for crane in self.cranes for _, hook in crane.hooks]
         return of_trolleys + [hook for boom in self.booms for hook in boom.hooks]
 
+    @property
+    def fixed_hooks(self) -> list[Hook]:
+        """Hooks without a crane behind them."""
+        others = {crane.name for crane in self.cranes} | {boom.name for boom in self.booms}
+        return [hook for hook in self.hooks if hook.crane not in others]
+
     def rope(self, name: str) -> Rope | None:
         """The rope of that name, if something is known of it."""
         return next((one for one in self.ropes if one.name == name), None)

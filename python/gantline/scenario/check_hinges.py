@@ -70,8 +70,12 @@ def _check_plan(findings: Findings) -> None:
             elif name in opened:
                 findings.add(path, f"step '{opened[name]}' has opened '{name}' already; a hinge opens once")
             opened.setdefault(name, step.step)
+        shut = [name for name in hinges if name not in opened]
+        if shut and getattr(step, "keep_plumb", None):
+            sentence = f"hinge '{shut[0]}' holds the load, and falls askew; nothing is followed"
+            findings.add(("plan", place, "keep_plumb"), f"{sentence}: 'to' or 'by' gives the way")
         until = getattr(step, "until", None)
-        if until is not None and until.load_transferred is not None and not hinges.keys() <= opened.keys():
+        if shut and until is not None and until.load_transferred is not None:
             sentence = "a hinge bears a part of the load, which no step can wait for"
             right = "wait for 'supports: clear', 'load_tilt' or 'hoist_load'"
             findings.add(("plan", place, "until", "load_transferred"), f"{sentence}; {right}")
