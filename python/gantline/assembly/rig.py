@@ -134,6 +134,7 @@ def _wave_trains(scenario: Scenario) -> list[Json]:
             "period": train.main_period,
             "is_regular": train.is_regular,
             "seed": None if train.is_regular else train.seed,
+            **({} if train.phase is None else {"phase": train.phase}),
         }
         for name, train in (scenario.waves or {}).items()
     ]

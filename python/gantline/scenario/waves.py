@@ -32,6 +32,11 @@ class WaveTrain(Element):
     direction: Angle = Field(description="Direction in which they run, from world x towards y.")
     height: PositiveLength | None = Field(None, description="Of waves that are all alike: crest to trough.")
     period: PositiveTime | None = Field(None, description="Their period.")
+    phase: Angle | None = Field(
+        None,
+        description="How late their crests pass the origin of the world: as the lift starts and every period "
+        "after it with 0, or if not given; 90 deg is a quarter of a period later, 180 deg has troughs then.",
+    )
     significant_height: PositiveLength | None = Field(
         None, description="Of a sea: four times the standard deviation of its surface."
     )
@@ -67,6 +72,10 @@ class WaveTrain(Element):
         for key in ("peak_enhancement", "components", "seed"):
             if regular and key in data:
                 raise refuse(f"'{key}' is for a sea with 'significant_height'", key)
+        if irregular and "phase" in data:
+            raise refuse(
+                "'phase' is for waves with 'height'; those of a sea are drawn by its 'seed'", "phase"
+            )
 
     @property
     def is_regular(self) -> bool:
