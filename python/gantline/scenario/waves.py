@@ -32,11 +32,6 @@ class WaveTrain(Element):
     direction: Angle = Field(description="Direction in which they run, from world x towards y.")
     height: PositiveLength | None = Field(None, description="Of waves that are all alike: crest to trough.")
     period: PositiveTime | None = Field(None, description="Their period.")
-    phase: Angle | None = Field(
-        None,
-        description="How late their crests pass the origin of the world: as the lift starts and every period "
-        "after it with 0, or if not given; 90 deg is a quarter of a period later, 180 deg has troughs then.",
-    )
     significant_height: PositiveLength | None = Field(
         None, description="Of a sea: four times the standard deviation of its surface."
     )
@@ -46,6 +41,11 @@ class WaveTrain(Element):
     )
     components: Components = Field(100, description="Regular waves that a sea is made of.")
     seed: Seed = Field(1, description="Another number is another record of the same sea.")
+    phase: Angle | None = Field(
+        None,
+        description="Of waves that are all alike how late crests pass the origin of the world: with 0, or if "
+        "not given, as the lift starts and every period after it, with 90 deg a quarter of a period later.",
+    )
 
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:
