@@ -121,6 +121,24 @@ def test_no_verdict_on_a_load_that_a_hinge_keeps_upright() -> None:
     assert tilt.verdict is not Verdict.WARNING
 
 
+def test_a_hook_may_be_weaker_than_its_load_while_a_hinge_bears_the_rest() -> None:
+    """60 t for a head that weighs 47 t of 100 t; a hinge that opens leaves all of it to the hook.
+
+    Nor is such a hook told that it stands beside the centre of gravity of what it lifts off.
+    """
+
+    def told(plan: str) -> list[str]:
+        text = short(plan).replace("type: fixed_hook,", "type: fixed_hook, rated_capacity: 60 t,")
+        stands = "supports: {head: {under: mast, grid: {x: [15 m], y: [-0.5 m, 0.5 m]}, height: 10 m, "
+        stands += "stiffness: 200 MN/m, damping: 2 MN s/m, friction: 0.3}}\nplan:\n"
+        text = text.replace("plan:\n", stands, 1).replace("  weight:", "  stands_on: head\n  weight:", 1)
+        return [one for one in assemble(parse_scenario(text)).warnings if "mast" in one or "weighs" in one]
+
+    lift = "  - {step: lift, hoist: main, speed: 1 m/min, until: {supports: clear}}\n"
+    assert told(lift) == []
+    assert told(lift + OPEN) == ["the load weighs 100 t, and what its slings hang from may carry 60 t in all"]
+
+
 def test_a_load_in_a_hinge_is_not_lost() -> None:
     text = (
         mast(RAISE, hinge=", held_by: barge")
