@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +16,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from afloat import BREADTH, DRAFT, KG, LENGTH, MASS, barge, lift_of, written
+from carried_barge import carried, table
 from floating import SEA
 from gantline.results.hinges import axial_force, hinge_force, hinge_moment, radial_force
 from gantline.results.recording import Recording
@@ -167,27 +169,29 @@ BOB, BOB_INERTIA, PIVOT = 400e3, (4e6, 5e6, 2e6), 20.0
 DOWN = 7.0
 
 
-def pendulum(folder: Path, *, at: float = LENGTH / 2, vessel: dict[str, object] | None = None) -> Path:
-    """A barge with a load that hangs in a hinge about her long axis, both at the draft of the barge alone."""
-    hull = {"mass": f"{MASS - BOB} kg", "at": [f"{LENGTH / 2} m", "0 m", f"{KG} m"]}
-    given = lift_of(
-        barge(masses={"hull": hull}, **(vessel or {})),
-        duration="12 s",
-        start="as_given",
-        load={
+def hung(at: float) -> dict[str, Any]:
+    """A load that hangs aboard in a hinge about the long axis of the barge, `at` from her stern [m]."""
+    axes_of = zip(("xx", "yy", "zz"), BOB_INERTIA, strict=True)
+    gripper = {"at": ["0 m", "0 m", f"{5.0 + DOWN} m"], "axis": [1, 0, 0], "held_by": "barge"}
+    return {
+        "load": {
             "name": "bob",
             "shape": {"box": ["4 m", "4 m", "10 m"]},
             "position": [f"{at} m", "0 m", f"{PIVOT - DRAFT - DOWN - 5.0} m"],
             "weight": {"calculated": f"{BOB} kg"},
-            "inertia": {
-                key: f"{one} kg m^2" for key, one in zip(("xx", "yy", "zz"), BOB_INERTIA, strict=True)
-            },
+            "inertia": {key: f"{one} kg m^2" for key, one in axes_of},
             "centre_of_gravity": {"at": ["0 m", "0 m", "5 m"]},
         },
-        hinges={"gripper": {"at": ["0 m", "0 m", f"{5.0 + DOWN} m"], "axis": [1, 0, 0], "held_by": "barge"}},
-        simulation={"sample_interval": "5 ms", "position_tolerance": "0.001 mm"},
-    )
-    return written(folder, given)
+        "hinges": {"gripper": gripper},
+        "simulation": {"sample_interval": "5 ms", "position_tolerance": "0.001 mm"},
+    }
+
+
+def pendulum(folder: Path, *, at: float = LENGTH / 2, vessel: dict[str, object] | None = None) -> Path:
+    """A barge with a load that hangs in a hinge about her long axis, both at the draft of the barge alone."""
+    hull = {"mass": f"{MASS - BOB} kg", "at": [f"{LENGTH / 2} m", "0 m", f"{KG} m"]}
+    floating = barge(masses={"hull": hull}, **(vessel or {}))
+    return written(folder, lift_of(floating, duration="12 s", start="as_given", **hung(at)))
 
 
 def test_a_pendulum_on_a_barge(tmp_path: Path) -> None:
@@ -246,3 +250,19 @@ def test_forces_aboard_a_barge_that_rolls_and_pitches(tmp_path: Path) -> None:
     energy = np.abs(run.column("energy", "remainder")).max()
     assert energy < 1e-7 * np.abs(run.column("energy", "gravity")).max()
     assert hinge_force(run, hinge).max() > 0.95 * BOB * G
+
+
+def test_forces_aboard_a_barge_that_waves_carry(tmp_path: Path) -> None:
+    """F = m (r̈ + g) on a barge that moves by her RAOs, whatever hangs from her; by differences as above."""
+    table(tmp_path)
+    swell = {"swell": {"height": "1 m", "period": "8 s", "direction": "60 deg"}}
+    run = simulate(carried(tmp_path, swell, duration="60 s", **hung(LENGTH / 2 + 30.0)))
+    acceleration = np.gradient(run.column("body_velocity", "bob"), run.time, axis=0)
+    pull = BOB * (acceleration + np.array([0.0, 0.0, G]))
+    vessel = axes(run.column("body_orientation", "barge"))
+    start = axes(run.column("body_orientation", "bob")[0])
+    frame = vessel @ vessel[0].T @ start @ np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    push = -np.einsum("nji,nj->ni", frame, pull)[2:-2]
+    found = run.column("hinge_push", "gripper")[2:-2]
+    assert np.abs(found - push).max() < 1e-4 * np.abs(push).max()
+    assert np.abs(push[:, 0]).max() > 0.1 * BOB * G and np.abs(push[:, 1]).max() > 0.02 * BOB * G
