@@ -42,6 +42,7 @@ FEWER = {
         '("1 m", "2 m", "3 m"):\n    for seed in (1, 2, 3)',
         '("3 m",):\n    for seed in (3,)',
     ),
+    "docs/guides/afloat.md-2": ("range(0, 360, 30)", "range(0, 360, 180)"),
 }
 
 

@@ -15,6 +15,7 @@ from afloat import DRAFT, LENGTH, barge, lift_of, written
 from floating import SEA
 from gantline.assembly import assemble
 from gantline.hydro.database import DatabaseError, HydrodynamicDatabase, read_database
+from gantline.results.rig import Rig
 from gantline.scenario import ScenarioError, load_scenario
 from json_lift import plain_lift
 
@@ -47,12 +48,30 @@ def refused(folder: Path, train: dict[str, Any]) -> str:
             {"direction": "0 deg", "height": "6 m", "period": "5 s"},
             "6 m every 5 s break in deep water; less than 5.54 m stand",
         ),
+        (
+            {**SWELL, "phase": "90 deg"},
+            "waves.swell.phase: 'phase' is for waves with 'height'; those of a sea are drawn by its 'seed'",
+        ),
+        ({"direction": "0 deg", "height": "1 m", "period": "8 s", "phase": "90"}, "waves.swell.phase: "),
         ({**SWELL, "components": "3"}, "components"),
         ({"significant_height": "1 m", "peak_period": "8 s"}, "'direction' is missing"),
     ],
 )
 def test_what_is_refused(tmp_path: Path, train: dict[str, Any], said: str) -> None:
     assert said in refused(tmp_path, train)
+
+
+def test_a_phase_is_told_where_waves_are(tmp_path: Path) -> None:
+    """In the head of tables and reports; of more than a turn in rad that degrees may be meant."""
+    train = {"direction": "0 deg", "height": "1 m", "period": "8 s", "phase": "-90 deg"}
+    path = waves.in_waves(tmp_path, {"swell": train})
+    sea = Rig.from_json(assemble(load_scenario(path)).rig).sea
+    assert sea is not None
+    assert (
+        sea.trains[0].in_words == "swell: 1.00 m height, 8.0 s period, running towards 0 deg, phase -90 deg"
+    )
+    said = warnings_of(tmp_path, {**train, "phase": "30 rad"})
+    assert "30 rad are 4.77 turns; '30 deg' may be meant" in said
 
 
 def warnings_of(folder: Path, train: dict[str, Any], **given: Any) -> str:

@@ -93,6 +93,38 @@ def test_steady_motion_in_a_regular_wave(tmp_path: Path, direction: float, headi
     assert np.abs(found - expected) / scale == pytest.approx(np.zeros(6), abs=1e-5)
 
 
+@pytest.mark.parametrize("phase", [0.0, 90.0, 200.0, -45.0])
+def test_crests_pass_later_by_the_phase(tmp_path: Path, phase: float) -> None:
+    """η = g H/2 cos(k·x - ωt + ε) at the barge, which answers as late: heave and all else is that of ε = 0 by
+    e^{iε}, of (WV1). A crest passes the origin of the world ε/ω after the start and every period after that.
+    """
+    middle = np.array([20.0, 10.0])
+    given = {"position": [f"{middle[0] - LENGTH / 2} m", f"{middle[1]} m"]}
+    wave = {**LOW, "phase": f"{phase} deg"}
+    path = waves.in_waves(
+        tmp_path,
+        {"swell": wave},
+        given,
+        duration=f"{60 * PERIOD!r} s",
+        simulation={"sample_interval": f"{PERIOD / 16!r} s"},
+    )
+    run = simulate(path, tension_tolerance=0.1, position_tolerance=1e-8)
+    towards, late = math.radians(30.0), math.radians(phase)
+    along = OMEGA**2 / waves.G * (middle @ [math.cos(towards), math.sin(towards)])
+    grown = last_periods(run, 40)
+    surface = 1e-3 * np.cos(along - OMEGA * run.time + late)
+    # Amidships goes to and fro by up to a = 1 mm with the waves: k a² = 5e-8 m.
+    assert run.column("vessel_wave_elevation", "barge")[grown] == pytest.approx(surface[grown], abs=5e-8)
+    force = waves.force_per_metre(OMEGA, towards) * 1e-3 * np.exp(1j * (along + late))
+    expected = waves.response(OMEGA, force)
+    found = waves.motion(run, OMEGA, 0.0)
+    scale = np.repeat([np.abs(expected[:3]).max(), np.abs(expected[3:]).max()], 3)
+    assert np.abs(found - expected) / scale == pytest.approx(np.zeros(6), abs=1e-5)
+    assert run.rig.sea is not None
+    crest = (late / OMEGA) % PERIOD + 50 * PERIOD  # when one passes the origin
+    assert run.rig.sea.at(np.array([crest]), np.zeros((1, 2)))[0] == pytest.approx(1e-3, rel=1e-9)
+
+
 def test_a_sea_is_the_sum_of_its_waves(tmp_path: Path) -> None:
     """Heave, roll and pitch of the barge in a low sea of 12 waves: the sum of twelve steady motions, forces
     between the frequencies of the file as it reads them. What began with the waves has died down after 400 s,

@@ -6,6 +6,7 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from operator import add
 from typing import Any
 
 from gantline.assembly.between import add_between
@@ -66,6 +67,7 @@ from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Rigging, Scenario, StartError, resolve
 from gantline.scenario.errors import Doubt, Problem
 from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
+from gantline.scenario.hinge import hinge_pins
 from gantline.scenario.pins import Pins, pins_of
 
 __all__ = ["Assembly", "assemble", "integrator_settings"]
@@ -181,7 +183,8 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     parts.plan.extend(operations(scenario, rigging, parts, mass * scenario.simulation.gravity))
     parts.compensators.extend(compensators(scenario))
     add_compensation(parts, scenario)
-    changes = zip(parts.plan, pins.pulled, pins.put_in, removals(scenario), strict=True)
+    pulled_pins = map(add, pins.pulled, hinge_pins(scenario))
+    changes = zip(parts.plan, pulled_pins, pins.put_in, removals(scenario), strict=True)
     for step, pulled, put_in, removed in changes:
         said = (("pulls", pulled), ("pins", put_in), ("removes", removed))
         step |= {key: names for key, names in said if names}

@@ -49,8 +49,8 @@ def doubtful_beside(
     """Hooks that stand beside the centre of gravity of a load as it lifts off, with the way to go.
 
     Nothing is said where one end alone is lifted, where what bears the hooks goes before that to where only
-    the run knows, of a load in water, which holds a part of its weight elsewhere, or where `mechanics` hang
-    in a hook.
+    the run knows, of a load in water or in a hinge, which hold a part of its weight elsewhere, or where
+    `mechanics` hang in a hook.
 
     Args:
         parts: The system, with all its bodies.
@@ -59,7 +59,9 @@ def doubtful_beside(
         lifted: The load with what is lumped on it; None for none.
     """
     load = scenario.load
-    if lifted is None or load is None or load.in_water is not None or _stands_on(scenario, load.name) is None:
+    if lifted is None or load is None or load.in_water is not None or scenario.hinges:
+        return
+    if _stands_on(scenario, load.name) is None:
         return
     found = _lift_off(scenario, rigging)
     if found is None:

@@ -1,4 +1,4 @@
-"""Headings of more than one turn in radians: degrees are meant."""
+"""Headings and phases of more than one turn in radians: degrees are meant."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from gantline.units import UnitError, quantity
 
 __all__ = ["doubtful_turns"]
 
-#: Keys of directions in the plan view.
-_HEADINGS = ("heading", "direction")
+#: Keys of directions in the plan view, and of how late waves are.
+_HEADINGS = ("heading", "direction", "phase")
 
 
 def doubtful_turns(scenario: Scenario) -> Iterator[Doubt]:

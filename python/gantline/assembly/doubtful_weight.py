@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from gantline.assembly.checked import rating_charts, ratings
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.errors import Doubt
+from gantline.scenario.hinge import opened_in
 from gantline.units import format_by_size
 
 __all__ = ["doubtful_weight"]
@@ -20,9 +21,12 @@ _SLIPPED = 2.0
 def doubtful_weight(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
     """Whether the load by itself is more than the hooks that its slings lead to may carry together.
 
-    None where a hook is not rated, or where `mechanics` may bear a part that nothing says.
+    None where a hook is not rated, or where `mechanics` may bear a part that nothing says, or a hinge that
+    stays shut does.
     """
     if scenario.load is None or scenario.mechanics is not None:
+        return
+    if any(not opened_in(scenario, hinge) for hinge in scenario.hinges or {}):
         return
     hooks = {sling.hook for sling in rigging.slings.values()} & set(scenario.hooks)
     mass = scenario.load.weight.simulated

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 
 from gantline.assembly.spatial import Array, about_axis, rotation_matrix, unit
 
-__all__ = ["start_of", "translates"]
+__all__ = ["placed_at_start", "start_of", "translates"]
 
 _Joint = dict[str, Any]
 #: Translation [m] and rotation of the body's frame from that of the joint.
@@ -63,6 +63,23 @@ def start_of(joint: _Joint) -> _Start:
         Translation (3,) [m] and rotation matrix (3, 3) from the frame of the joint to that of the body.
     """
     return _TYPES[joint["type"]][0](joint)
+
+
+def placed_at_start(bodies: Mapping[str, dict[str, Any]], name: str | None) -> _Start:
+    """World position (3,) [m] and rotation matrix (3, 3) of a body frame at the start; None is the world.
+
+    Args:
+        bodies: Bodies of a document by name.
+        name: Of the body.
+    """
+    if name is None:
+        return np.zeros(3), np.eye(3)
+    body = bodies[name]
+    position, rotation = placed_at_start(bodies, body["parent"])
+    position = position + rotation @ np.array(body["placement"]["position"])
+    rotation = rotation @ rotation_matrix(body["placement"]["orientation"])
+    moved, turned = start_of(body["joint"])
+    return position + rotation @ moved, rotation @ turned
 
 
 def translates(joint: _Joint) -> bool:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from gantline.assembly.doubtful_supports import bears_nothing, too_low
+from gantline.assembly.hinges import hinged_load
 from gantline.assembly.load_body import LoadBody, load_body
 from gantline.assembly.parts import Parts
 from gantline.assembly.resting import TipsOver, rest_on_ground
@@ -98,7 +100,7 @@ def add_load(
     lifted: LiftedLoad,
     under: Sequence[UnderLoad],
 ) -> None:
-    """The load as a free body at its centre of gravity, its corners as contacts with the ground.
+    """The load as a body at its centre of gravity, free or in its hinge; its corners as contacts with ground.
 
     Args:
         parts: what the body is added to.
@@ -113,22 +115,18 @@ def add_load(
     """
     orientation = about_axis((0.0, 0.0, 1.0), load.heading)
     position = np.array(load.position) + rotation_matrix(orientation) @ lifted.centre
-    if scenario.load_has_settled:
+    if scenario.load_has_settled and not scenario.hinges:  # in a hinge statics finds where it comes to rest
         height, turn = _at_rest(parts, scenario, load, lifted, orientation, under)
         position[2] = height
         orientation = quaternion_product(turn, orientation)
-    parts.add_body(
-        load.name,
-        {
-            "type": "free",
-            "position": [float(part) for part in position],
-            "orientation": orientation,
-            "velocity": [0.0, 0.0, 0.0],
-            "angular_velocity": [0.0, 0.0, 0.0],
-        },
-        mass=lifted.mass,
-        inertia=inertia_list(lifted.inertia),
-    )
+    own: dict[str, Any] = {"mass": lifted.mass, "inertia": inertia_list(lifted.inertia)}
+    start = [float(part) for part in position], orientation
+    if scenario.hinges:
+        hinged_load(parts, scenario, load.name, start, lifted.centre, own)
+    else:
+        joint = {"type": "free", "position": start[0], "orientation": start[1]}
+        still = {"velocity": [0.0, 0.0, 0.0], "angular_velocity": [0.0, 0.0, 0.0]}
+        parts.add_body(load.name, joint | still, **own)
     if not scenario.load_has_settled:
         corners = position + lifted.corners @ rotation_matrix(orientation).T
         _doubt_depth(parts, scenario, load, corners[int(np.argmin(corners[:, 2]))])

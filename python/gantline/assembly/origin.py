@@ -44,6 +44,7 @@ _NAMED = (
     "extension_sheaves",
     "spreaders",
     "compensators",
+    "hinges",
     "slings",
 )
 

@@ -9,13 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from gantline.assembly.joints import start_of
+from gantline.assembly.joints import placed_at_start
 from gantline.assembly.spatial import (
     IDENTITY,
     Array,
     inertia_list,
     inertia_matrix,
-    rotation_matrix,
     unit,
 )
 from gantline.cad.mass_properties import point_inertia
@@ -216,14 +215,7 @@ class Parts:
 
     def pose(self, name: str | None) -> tuple[Array, Array]:
         """World position (3,) and rotation matrix (3, 3) of a body frame at the start; None is the world."""
-        if name is None:
-            return np.zeros(3), np.eye(3)
-        body = self.bodies[name]
-        position, rotation = self.pose(body["parent"])
-        position = position + rotation @ np.array(body["placement"]["position"])
-        rotation = rotation @ rotation_matrix(body["placement"]["orientation"])
-        moved, turned = start_of(body["joint"])
-        return position + rotation @ moved, rotation @ turned
+        return placed_at_start(self.bodies, name)
 
     def place(self, body: str | None, at: Sequence[float]) -> Array:
         """World position (3,) of a point of a body at the start [m]."""

@@ -12,7 +12,8 @@ from gantline.assembly.checked import bends, limits_and_rules, rating_charts, ra
 from gantline.assembly.compensators import hung_mass
 from gantline.assembly.crawler import crawler_rig
 from gantline.assembly.goliath import crane_rig
-from gantline.assembly.gusts import wind_rig
+from gantline.assembly.gusts import wind_of_limit, wind_rig
+from gantline.assembly.hinges import hinge_rig
 from gantline.assembly.in_water import in_water_name
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.lifting import lifting_by_mechanics
@@ -31,6 +32,7 @@ from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.bounds import Bound
 from gantline.scenario.compensator import gas_rope, rod_of
+from gantline.scenario.crane import FixedHook
 from gantline.scenario.gear import Shackle
 from gantline.scenario.hooks import full_name
 from gantline.scenario.lug import Lug
@@ -59,6 +61,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
         **mooring_rig(scenario),
         **tag_rig(scenario),
+        **hinge_rig(scenario, None if lifted is None else lifted.centre),
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
         **({"booms": booms} if (booms := boom_rig(scenario, parts)) else {}),
         **({"crawlers": crawlers} if (crawlers := crawler_rig(scenario, parts)) else {}),
@@ -131,6 +134,7 @@ def _wave_trains(scenario: Scenario) -> list[Json]:
             "period": train.main_period,
             "is_regular": train.is_regular,
             "seed": None if train.is_regular else train.seed,
+            **({} if train.phase is None else {"phase": train.phase}),
         }
         for name, train in (scenario.waves or {}).items()
     ]
@@ -253,7 +257,16 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
         "drive_body": name,
         "bears_mechanics": bool(joined or ropes or over),
         **falls,
+        **_wind_at(scenario, hook.crane),
     }
+
+
+def _wind_at(scenario: Scenario, crane: str) -> Json:
+    """The wind limit of a fixed hook, and the wind that is held against it; other cranes have their own."""
+    given = (scenario.cranes or {})[crane]
+    if not isinstance(given, FixedHook):
+        return {}
+    return {"wind_limit": given.wind_limit, "wind": wind_of_limit(scenario)}
 
 
 def _other_ropes(scenario: Scenario, load: str) -> list[str]:
@@ -364,7 +377,7 @@ def _equalised_below(scenario: Scenario) -> Json:
 
 
 #: Keys of a step by which ropes and supports go, and slings come, as it begins.
-_PARTS = ("cut", "detach", "attach", "remove_supports")
+_PARTS = ("cut", "detach", "attach", "remove_supports", "open_hinges")
 
 
 def _step(scenario: Scenario, step: Any) -> Json:

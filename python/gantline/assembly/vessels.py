@@ -10,6 +10,7 @@ import numpy as np
 from gantline.assembly.carriers import add_carried_vessel, wave_drive
 from gantline.assembly.deck import bottom_edge, deck_edge, sunk_share
 from gantline.assembly.hulls import HullMesh, hull_mesh, hull_shape
+from gantline.assembly.joints import placed_at_start
 from gantline.assembly.parts import Json, Parts, box_shape
 from gantline.assembly.spatial import Array, about_axis, quaternion_product, rotation_matrix
 from gantline.assembly.water import hull_name
@@ -231,7 +232,7 @@ def adrift(
     sentences = []
     for body in _free(document, vessels):
         joint = body["joint"]
-        moved = way_of(body, at_start)
+        moved = way_of({body["name"]: body}, body["name"], at_start)
         way, higher = float(np.hypot(*moved[:2])), float(moved[2])
         if abs(higher) > _ADRIFT:
             towards = "higher" if higher > 0 else "deeper"
@@ -271,7 +272,7 @@ def drifted(scenario: Scenario, document: Json, places: Mapping[str, Sequence[fl
     moored = {line.vessel for line in lines.values()}
     sentences = []
     for body in _free(document, moored & set(scenario.vessels or {})):
-        way = float(np.hypot(*way_of(body, places)[:2]))
+        way = float(np.hypot(*way_of({body["name"]: body}, body["name"], places)[:2]))
         if way > _ADRIFT:
             sentences.append(
                 f"{body['name']} rests {way:.1f} m from where the lift file has it: "
@@ -296,13 +297,14 @@ def misplaced(document: Json, loads: Collection[str], at_start: Mapping[str, Seq
         at_start: Centres of gravity of bodies at the start of the run by their names, world axes [m].
     """
     sentences = []
-    for body in (one for one in document.get("bodies", ()) if one["name"] in loads):
-        moved = way_of(body, at_start)
+    bodies = {body["name"]: body for body in document.get("bodies", ())}
+    for name in (one for one in bodies if one in loads):
+        moved = way_of(bodies, name, at_start)
         way, lower = float(np.linalg.norm(moved)), -float(moved[2])
         if way > _ADRIFT:
             of_that = f", {lower:.1f} m of that lower" if lower > 0.5 * way else ""
             sentences.append(
-                f"{body['name']} starts {way:.1f} m from where the lift file has it{of_that}: "
+                f"{name} starts {way:.1f} m from where the lift file has it{of_that}: "
                 "there it rests; see its position, what it shall stand on, hooks and slings"
             )
     return sentences
@@ -329,13 +331,13 @@ def off_their_decks(
     sentences = []
     for load, stands_on in decks.items():
         afloat = [vessel for under in stands_on if (vessel := _free_under(bodies, under)) is not None]
-        if not afloat or way_of(bodies[load], at_start)[2] == 0.0:
+        if not afloat or way_of(bodies, load, at_start)[2] == 0.0:
             continue
         vessel = bodies[afloat[0]]
         given = rotation_matrix(vessel["joint"]["orientation"])
         turn = rotation_matrix(turned[vessel["name"]]) @ given.T
-        there = np.asarray(at_start[vessel["name"]]) - way_of(vessel, at_start)
-        lever = np.asarray(at_start[load]) - way_of(bodies[load], at_start) - there
+        there = np.asarray(at_start[vessel["name"]]) - way_of(bodies, vessel["name"], at_start)
+        lever = np.asarray(at_start[load]) - way_of(bodies, load, at_start) - there
         along = np.asarray(at_start[vessel["name"]]) + turn @ lever
         higher = float(at_start[load][2] - along[2])
         if abs(higher) > _OFF_DECK:
@@ -369,25 +371,25 @@ def slid(
         places: Centres of gravity of bodies by their names, world axes [m].
     """
     bodies = {body["name"]: body for body in document["bodies"]}
-    way = way_of(bodies[load], places)
+    way = way_of(bodies, load, places)
     for under in stands_on:
         afloat = _free_under(bodies, under)
         if afloat is not None:
-            way = way - way_of(bodies[afloat], places)
+            way = way - way_of(bodies, afloat, places)
             break
     return float(np.hypot(way[0], way[1]))
 
 
-def way_of(body: Json, places: Mapping[str, Sequence[float]]) -> Array:
-    """How far the centre of gravity of a free body is from where the lift file has it (3,) [m].
+def way_of(bodies: Mapping[str, Json], name: str, places: Mapping[str, Sequence[float]]) -> Array:
+    """How far the centre of gravity of a body is from where the lift file has it (3,) [m].
 
     Args:
-        body: Of a document.
+        bodies: Of a document, by their names: at least this one and what it hangs on.
+        name: Of the body.
         places: Centres of gravity of bodies by their names, world axes [m].
     """
-    joint = body["joint"]
-    given = joint["position"] + rotation_matrix(joint["orientation"]) @ body["centre_of_gravity"]
-    way: Array = np.asarray(places[body["name"]]) - given
+    position, rotation = placed_at_start(bodies, name)
+    way: Array = np.asarray(places[name]) - (position + rotation @ bodies[name]["centre_of_gravity"])
     return way
 
 

@@ -81,7 +81,7 @@ def _train(scenario: Scenario, name: str, given: WaveTrain) -> Train:
 
 def _components(name: str, train: WaveTrain) -> Components:
     if train.height is not None and train.period is not None:
-        return regular(train.height, train.period, train.direction)
+        return regular(train.height, train.period, train.direction, train.phase or 0.0)
     assert train.significant_height is not None and train.peak_period is not None  # validated
     return sea(
         train.significant_height,

@@ -43,8 +43,9 @@ def _side_lead(recording: Recording, hook: str) -> float:
 
 
 def _tilt(recording: Recording, _load: str) -> float:
-    """Tilt at which loose things begin to move [rad]; none where the plan turns its load on purpose."""
-    return math.inf if any(step.turns for step in recording.rig.plan) else math.radians(5.0)
+    """Tilt at which loose things begin to move [rad]; none where a plan or hinge turns it on purpose."""
+    is_meant = bool(recording.rig.hinges) or any(step.turns for step in recording.rig.plan)
+    return math.inf if is_meant else math.radians(5.0)
 
 
 def _leans(key: str) -> Callable[[Recording, str], float]:

@@ -105,11 +105,15 @@ def corner_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 
 
 def wind_of_limit(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Gust of the lift over the wind limit of a crane; booms without one are left out where nobody asks."""
+    """Gust of the lift over the wind limit of a crane.
+
+    Booms without one are left out where nobody asks, and fixed hooks always: they stand for any crane.
+    """
     rig = recording.rig
     is_asked = rig.limits.get("wind_of_limit") is not None
-    cranes: list[Crane | Boom] = [*rig.cranes]
+    cranes: list[Crane | Boom | Hook] = [*rig.cranes]
     cranes += [boom for boom in rig.booms if is_asked or boom.wind_limit is not None]
+    cranes += [hook for hook in rig.fixed_hooks if hook.wind_limit is not None]
     for crane in cranes:
         if crane.wind_limit is None:
             yield Missing(crane.name, "wind limit not known")

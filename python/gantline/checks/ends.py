@@ -90,4 +90,14 @@ def _goes_on(recording: Recording, step: Step, last: int) -> bool:
 
 def _changes_at_once(step: Step) -> bool:
     """Whether something parts, comes or goes as a step begins."""
-    return any((step.cut, step.detach, step.attach, step.remove_supports, step.pull_pins, step.put_in_pins))
+    return any(
+        (
+            step.cut,
+            step.detach,
+            step.attach,
+            step.remove_supports,
+            step.pull_pins,
+            step.put_in_pins,
+            step.open_hinges,
+        )
+    )

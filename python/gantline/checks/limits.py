@@ -13,6 +13,7 @@ from gantline.checks import (
     cranes,
     crawlers,
     equalizers,
+    hinges,
     hooks,
     loads,
     lugs,
@@ -248,6 +249,9 @@ LIMITS: dict[str, Measure] = {
     ),
     "pin_force_of_capacity": _utilisation(
         "largest force on a locking pin / its capacity", equalizers.pin_of_capacity
+    ),
+    "hinge_force_of_rated_capacity": _utilisation(
+        "largest force between load and hinge / rated capacity of the hinge", hinges.of_rated_capacity
     ),
     "tension_spread_when_clear": Measure(
         "(max - min)/mean over one equalizer's slings while the load is clear",

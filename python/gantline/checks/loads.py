@@ -46,8 +46,8 @@ def tilt(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 
 
 def _is_meant(recording: Recording) -> bool:
-    """Whether a step of the plan says that the load is turned."""
-    return any(step.turns for step in recording.rig.plan)
+    """Whether a step of the plan says that the load is turned, or a hinge in which it turns."""
+    return bool(recording.rig.hinges) or any(step.turns for step in recording.rig.plan)
 
 
 def yaw(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -13,6 +13,7 @@ from gantline.checks.crawlers import left_ground
 from gantline.checks.drums import turns_left
 from gantline.checks.ends import about_end_of_step, one_sample, second_half_of_hold
 from gantline.checks.equalizers import held_upright
+from gantline.checks.hinges import opened
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import held_by_tag_lines, on_their_tip, run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, named
@@ -100,7 +101,13 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
             steps.append(_cautioned(check, whole + steps))
     every = whole + unknown + steps + [_parted(one) for one in partings(recording) if one.kind not in PLANNED]
     every += _would_part(recording)
-    every += taken_off(recording) + fell_behind(recording) + ran_out(recording) + idle(recording)
+    every += (
+        taken_off(recording)
+        + opened(recording)
+        + fell_behind(recording)
+        + ran_out(recording)
+        + idle(recording)
+    )
     every += turns_left(recording) + on_their_tip(recording) + turn_over(recording)
     every += (
         held_by_tag_lines(recording)

@@ -23,6 +23,7 @@ _LINES = {
     "load_tilt": "{} tilt",
     "sheave_travel": "{} travel",
     "rod_out": "{} rod out",
+    "hinge_force": "{} force",
 }
 _SHORTEST_LABEL = 16
 _WITHOUT_LOSSES = "without losses"

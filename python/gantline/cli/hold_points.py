@@ -118,6 +118,7 @@ def _sources(recording: Recording, sample: int) -> dict[str, _Source]:
         "equalizing_rope_tension": ("rope_tension", "kN", 1, equalizing),
         "equalizer_travel": ("sheave_travel", "m", 3, sheaves),
         "rod_out": ("rod_out", "m", 3, _own(rig.compensators)),
+        "hinge_force": ("hinge_force", "kN", 1, _own(rig.hinges)),
         "hook_load": ("hook_load", "kN", 1, hooks),
         "hoist_load": ("hoist_load", "kN", 1, hooks),
         "load_tilt": ("load_tilt", "deg", 2, loads),

@@ -188,6 +188,7 @@ def _as_json(question: Statics, answer: _Answer, sensitivities: bool) -> str:
 def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
     from gantline.cli import rest_table
     from gantline.cli.friction import contact_forces
+    from gantline.cli.hinge_table import hinges_at_rest
     from gantline.cli.tilting import tilting_lines
     from gantline.cli.vessels import vessels_at_rest
     from gantline.study.tilting import tilting_of
@@ -206,6 +207,7 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
         answer.ranges,
         rest_table.moving_sheaves(rest),
         rest_table.compensators(rest),
+        hinges_at_rest(rest.recording),
         rest_table.motions(answer.shown),
         *(rest_table.changes(rest, question.sensitivities()) if sensitivities else []),
         rest_table.checks_at_rest(rest, answer.checks),

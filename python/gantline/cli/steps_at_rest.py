@@ -91,6 +91,8 @@ def _loads(question: Statics, found: Sequence[StepAtRest], width: int) -> list[l
         ]
     hooks = [hook.name for hook in question.rig.hooks]
     columns += [[_of("hook load", hook, hooks), *_cells(found, "hook_load", hook, "kN", 1)] for hook in hooks]
+    hinges = [hinge.name for hinge in question.rig.hinges]
+    columns += [[f"{hinge} force", *_cells(found, "hinge_force", hinge, "kN", 1)] for hinge in hinges]
     columns.append(["slings", *(_range(one["sling_tension"].values()) for one in values)])
     last = ["", *(outcome([one.state]) for one in found)]
     return tables(_names(found), columns, last, width=width)

@@ -12,6 +12,7 @@ from gantline.checks.sling_figures import SlingFigures, sling_figures
 from gantline.cli.check_table import check_table
 from gantline.cli.compensator_table import compensator_table
 from gantline.cli.equalizer_table import equalizer_table
+from gantline.cli.hinge_table import hinge_table
 from gantline.cli.hold_points import hold_points
 from gantline.cli.refinement import refinement_table
 from gantline.cli.table import ABSENT, cut, pairs, show, table
@@ -59,6 +60,7 @@ def summary(
         cut(_used(slings), _MOST_ROWS),
         *(equalizer_table(recording, equalizer) for equalizer in rig.equalizers),
         *(compensator_table(recording, compensator) for compensator in rig.compensators),
+        *(hinge_table(recording, hinge) for hinge in rig.hinges),
         _hooks(recording),
         vessels(recording),
         _ropes(recording),

@@ -93,7 +93,12 @@ def _lines(path: str, points: Sequence[SweepPoint], width: int) -> list[str]:
     from gantline.study.state import QUANTITIES, values_of
 
     values = [values_of(point.state) for point in points]
-    kinds = {"load_tilt": "{} tilt", "hook_load": "{} hook load", "sling_tension": "{}"}
+    kinds = {
+        "load_tilt": "{} tilt",
+        "hook_load": "{} hook load",
+        "hinge_force": "{} force",
+        "sling_tension": "{}",
+    }
     columns: list[list[str]] = []
     for kind, title in kinds.items():
         unit, digits = QUANTITIES[kind]

@@ -92,7 +92,7 @@ def _lies_aside(question: Statics, rest: Equilibrium) -> list[str]:
         orientations = [body["joint"]["orientation"], recording.column("body_orientation", vessel.body)[-1]]
         given, heads = heading(np.array(orientations))
         turned = math.remainder(heads - given, math.tau)
-        x, y, _ = way_of(body, places)
+        x, y, _ = way_of(bodies, vessel.body, places)
         ahead = math.cos(given) * x + math.sin(given) * y
         to_port = math.cos(given) * y - math.sin(given) * x
         ways = [("ahead", "aft", ahead), ("to port", "to starboard", to_port)]

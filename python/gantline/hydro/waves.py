@@ -102,10 +102,17 @@ def _shape(ratio: Array, enhancement: float) -> Array:
     return shape
 
 
-def regular(height: float, period: float, direction: float) -> Components:
-    """Waves that are all alike: H from crest to trough [m], their period [s] and direction [rad]."""
+def regular(height: float, period: float, direction: float, phase: float = 0.0) -> Components:
+    """Waves that are all alike.
+
+    Args:
+        height: H from crest to trough [m].
+        period: T [s].
+        direction: In which they run, from world x towards y [rad].
+        phase: ε, how late crests pass the origin of the world [rad].
+    """
     one = np.array([2 * math.pi / period])
-    return Components(one, np.array([height / 2]), np.zeros(1), direction)
+    return Components(one, np.array([height / 2]), np.array([phase]), direction)
 
 
 def sea(

@@ -23,6 +23,7 @@ from gantline.report.turning import turnings
 from gantline.results import series
 from gantline.results.boom import Boom
 from gantline.results.crane import Crane
+from gantline.results.gear import Hook
 from gantline.results.metrics import energy_bound
 from gantline.results.progress import spans
 from gantline.results.refinement import in_per_cent, refinement_of
@@ -345,7 +346,7 @@ def _wind(subject: Subject) -> list[str]:
     Of more wind than the lift was simulated in, and of other directions, nothing here tells.
     """
     rig = subject.rig
-    cranes: list[Crane | Boom] = [*rig.cranes, *rig.booms]
+    cranes: list[Crane | Boom | Hook] = [*rig.cranes, *rig.booms, *rig.fixed_hooks]
     known = {crane.name: crane.wind_limit for crane in cranes if crane.wind_limit is not None}
     found = [f"wind is over {show(limit, 'm/s', 0)}, the limit of {name}" for name, limit in known.items()]
     if not known or any(hook.crane not in known for hook in rig.hooks):

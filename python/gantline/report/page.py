@@ -14,6 +14,7 @@ from gantline.replacing import replace_text
 from gantline.report.compensators import Compensators
 from gantline.report.events import Events
 from gantline.report.first_page import FirstPage
+from gantline.report.hinges import Hinges
 from gantline.report.holds import HoldPoints
 from gantline.report.plots import Attitude, Clearances, HookLoads, Player, Tensions, Vessels
 from gantline.report.rest import Cases, Modes, Rest
@@ -36,6 +37,7 @@ SECTIONS: tuple[Section, ...] = (
     Tensions(),
     Equalizers(),
     Compensators(),
+    Hinges(),
     HookLoads(),
     HoldPoints(),
     Attitude(),

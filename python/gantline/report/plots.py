@@ -97,6 +97,8 @@ class Tensions(_Plots):
             stops = _stops(subject)
             title = "Rods of compensators out, 0 at the inner stop"
             found.append(_plot(title, "rods", "m", smallest=1e-3, extreme="both", limits=stops))
+        if "hinge_force" in recording:
+            found.append(_plot("Force between load and hinge", "hinges", "kN", height=180, smallest=1e-3))
         if "rope_lengthening" in recording:
             found.append(_plot("Lengthening of slings by adjusting", "lengthening", "m", smallest=1e-3))
         if any(equalizer.slings for equalizer in rig.equalizers) and subject.clear.any():

@@ -21,6 +21,7 @@ _FIRST = {
     "load_tilt": "tilt of",
     "sheave_travel": "travel of",
     "rod_out": "rod out of",
+    "hinge_force": "most force in hinge",
 }
 #: Cases that are not sound, of which the first page names so many.
 _MOST_TROUBLED = 3
@@ -35,6 +36,7 @@ _NAMES = {
     "load_tilt": "tilt",
     "sheave_travel": "travel, down positive",
     "rod_out": "rod out",
+    "hinge_force": "force",
 }
 
 
@@ -68,6 +70,14 @@ class Rest(Section):
                 (sheave, number(_last(rest, "sheave_travel", sheave), "m", 3))
                 for equalizer in rest.rig.equalizers
                 for sheave in equalizer.moving_sheaves
+            ],
+            "hinges": [
+                (
+                    hinge.name,
+                    number(_last(rest, "hinge_force", hinge.name), "kN", 1),
+                    number(_last(rest, "hinge_moment", hinge.name), "kN m", 1),
+                )
+                for hinge in rest.rig.hinges
             ],
             "compensators": [
                 (

@@ -93,6 +93,7 @@ def _does(step: Step, hooks: set[str]) -> str:
             ("put on", step.attach),
             ("cut", step.cut),
             ("take away", step.remove_supports),
+            ("open", step.open_hinges),
         )
         if names
     ]

@@ -13,6 +13,7 @@ from gantline.results.crane import corner_loads, crane_events, hook_state
 from gantline.results.crawler import crawler_events, crawler_state
 from gantline.results.direct import commands, direct, only, round_path
 from gantline.results.flows import rope_flows
+from gantline.results.hinges import held_up, hinge_columns, hinge_state
 from gantline.results.hook_load import hook_loads
 from gantline.results.moorings import mooring_state
 from gantline.results.nodes import joined
@@ -47,6 +48,7 @@ def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attri
     """
     lift = Rig.from_json(rig)
     columns, names, of_nodes = joined(columns, names, lift)
+    columns, names = hinge_columns(columns, names, lift)
     columns, names, contents, tanks = tank_contents(columns, names, lift)
     round_path(columns["rope_point"], names["rope_point"])
     variables, coordinates = direct(columns, names, of_nodes)
@@ -64,6 +66,7 @@ def _of_each_sample(columns: Columns, names: Names, lift: Rig) -> Iterator[Deriv
     """What follows from the columns of a sample by themselves, the cheapest first."""
     yield hook_loads(columns, names, lift)
     yield _load_state(columns, names, lift)
+    yield hinge_state(columns, names, lift)
     yield _sheave_travel(columns, names, lift)
     yield _rods_out(columns, names, lift)
     yield rope_flows(columns, names, lift)
@@ -85,6 +88,7 @@ def present_of(columns: Columns, names: Names, lift: Rig, wanted: str) -> Record
         A recording of one sample that has this variable; where it is not one of these, all that are.
     """
     columns, names, of_nodes = joined(columns, {**names, "event_kind": (), "event_name": ()}, lift)
+    columns, names = hinge_columns(columns, names, lift)
     found = only(columns, names, wanted)
     if found is not None:
         return Recording({wanted: found[0]}, found[1], {})
@@ -201,11 +205,14 @@ def _overloads(
 def _load_state(columns: Columns, names: Names, rig: Rig) -> Derived:
     if not rig.loads:
         return {}, {}
-    transferred = np.stack([_transferred(columns, names, load) for load in rig.loads], axis=1)
+    borne = [_borne(columns, names, rig, load) for load in rig.loads]
+    transferred = 1.0 - np.stack(borne, axis=1) / np.array([load.weight for load in rig.loads])
     bodies = [list(names["body"]).index(load.body) for load in rig.loads]
     dims = ("time", "load")
     return {
-        "load_transferred": Variable(dims, transferred, "1", "1 - support forces/weight of a load"),
+        "load_transferred": Variable(
+            dims, transferred, "1", "1 - forces of supports and hinge/weight of a load"
+        ),
         "load_tilt": Variable(
             dims,
             tilt(columns["body_orientation"][:, bodies]),
@@ -215,7 +222,8 @@ def _load_state(columns: Columns, names: Names, rig: Rig) -> Derived:
     }, {"load": [load.name for load in rig.loads]}
 
 
-def _transferred(columns: Columns, names: Names, load: Load) -> FloatArray:
+def _borne(columns: Columns, names: Names, rig: Rig, load: Load) -> FloatArray:
+    """What supports bear of a load, whichever way they press, and hinges upwards [N], shape (time,)."""
     at = [list(names["contact"]).index(contact) for contact in load.contacts]
-    carried: FloatArray = 1.0 - columns["contact_force"][:, at].sum(axis=1) / load.weight
-    return carried
+    borne: FloatArray = columns["contact_force"][:, at].sum(axis=1)
+    return borne + held_up(columns, names, rig, load.name)

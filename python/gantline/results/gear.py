@@ -50,6 +50,9 @@ class Hook(FromJson):
         sheave_diameter: Pitch diameter of the sheaves of its hook block [m]; 0 for a hook without reeving.
         drum: Name of its drum; empty for a hook without reeving.
         holds: Hoist load that motor and brake of its drum both hold on the first layer [N]; None without end.
+        wind_limit: Largest gust in which the crane of a fixed hook may lift [m/s]; None if not said, and of
+            hooks of other cranes, which have their own.
+        wind: Wind or gust of the lift that is held against it [m/s]; None if not said.
     """
 
     name: str
@@ -68,6 +71,8 @@ class Hook(FromJson):
     sheave_diameter: float = 0.0
     drum: str = ""
     holds: float | None = None
+    wind_limit: float | None = None
+    wind: float | None = None
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:

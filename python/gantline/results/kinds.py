@@ -22,6 +22,7 @@ EVENT_KINDS: Final = (
     "stop_left",
     "pin_pulled",
     "pin_put_in",
+    "hinge_opened",
     "rope_off_sheave",
     "rope_on_sheave",
     "support_removed",

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results.form import FormError
+from gantline.results.hinges import HINGE_WAYS
 from gantline.results.rig import Rig
 
 __all__ = ["BY_RIG", "COUNTED", "DIMS", "FIXED", "OPTIONAL", "hold_variable"]
@@ -35,6 +36,8 @@ _OVER: dict[tuple[str, ...], str] = {
     ("time", "counted_drum"): "drum_wraps drum_layer",
     ("time", "tank"): "tank_content",
     ("time", "pin"): "pin_force",
+    ("time", "hinge", "hinge_way"): "hinge_push",
+    ("time", "hinge"): "hinge_force hinge_moment",
     ("time", "contact"): "contact_force",
     ("time", "pair"): "clearance",
     ("time", "pair", "pair_side", "xyz"): "clearance_point",
@@ -85,6 +88,7 @@ FIXED = {
     "sheave_side": ("arriving", "leaving"),
     "pair_side": ("first", "second"),
     "rope_end": ("first", "last"),
+    "hinge_way": HINGE_WAYS,
     "side": ("before", "after"),
 }
 _Names = Callable[[Rig], list[str]]
@@ -119,6 +123,7 @@ BY_RIG: dict[str, _Names] = {
     ],
     "moving_sheave": lambda rig: [sheave for one in rig.equalizers for sheave in one.moving_sheaves],
     "compensator": lambda rig: [one.name for one in rig.compensators],
+    "hinge": lambda rig: [hinge.name for hinge in rig.hinges],
     "hook": lambda rig: [hook.name for hook in rig.hooks],
     "crane_hook": lambda rig: [hook.name for hook in rig.carried_hooks],
     "corner": lambda rig: [corner for crane in rig.cranes for corner in crane.corners],

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from gantline.results import series
+from gantline.results.hinges import is_shut
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.units import format_quantity
@@ -55,7 +56,14 @@ def lift_off_in_words(recording: Recording, digits: int) -> str:
     first = lift_off_time(recording)
     if first is None:
         hangs = all(hangs_from_the_start(recording, load) for load in loads)
-        return "clear from the start" if hangs else "never clear of a support"
+        within = "".join(
+            f", in hinge {one.name}" for one in recording.rig.hinges if is_shut(recording, one)[0]
+        )
+        return (
+            f"clear{' of supports' if within else ''} from the start{within}"
+            if hangs
+            else "never clear of a support"
+        )
     names = {name for load in loads for name in (load.name, load.body, load.contact_group)}
     last = max((time for time, _, name in recording.events("lift_off") if name in names), default=first)
     words = f"at {format_quantity(first, 's', digits)}"

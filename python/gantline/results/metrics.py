@@ -31,6 +31,10 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   spread stays below `Rig.equalised_below`; absent where it never does and of a lift at rest, see
   `gantline.results.equalising`
 - `peak_pin_force` [N]: largest magnitude of the force on any locking pin at any sample
+- `peak_hinge_force.<hinge>` [N]: largest force between that hinge and its load, whichever way, at any sample
+- `peak_hinge_radial_force.<hinge>`, `peak_hinge_axial_force.<hinge>` [N]: its largest part at right angles to
+  the axis of the hinge, and the largest magnitude of that along it
+- `peak_hinge_moment.<hinge>` [N m]: largest moment by which it keeps the load from turning askew
 - `peak_sling_angle_from_vertical` [rad]: largest angle of a carrying sling from the vertical
 - `peak_fleet_angle` [rad]: largest angle of a carrying rope to the plane of a sheave
 - `lift_off_time` [s]: when the last contact force under the last load first became zero; absent where all
@@ -47,7 +51,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   outside of the chart
 - `tipping_utilisation.<crane>` [1]: largest moment of what hangs over that of a crawler crane's own weight
 - `peak_ground_pressure.<crane>` [Pa]: largest pressure on the ground under a crawler crane
-- `final_load_transferred` [1]: 1 - support forces/weight at the last sample, the smallest over the loads
+- `final_load_transferred` [1]: 1 - forces of supports and hinges/weight at the last sample, the smallest over
+  the loads
 - `peak_load_tilt` [rad]: largest angle of a load's own z axis from plumb
 - `peak_load_yaw` [rad]: largest change of a load's heading from its start, to either side
 - `peak_equalizer_tilt` [rad]: largest angle from plumb of the frame of any equalizer that tilts
@@ -101,6 +106,7 @@ from gantline.results.clearances import peak_support_force, watched_during
 from gantline.results.compensators import borne, range_of
 from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
+from gantline.results.hinges import axial_force, hinge_force, hinge_moment, radial_force
 from gantline.results.lift_off import lift_off_time
 from gantline.results.parting import ATTACHED, DETACHED, PLANNED, partings
 from gantline.results.rating import chart_used
@@ -137,6 +143,7 @@ def metrics_of(recording: Recording) -> dict[str, float]:
         _parted,
         _slings,
         _spread,
+        _hinges,
         _sheaves,
         _loads,
         _supports,
@@ -270,6 +277,17 @@ def _spread(recording: Recording) -> Iterator[_Metric]:
     yield "peak_equalizer_tilt", _largest(map(float, tilts))
     if "pin_force" in recording:
         yield "peak_pin_force", float(np.abs(recording["pin_force"].values).max())
+
+
+def _hinges(recording: Recording) -> Iterator[_Metric]:
+    for hinge in recording.rig.hinges:
+        for part, series_of in (
+            ("force", hinge_force),
+            ("radial_force", radial_force),
+            ("axial_force", axial_force),
+            ("moment", hinge_moment),
+        ):
+            yield f"peak_hinge_{part}.{hinge.name}", float(np.abs(series_of(recording, hinge)).max())
 
 
 def _sheaves(recording: Recording) -> Iterator[_Metric]:

@@ -26,6 +26,7 @@ from gantline.results.gear import (
     Spreader,
     WrappedSheave,
 )
+from gantline.results.hinges import Hinge
 from gantline.results.moorings import Fender, MooringLine
 from gantline.results.ranges import DriveRange
 from gantline.results.rating_chart import RatingChart
@@ -187,6 +188,7 @@ class Step(FromJson):
         detach: Slings and ropes that are taken off then.
         attach: Slings that are put on then.
         remove_supports: Supports, or groups of them, that are taken away then.
+        open_hinges: Hinges that open then.
         turns: Whether it waits for, or asks for, a tilt of the load above some angle.
         speed: Of what it moves [m/s], of a boom or crane that it turns [rad/s]; None of a step that moves
             nothing.
@@ -218,6 +220,7 @@ class Step(FromJson):
     detach: Sequence[str] = ()
     attach: Sequence[str] = ()
     remove_supports: Sequence[str] = ()
+    open_hinges: Sequence[str] = ()
     turns: bool = False
     keep_plumb: Sequence[str] = ()
     ends_by: str = ""
@@ -251,6 +254,7 @@ class Rig(FromJson):
         mooring_lines: Mooring lines.
         fenders: Fenders.
         tag_lines: Tag lines of the loads.
+        hinges: Hinges and grippers in which loads turn.
         cranes: Goliath cranes, with what is particular to their hooks.
         booms: Booms, with what is particular to their hooks.
         crawlers: Crawler cranes, with what they stand on.
@@ -294,6 +298,7 @@ class Rig(FromJson):
     mooring_lines: Sequence[MooringLine] = ()
     fenders: Sequence[Fender] = ()
     tag_lines: Sequence[TagLine] = ()
+    hinges: Sequence[Hinge] = ()
     cranes: Sequence[Crane] = ()
     booms: Sequence[Boom] = ()
     crawlers: Sequence[Crawler] = ()
@@ -360,6 +365,12 @@ class Rig(FromJson):
         """Hooks that a trolley or a boom takes along."""
         of_trolleys = [hook for crane in self.cranes for _, hook in crane.hooks]
         return of_trolleys + [hook for boom in self.booms for hook in boom.hooks]
+
+    @property
+    def fixed_hooks(self) -> list[Hook]:
+        """Hooks without a crane behind them."""
+        others = {crane.name for crane in self.cranes} | {boom.name for boom in self.booms}
+        return [hook for hook in self.hooks if hook.crane not in others]
 
     def rope(self, name: str) -> Rope | None:
         """The rope of that name, if something is known of it."""

@@ -58,6 +58,7 @@ QUANTITIES: dict[str, tuple[str, int]] = {
     "load_tilt": ("deg", 2),
     "sheave_travel": ("m", 3),
     "rod_out": ("m", 3),
+    "hinge_force": ("kN", 1),
 }
 #: What losses of sheaves do, in words.
 LOSSES: dict[str, str] = {"none": "", "forward": "slip along", "backward": "slip against"}

@@ -28,6 +28,7 @@ class WaveTrain(FromJson):
         period: Of waves that are all alike, else that of the peak of the spectrum [s].
         is_regular: Whether they are all alike.
         seed: Of a sea which of its records; None of waves that are all alike.
+        phase: Of waves that are all alike how late crests pass the origin [rad]; None if not said.
     """
 
     name: str
@@ -36,6 +37,7 @@ class WaveTrain(FromJson):
     period: float
     is_regular: bool = False
     seed: int | None = None
+    phase: float | None = None
 
     @property
     def height_and_period(self) -> tuple[str, str]:
@@ -49,6 +51,8 @@ class WaveTrain(FromJson):
         """Height, period, direction and record."""
         runs = f"running towards {format_quantity(self.direction, 'deg', 0)}"
         record = () if self.seed is None else (f"record {self.seed}",)
+        if self.phase is not None:
+            record = (f"phase {format_quantity(self.phase, 'deg', 0)}",)
         return f"{self.name}: {', '.join((*self.height_and_period, runs, *record))}"
 
     def comes_from(self, heading: float) -> str:

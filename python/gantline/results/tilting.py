@@ -16,6 +16,7 @@ import numpy as np
 from gantline.results import series
 from gantline.results.alike import first_peak
 from gantline.results.gear import Sling
+from gantline.results.hinges import is_shut
 from gantline.results.pinned import pinned_sheaves
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
@@ -90,6 +91,11 @@ def _stages(recording: Recording, load: Load) -> Iterator[tuple[list[Sling], int
     """
     slings, times = recording.rig.slings, recording.time
     clear = series.load_is_clear(recording, load)
+    for hinge in recording.rig.hinges:
+        if hinge.load == load.name:
+            clear = clear & ~is_shut(recording, hinge)
+            if not clear.any() or (recording.is_equilibrium and not clear[-1]):
+                return
     if recording.is_equilibrium or not clear.any():
         clear = series.last_sample(recording)
     there = series.are_whole(recording, [sling.rope for sling in slings])

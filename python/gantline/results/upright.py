@@ -24,6 +24,7 @@ import numpy as np
 
 from gantline.results import series
 from gantline.results.gear import Sling, Spreader
+from gantline.results.hinges import is_shut
 from gantline.results.parting import DETACHED, while_there
 from gantline.results.pinned import pinned_sheaves
 from gantline.results.recording import Recording
@@ -119,6 +120,8 @@ def _at(recording: Recording, sample: int) -> Iterator[TopHeavy]:
     stiffness = _stiffness(recording, sample, bodies, slings)
     if not np.isfinite(stiffness).all():
         return
+    if any(is_shut(recording, hinge)[sample] for hinge in recording.rig.hinges):
+        return  # it keeps its load from turning over, but for its axis, about which slings hold it
     for number, body in enumerate(bodies):
         own = [6 * number + 3, 6 * number + 4]
         rest = [place for place in range(len(stiffness)) if place not in own]

@@ -64,6 +64,7 @@ MEASURES = (
     "equalizing_rope_tension",
     "equalizer_travel",
     "rod_out",
+    "hinge_force",
     "hook_load",
     "hoist_load",
     "load_tilt",

@@ -9,6 +9,7 @@ from gantline.scenario.check_crawlers import check_crawlers
 from gantline.scenario.check_cut_lines import check_cut_lines
 from gantline.scenario.check_equalizer import check_equalizer
 from gantline.scenario.check_goliath import check_goliaths
+from gantline.scenario.check_hinges import check_hinges
 from gantline.scenario.check_in_water import check_in_water
 from gantline.scenario.check_load import check_load
 from gantline.scenario.check_mechanics import check_mechanics
@@ -85,6 +86,7 @@ def check(scenario: Scenario) -> None:
     check_wind(findings)
     check_moorings(findings)
     check_tag_lines(findings)
+    check_hinges(findings)
     _check_hook_groups(findings)
     check_plan(findings)
     check_partings(findings)
@@ -144,6 +146,7 @@ def _named(scenario: Scenario) -> list[tuple[str, str, Path]]:
         named += [(name, "a compensator", path), (rod_of(name), "the rod of a compensator", path)]
     if scenario.load is not None:
         named.append((scenario.load.name, "the load", ("load", "name")))
+    named += [(name, "a hinge", ("hinges", name)) for name in scenario.hinges or {}]
     named += [(name, "a group of supports", ("supports", name)) for name in scenario.supports or {}]
     named += [(name, "a structure", ("structures", name)) for name in scenario.structures or {}]
     if scenario.mechanics is not None:

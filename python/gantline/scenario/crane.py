@@ -125,6 +125,9 @@ class FixedHook(Element):
         False,
         description="true: the rated capacity is compared with the hoist load, false: with the hook load.",
     )
+    wind_limit: PositiveSpeed | None = Field(
+        None, description="Largest gust in which the crane may lift whose hook this is."
+    )
     hook_block_mass: Mass = Field(
         0.0, description="Mass of hook block and hanging falls; counts in the hoist load."
     )

@@ -107,6 +107,9 @@ class Limits(Element):
     pin_force_of_capacity: _Share | None = Field(
         None, description="Force on a locking pin of its capacity; 100 % if not given."
     )
+    hinge_force_of_rated_capacity: _Share | None = Field(
+        None, description="Force between load and hinge, of its rated capacity; 100 % if not given."
+    )
     spreader_load_of_rated_capacity: _Share | None = Field(
         None,
         description="Static load of all slings under a spreader, of its rated capacity; 100 % if not given.",

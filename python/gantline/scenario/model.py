@@ -18,6 +18,7 @@ from gantline.scenario.errors import PathPart, Problem, ScenarioError, StartErro
 from gantline.scenario.extension import ExtensionSheave
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
 from gantline.scenario.ground import Axes, Ground, LiftHead, SimulationSettings
+from gantline.scenario.hinge import LoadHinge
 from gantline.scenario.hook_group import HookGroup
 from gantline.scenario.hook_parts import HookType
 from gantline.scenario.hooks import Hook, booms_of, hooks_of
@@ -113,6 +114,9 @@ class Scenario(Element):
     compensators: Named[Compensator] | None = Field(None, description="Gas springs between slings, by name.")
     tag_lines: Named[TagLine] | None = Field(
         None, description="Thin ropes that keep the heading of the load, by name."
+    )
+    hinges: Named[LoadHinge] | None = Field(
+        None, description="Hinge frames, foot pins and grippers in which the load turns, by name."
     )
     mooring_lines: Named[MooringLine] | None = Field(None, description="Lines that hold vessels, by name.")
     fenders: Named[Fender] | None = Field(

@@ -105,6 +105,9 @@ class _AnyStep(Element):
         description="Locking pins that are put in as it begins, where their sheaves then are; they have to "
         "be at rest.",
     )
+    open_hinges: Names = Field(
+        (), description="Hinge that opens as it begins, like 'gripper'; the load hangs free from then on."
+    )
     compensate_heave: Names = Field(
         (), description="Hook or hooks whose hoists keep them still against heave while it goes on."
     )

@@ -107,7 +107,6 @@ _INSTEAD = {
     "a crane": {
         "vessel": "a fixed hook hangs in the world; a crane of 'type: floating_crane' is on a vessel",
         "winch": "a fixed hook moves by its 'hoist', or hangs in falls from a drum by 'reeving' and 'drum'",
-        "wind_limit": "a fixed hook has no crane behind it; cranes of the other types have a 'wind_limit'",
     },
     "a rope": {
         **dict.fromkeys(("cd", "drag", "drag_coefficient"), "neither water nor wind drags at ropes here"),

@@ -41,6 +41,11 @@ class WaveTrain(Element):
     )
     components: Components = Field(100, description="Regular waves that a sea is made of.")
     seed: Seed = Field(1, description="Another number is another record of the same sea.")
+    phase: Angle | None = Field(
+        None,
+        description="Of waves that are all alike how late crests pass the origin of the world: with 0, or if "
+        "not given, as the lift starts and every period after it, with 90 deg a quarter of a period later.",
+    )
 
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:
@@ -67,6 +72,10 @@ class WaveTrain(Element):
         for key in ("peak_enhancement", "components", "seed"):
             if regular and key in data:
                 raise refuse(f"'{key}' is for a sea with 'significant_height'", key)
+        if irregular and "phase" in data:
+            raise refuse(
+                "'phase' is for waves with 'height'; those of a sea are drawn by its 'seed'", "phase"
+            )
 
     @property
     def is_regular(self) -> bool:

@@ -19,6 +19,7 @@ import numpy.typing as npt
 
 from gantline.hydro import CannotFloatError, Heeled, Hull, Righting
 from gantline.results.attitude import Lie
+from gantline.results.hinges import is_shut
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.saved import digest_of
@@ -222,6 +223,10 @@ def _refuse_aboard(question: Statics, rest: Equilibrium, load: str) -> None:
     lost = next((one for one in rig.loads if one.name == load), None)
     if lost is None:
         return
+    for hinge in rig.hinges:
+        if hinge.load == load and is_shut(rest.recording, hinge)[-1]:
+            sentence = f"at {rest.time:g} s hinge '{hinge.name}' holds '{load}', which stays in it"
+            raise ValueError(f"{sentence}; --time says when 'open_hinges' has let it go")
     borne = dict[str, float]()
     for contact in lost.contacts:
         body = lost.meets.get(contact)

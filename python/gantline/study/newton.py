@@ -184,7 +184,8 @@ class Search:
         rest = question.equilibrium(self._time)
         load = question.rig.loads[0]
         if float(rest.recording.column("load_transferred", load.name)[-1]) < 1.0 - RESIDUAL:
-            raise CannotBeError(f"{load.name} does not hang clear at {rest.time:g} s, it still stands")
+            still = "its hinge bears it still" if question.rig.hinges else "it still stands"
+            raise CannotBeError(f"{load.name} does not hang clear at {rest.time:g} s, {still}")
         try:
             hanging = Hanging(question, rest, [one.parameter for one in self._unknowns])
         except (RuntimeError, ValueError) as problem:

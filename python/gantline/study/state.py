@@ -226,6 +226,7 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
         "load_tilt": last("load_tilt", [load.name for load in rig.loads]),
         "sheave_travel": last("sheave_travel", sheaves),
         "rod_out": last("rod_out", [one.name for one in rig.compensators]),
+        "hinge_force": last("hinge_force", [hinge.name for hinge in rig.hinges]),
     }
 
 

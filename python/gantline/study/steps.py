@@ -16,7 +16,7 @@ __all__ = ["END", "START", "StepAtRest", "run_steps"]
 #: What the moments are called at which no step ends.
 START, END = "start", "end of the lift"
 #: Keys of a step by which something is otherwise from its beginning on, but for drives.
-_AS_IT_BEGINS = ("cut", "detach", "attach", "remove_supports", "pull_pins", "put_in_pins")
+_AS_IT_BEGINS = ("cut", "detach", "attach", "remove_supports", "pull_pins", "put_in_pins", "open_hinges")
 #: How much earlier a step is looked at that ends at a given time, as another one begins, which must not have
 #: begun [s]. Where one waited for something the other has not begun at that very moment.
 _EARLIER = 1e-9

@@ -48,6 +48,7 @@ def curves(recording: Recording) -> Iterator[Curve]:
     for group, variable, unit, factor in (
         ("travel", "sheave_travel", "m", 1.0),
         ("rods", "rod_out", "m", 1.0),
+        ("hinges", "hinge_force", "kN", 1e-3),
         ("hook_load", "hook_load", "kN", 1e-3),
         ("hoist_load", "hoist_load", "kN", 1e-3),
         ("transferred", "load_transferred", "%", 100.0),

@@ -55,19 +55,10 @@ pub(super) fn build_condition(
         }
         UntilSpec::Attitude { body, angle, above, bound } => {
             finite(name, "the bound of an angle", &[*bound])?;
-            let Some(body) = tree.bodies.iter().find(|other| &other.name == body) else {
+            let Some(body) = tree.bodies.iter().position(|other| &other.name == body) else {
                 return error(name, format!("there is no body `{body}`"));
             };
-            if !(matches!(body.joint, Joint::Free(_)) && body.parent.is_none()) {
-                return error(name, format!("`{}` does not move freely, so it has no such angle", body.name));
-            }
-            Ok(Condition::Attitude {
-                orientation: body.first_position + 3,
-                placement: body.placement.rotation,
-                angle: *angle,
-                above: *above,
-                bound: *bound,
-            })
+            Ok(Condition::Attitude { body, angle: *angle, above: *above, bound: *bound })
         }
         UntilSpec::Plumb { falls, at_most } => {
             at_least_zero(name, "the angle", *at_most)?;

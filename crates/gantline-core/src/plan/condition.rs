@@ -1,7 +1,7 @@
 //! Conditions on which a step of the plan ends, by forces in supports and ropes, by how what floats lies, and how falls
 //! hang.
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::DVec3;
 
 use crate::spec::AttitudeSpec;
 use crate::tree::kinematics::Kinematics;
@@ -90,12 +90,10 @@ pub enum Condition {
         /// Share.
         at_most: f64,
     },
-    /// The heel, trim or tilt of a body that moves freely has come to a bound.
+    /// The heel, trim or tilt of a body has come to a bound.
     Attitude {
-        /// Where q has its orientation.
-        orientation: usize,
-        /// Axes of its joint.
-        placement: DMat3,
+        /// The body.
+        body: usize,
         /// Which angle.
         angle: AttitudeSpec,
         /// True where it has to be above.
@@ -126,9 +124,8 @@ impl Condition {
                 }
                 low > 0.0 && (high - low) * rows.len() as f64 <= at_most * sum
             }),
-            Self::Attitude { orientation, placement, angle, above, bound } => {
-                let [w, x, y, z] = [0, 1, 2, 3].map(|k| seen.kinematics.q[orientation + k]);
-                let turned = *placement * DMat3::from_quat(DQuat::from_xyzw(x, y, z, w));
+            Self::Attitude { body, angle, above, bound } => {
+                let turned = seen.kinematics.pose[*body].rotation;
                 let found = match angle {
                     AttitudeSpec::Heel => turned.y_axis.z.atan2(turned.z_axis.z),
                     AttitudeSpec::Trim => turned.x_axis.z.asin(),
@@ -142,6 +139,8 @@ impl Condition {
 
 #[cfg(test)]
 mod tests {
+    use glam::DQuat;
+
     use super::*;
     use crate::tree::Tree;
     use crate::tree::pose::Pose;
@@ -191,15 +190,11 @@ mod tests {
 
     #[test]
     fn heel_and_trim_are_positive_to_starboard_and_by_the_stern() {
-        let turned = |axis, angle: f64| {
-            let turn = DQuat::from_axis_angle(axis, angle);
-            [turn.w, turn.x, turn.y, turn.z]
-        };
-        let holds = |q: [f64; 4], angle, above| {
-            let placement = DMat3::IDENTITY;
-            let condition = Condition::Attitude { orientation: 0, placement, angle, above, bound: 0.02 };
+        let turned = |axis, angle: f64| DQuat::from_axis_angle(axis, angle);
+        let holds = |turn: DQuat, angle, above| {
+            let condition = Condition::Attitude { body: 0, angle, above, bound: 0.02 };
             let mut kinematics = Kinematics::new(&Tree::new(Vec::new(), DVec3::ZERO));
-            kinematics.q = q.to_vec();
+            kinematics.pose = vec![Pose::new(turn, DVec3::ZERO)];
             condition.holds(&Seen { support: &[], tension: &|_| 0.0, kinematics: &kinematics })
         };
         // About x forward the port side rises; about y to port the bow sinks.

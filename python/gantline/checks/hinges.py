@@ -1,0 +1,66 @@
+"""Hinges and grippers of loads: what they bear, and whether they open without letting a force go."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from gantline.checks.check import Check, Verdict
+from gantline.checks.forces import design_ratio, raised_of_capacity
+from gantline.checks.measure import Finding, Missing
+from gantline.results.hinges import HINGE_OPENED, hinge_force
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray
+from gantline.units import format_quantity
+
+__all__ = ["of_rated_capacity", "opened"]
+
+#: Share of its load's weight that a hinge may bear as it opens [1].
+_LET_GO = 0.02
+
+
+def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Force between load and hinge, whichever way, raised to the design weight, over its rated capacity."""
+    for hinge in recording.rig.hinges:
+        if hinge.rated_capacity is None:
+            yield Missing(hinge.name, "rated capacity not known")
+            continue
+        ratio = design_ratio(recording, hinge.load)
+        force = hinge_force(recording, hinge)
+        yield from raised_of_capacity(recording, during, hinge.name, force, ratio, hinge.rated_capacity)
+
+
+def opened(recording: Recording) -> list[Check]:
+    """A check for each hinge that a step opens: what it still bears then makes the load swing, at once.
+
+    It has failed where that is more than a fiftieth of the load's weight. The simulation goes on without the
+    hinge all the same. What was borne an equilibrium no longer has.
+    """
+    if recording.is_equilibrium:
+        return []
+    checks = []
+    hinges = {hinge.name: hinge for hinge in recording.rig.hinges}
+    for time, _, name in recording.events(HINGE_OPENED):
+        hinge = hinges[name]
+        load = recording.rig.load(hinge.load)
+        before = np.flatnonzero(recording.time <= time)
+        if load is None or not before.size:
+            continue
+        force = float(hinge_force(recording, hinge)[before[-1]])
+        failed = force > _LET_GO * load.weight
+        share = f"{100.0 * force / load.weight:.3g} % of what {load.name} weighs"
+        borne = f"it bore {format_quantity(force, 'kN', 1)}, {share}"
+        right = "bring its hook over it, and hoist or lower until the hinge bears next to nothing"
+        checks.append(
+            Check(
+                "hinge_opens_unloaded",
+                Verdict.FAILED if failed else Verdict.OK,
+                f"a hinge that opens bears next to nothing: {100 * _LET_GO:.0f} % of its load's weight "
+                "may be left",
+                element=name,
+                time=time,
+                remark=f"{borne}; {right}" if failed else borne,
+            )
+        )
+    return checks

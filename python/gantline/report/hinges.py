@@ -1,0 +1,25 @@
+"""A section of the report: hinges and grippers in which loads turn."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gantline.report.section import Section
+from gantline.report.subject import Subject, typeset
+from gantline.results.hinges import in_words
+
+
+class Hinges(Section):
+    """What each hinge bears at most, how far its load turns in it, and when it opens."""
+
+    anchor = "hinges"
+    title = "Hinges"
+    template = "hinges.html"
+
+    def content(self, subject: Subject) -> dict[str, Any] | None:
+        """What the template is given."""
+        found = [
+            (hinge.name, [(name, typeset(text)) for name, text in in_words(subject.recording, hinge)])
+            for hinge in subject.rig.hinges
+        ]
+        return {"hinges": found} if found else None
