@@ -22,8 +22,9 @@ struct Checkpoint {
     asked: (u64, f64),
 }
 
-/// What a saved state begins with. The number is that of its form: it grows when what the samples are packed as changes.
-const KIND: &str = concat!("gantline ", env!("CARGO_PKG_VERSION"), " state 2\n");
+/// What a saved state begins with. The number is that of its form: it grows when what the samples are packed as changes,
+/// or the order of rows.
+const KIND: &str = concat!("gantline ", env!("CARGO_PKG_VERSION"), " state 3\n");
 /// What those of other versions begin with.
 const OTHERS: [&str; 2] = ["gantline ", "{\"fingerprint\":"];
 
