@@ -234,11 +234,17 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
         designed = sum(load.design_mass or _simulated_mass(rig, load) for load in rig.loads)
         # Contingency raises rigging too that hangs between a load and its slings: so the sum adds up.
         rigging = force.static / rig.gravity - designed
-        if rig.loads and rigging > 0.0:
+        if rig.loads and rigging > 0.0 and not rig.hinges:
             # A longer name takes two lines on paper, and a full first page the next sheet.
             name = "rigging and tag lines" if rig.tag_lines else "rigging below the hooks"
             rows.append((f"+ {name}", show(rigging, "t", 1)))
-        rows.append(("= static hook load", show(force.static / rig.gravity, "t", 1)))
+        # A hinge bears a part, or is pulled against: no sum of weights then.
+        rows.append(
+            (
+                "static hook load" if rig.hinges else "= static hook load",
+                show(force.static / rig.gravity, "t", 1),
+            )
+        )
     factor = rig.factors.get("dynamic_amplification_factor")
     if factor is not None and force.rule is not None:
         text = f"× dynamic amplification factor of the rule {factor.value:.2f}"
