@@ -54,7 +54,7 @@ def test_the_mean_of_three_records(length: float, simulated: dict[float, CubicSp
 
 @pytest.mark.parametrize("record", RECORDS, ids=name)
 def test_a_wide_turn_takes_longer_as_measured(record: Record, simulated: dict[float, CubicSpline]) -> None:
-    """By up to 15 % at 1.49 rad: to 0.2 %, and what 2 % of the amplitude make of that.
+    """By up to 16 % at 1.49 rad: to 0.2 %, and what 2 % of the amplitude make of that.
 
     Within a record slings and rod are the same, so its periods over those simulated are one number.
     """

@@ -138,6 +138,7 @@ function smallUnpacked(tension: number[]): Unpacked {
     ropes: [{ ...rope, used: null, peak: 1000, peakTime: 1 }],
     lugs: [],
     contacts: [],
+    hinges: [],
     ground: null,
     holes: [],
     water: null,

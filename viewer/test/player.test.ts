@@ -10,10 +10,11 @@ import {
 import { describe, expect, it } from "vitest";
 import { forceText, shown, ticksOf, valueText, verticalScale } from "../src/chart/scale";
 import type { Vector } from "../src/data/format";
-import type { Lift } from "../src/data/lift";
+import { Lift } from "../src/data/lift";
 import { Pace } from "../src/pace";
 import { parse, written } from "../src/player/address";
 import { Session, usualSpeed } from "../src/player/session";
+import { Bodies } from "../src/scene/bodies";
 import { Clearances } from "../src/scene/clearances";
 import { niceCell } from "../src/scene/fading";
 import { holesUnder, insideOf, outsideOf, pitOf } from "../src/scene/ground";
@@ -340,6 +341,37 @@ describe("drawing", () => {
     expect(volume).toBeCloseTo(6, 6);
     const none = new Structures({ header: { structures: [] }, now: 0 } as unknown as Lift, [0, 0, 0]);
     expect(none.group.children).toEqual([]);
+  });
+
+  it("shows a hinge where it is until it lets its load go", () => {
+    const body = { kind: "hinge", shape: null, cog: [0, 0, 0] };
+    const header = {
+      bodies: [
+        { ...body, name: "load", kind: "load", shape: { type: "box", size: [4, 1, 1], centre: [0, 0, 0] } },
+      ],
+      ground: null,
+      holes: [],
+      sheaves: [],
+      lugs: [],
+      hinges: [] as object[],
+    };
+    header.bodies.push({ ...body, name: "foot" } as never);
+    header.hinges.push({ body: 1, openedAt: 5 });
+    const poses = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 3, 0, 2, 1, 0, 0, 0);
+    const lift = { header, poses, now: 4.9, pinOf: Lift.prototype.pinOf } as unknown as Lift;
+    const bodies = new Bodies(lift, [1, 0, 0], 100);
+    bodies.update();
+    const pin = bodies.holders[1]!;
+    expect([pin.visible, ...pin.position.toArray()]).toEqual([true, 2, 0, 2]);
+    // A ring about the axis of the hinge, its own y, of 1.3 % of the scene; the pin in it reaches out at its ends.
+    const box = new Box3().setFromObject(pin.children[0]!);
+    const size = box.getSize(new Vector3());
+    expect(size.x).toBeCloseTo(2.6, 1);
+    expect(size.z).toBeCloseTo(2.6, 1);
+    expect(size.y).toBeCloseTo(2.6 * 1.3, 1);
+    lift.now = 5;
+    bodies.update();
+    expect([pin.visible, bodies.holders[0]!.visible]).toEqual([false, true]);
   });
 
   it("colours by tension from the first to the last colour, and no further", () => {

@@ -119,6 +119,8 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         shape = crane_shape(scenario, name) or crawler_shape(scenario, name) or boom_shape(scenario, name)
     elif name in (scenario.vessels or {}):
         kind, shape = "hull", vessel_shape(scenario, name)
+    elif name in (scenario.hinges or {}):
+        kind = "hinge"
     elif plain is None:
         kind = "sheave"
     elif plain.shape is not None:

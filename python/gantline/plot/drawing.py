@@ -9,11 +9,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize, to_rgb
+from matplotlib.patheffects import Normal, Stroke
 
 from gantline.plot.panels import EARTH_EDGE, TENSION
 from gantline.plot.raster import View
 from gantline.plot.scene import Box, RopePath, Sheave, Snapshot
 from gantline.plot.style import INK, QUIET
+from gantline.results.families import shortened_inside
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 
@@ -92,6 +94,9 @@ def draw(panel: Axes, snap: Snapshot, view: View, norm: Normalize, *, large: boo
         panel.plot(
             *view.project(point), marker="v" if name in snap.hooks else "s", color=INK, markersize=4, zorder=4
         )
+    for name, point in snap.hinges.items():
+        along, up = view.project(point)
+        _draw_hinge(panel, shortened_inside(name), (float(along), float(up)))
     for centre in snap.centres.values():
         panel.plot(
             *view.project(centre), marker="o", color="white", markeredgecolor=INK, markersize=5, zorder=4
@@ -170,6 +175,17 @@ def _draw_hanger(panel: Axes, frame: Box, bearing: FloatArray, upwards: FloatArr
     top = corners[height > height.max() - 1e-3 * np.ptp(height)].mean(axis=0)
     line = view.project(np.stack([bearing, top]))
     panel.plot(line[:, 0], line[:, 1], color=_EDGE["frame"], linewidth=2.0, solid_capstyle="butt", zorder=2.4)
+
+
+def _draw_hinge(panel: Axes, name: str, place: tuple[float, float]) -> None:
+    """A ring with a dot, as a pin is drawn, and its name below; a load's centre of gravity has a cross."""
+    panel.plot(*place, "o", color="white", markeredgecolor=INK, markersize=6, markeredgewidth=1.3, zorder=4.2)
+    panel.plot(*place, "o", color=INK, markersize=1.8, zorder=4.3)
+    label = panel.annotate(
+        name, place, (0, -6), textcoords="offset points", ha="center", va="top", fontsize=6.5, zorder=5
+    )
+    label.set_in_layout(False)
+    label.set_path_effects([Stroke(linewidth=2.0, foreground="white"), Normal()])
 
 
 def _draw_ropes(

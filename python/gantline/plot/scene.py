@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.results.hinges import is_shut
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.surroundings import structures_of
@@ -66,6 +67,7 @@ class Snapshot:
         ropes: All ropes.
         points: Bodies without shape and sheave, by name [m]: hooks and plain bodies.
         hooks: Which of these points are hooks.
+        hinges: Middles of the hinges that hold their loads then, by name [m].
         centres: Centres of gravity of the loads, by name [m].
         lugs: Lower ends of the slings, by the sling's name [m].
         frame_axes: Axes of every equalizer's frame, by name, as columns of a matrix (3, 3).
@@ -79,6 +81,7 @@ class Snapshot:
     ropes: Sequence[RopePath]
     points: Mapping[str, FloatArray]
     hooks: frozenset[str]
+    hinges: Mapping[str, FloatArray]
     centres: Mapping[str, FloatArray]
     lugs: Mapping[str, FloatArray]
     frame_axes: Mapping[str, FloatArray]
@@ -93,7 +96,8 @@ class Snapshot:
         parts += [box.faces.reshape(-1, 3) for box in self.surroundings if box.kind == "support"]
         parts += [sheave.circle for sheave in self.sheaves]
         parts += [rope.path for rope in self.ropes if rope.kind != "outer"]
-        parts += [point[None] for point in (*self.points.values(), *self.frame_origin.values())]
+        marks = (*self.points.values(), *self.hinges.values(), *self.frame_origin.values())
+        parts += [point[None] for point in marks]
         return np.concatenate(parts)
 
 
@@ -114,7 +118,8 @@ def snapshot(recording: Recording, sample: int) -> Snapshot:
     sheaves = [entry for entry in scene.get("sheaves", ()) if entry["body"] in bodies]
     plain = set(bodies) - {entry["body"] for entry in sheaves}
     boxes = [box for name, entry in bodies.items() for box in _boxes(place, name, entry)]
-    plain -= {box.name for box in boxes}
+    hinges = [hinge for hinge in recording.rig.hinges if hinge.name in bodies]
+    plain -= {box.name for box in boxes} | {hinge.name for hinge in hinges}
     loads = {load.name: load.body for load in recording.rig.loads}
     frames = {e.name: e.body for e in recording.rig.equalizers if e.body in bodies}
     ropes = _ropes(recording, sample, scene)
@@ -136,6 +141,7 @@ def snapshot(recording: Recording, sample: int) -> Snapshot:
         ropes,
         {name: place.origin(name) for name in bodies if name in plain},
         frozenset(name for name in plain if bodies[name].get("kind") == "hook"),
+        {hinge.name: place.origin(hinge.name) for hinge in hinges if is_shut(recording, hinge)[sample]},
         {name: place.centre(body) for name, body in loads.items()},
         {sling.name: ends[sling.rope] for sling in recording.rig.slings if sling.rope in ends},
         {name: place.axes(body) for name, body in frames.items()},

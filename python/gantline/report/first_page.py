@@ -46,6 +46,10 @@ _USUAL_TILT = float(np.deg2rad(1.0))
 
 #: Where whoever signs writes a wind limit that nobody has told.
 _BLANK = "not in the lift file; from the crane's manual: ______ m/s"
+_OF_NO_CRANE = "wind exceeds the limit of what lifts (not in the lift file; from its manual: ______ m/s)"
+
+#: What a load cell in a rope has to show.
+_IN_CURVES = "the tension of its rope under “Tensions and travel”"
 
 
 class FirstPage(Section):
@@ -234,11 +238,17 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
         designed = sum(load.design_mass or _simulated_mass(rig, load) for load in rig.loads)
         # Contingency raises rigging too that hangs between a load and its slings: so the sum adds up.
         rigging = force.static / rig.gravity - designed
-        if rig.loads and rigging > 0.0:
+        if rig.loads and rigging > 0.0 and not rig.hinges:
             # A longer name takes two lines on paper, and a full first page the next sheet.
             name = "rigging and tag lines" if rig.tag_lines else "rigging below the hooks"
             rows.append((f"+ {name}", show(rigging, "t", 1)))
-        rows.append(("= static hook load", show(force.static / rig.gravity, "t", 1)))
+        # A hinge bears a part, or is pulled against: no sum of weights then.
+        rows.append(
+            (
+                "static hook load" if rig.hinges else "= static hook load",
+                show(force.static / rig.gravity, "t", 1),
+            )
+        )
     factor = rig.factors.get("dynamic_amplification_factor")
     if factor is not None and force.rule is not None:
         text = f"× dynamic amplification factor of the rule {factor.value:.2f}"
@@ -275,7 +285,9 @@ def stop_if(subject: Subject) -> list[str]:
     """When to stop the lift: the usual bounds, or the lift's own where it has some."""
     limits = subject.rig.limits
     cell = "the mean of a load cell over some waves" if subject.rig.is_in_waves else "a load cell"
-    found = [f"{cell} differs by more than 10 % from its reading in the table “Hooks”{_in_water(subject)}"]
+    # What lifts without hooks, as jacks of `mechanics` do, has its tensions in curves alone.
+    reading = "its reading in the table “Hooks”" if subject.rig.hooks else _IN_CURVES
+    found = [f"{cell} differs by more than 10 % from {reading}{_in_water(subject)}"]
     found.append(_tilt(subject, limits.get("load_tilt")))
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):
         found.append(f"a sheave is over {show(subject.most_travel, '%', 0)} of its stroke")
@@ -349,7 +361,9 @@ def _wind(subject: Subject) -> list[str]:
     cranes: list[Crane | Boom | Hook] = [*rig.cranes, *rig.booms, *rig.fixed_hooks]
     known = {crane.name: crane.wind_limit for crane in cranes if crane.wind_limit is not None}
     found = [f"wind is over {show(limit, 'm/s', 0)}, the limit of {name}" for name, limit in known.items()]
-    if not known or any(hook.crane not in known for hook in rig.hooks):
+    if not cranes and not rig.hooks:
+        found.append(_OF_NO_CRANE)
+    elif not known or any(hook.crane not in known for hook in rig.hooks):
         whose = "the crane's limit" if not known else "the limit of any other crane"
         found.append(f"wind exceeds {whose} ({_BLANK})")
     if rig.wind is not None:

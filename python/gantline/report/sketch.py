@@ -23,6 +23,7 @@ from gantline.report.sketch_names import (
 from gantline.report.sketch_paper import HEIGHT, MARGIN, WIDTH, Mark, Paper, drawn_path, outline
 from gantline.report.subject import Subject
 from gantline.results.families import shortened_inside
+from gantline.results.hinges import is_shut
 from gantline.results.parting import PLANNED, partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
@@ -265,7 +266,10 @@ def _draw(
         marks.append(Mark("line", "sk-sling" if name in slings else "sk-rope", drawn_path(paper.place(path))))
     marks += _hangers(moment, paper, solids) if not plan else []
     sides = {} if plan else _sides(moment, paper, solids)
-    above = _centres(moment, paper) + _hooks(moment, paper, ropes, sides, plan=plan)
+    hinges = _hinges(moment, paper)
+    above = _centres(moment, paper) + _hooks(moment, paper, ropes, hinges, sides, plan=plan)
+    for x, y in hinges.values():  # a ring with a dot, as a pin is drawn
+        above += [Mark("dot", style, x=float(x), y=float(y)) for style in ("sk-hinge", "sk-pin")]
     marks += _numbers(moment, paper, ropes, above, plan=plan) + above
     return Sketch(title, WIDTH, HEIGHT, paper.scale, scale_bar(paper.scale), marks)
 
@@ -419,6 +423,15 @@ def _centres(moment: _Moment, paper: Paper) -> list[Mark]:
     return marks
 
 
+def _hinges(moment: _Moment, paper: Paper) -> dict[str, FloatArray]:
+    """Where on paper hinges hold loads then."""
+    return {
+        hinge.name: paper.place(moment.place(hinge.name))
+        for hinge in moment.rig.hinges
+        if moment.has(hinge.name) and is_shut(moment.recording, hinge)[moment.sample]
+    }
+
+
 def _sides(moment: _Moment, paper: Paper, solids: _Solids) -> dict[str, FloatArray]:
     """Where on paper a name stands beside the cylinder of each compensator, the middle of its right side."""
     sides = {}
@@ -433,13 +446,14 @@ def _hooks(
     moment: _Moment,
     paper: Paper,
     ropes: Mapping[str, FloatArray],
+    hinges: Mapping[str, FloatArray],
     sides: Mapping[str, FloatArray],
     *,
     plan: bool,
 ) -> list[Mark]:
     """Hooks as dots; in a side view with their names, where these do not lie on each other.
 
-    And names of what else has one at its side.
+    And names of hinges, and of what else has one at its side.
     """
     names = _hook_bodies(moment)
     places = [paper.place(moment.place(name)) for name in names]
@@ -448,10 +462,15 @@ def _hooks(
         return marks
     near = [paper.place(path) for name, path in ropes.items() if name not in moment.rig.outer_ropes]
     straight = [pair for path in near for pair in pairwise(path)]
+    # The name of a hinge rather does not lie on the load, which goes from there to its middle.
+    loads = {load.name: load.body for load in moment.rig.loads}
+    turning = [one for one in moment.rig.hinges if one.name in hinges and one.load in loads]
+    straight += [(hinges[one.name], paper.place(moment.place(loads[one.load]))) for one in turning]
     # A line takes its ends and some places between: enough for names, which are higher than those lie apart.
     along = [one + part * (other - one) for one, other in straight for part in (0.0, *_ALONG, 1.0)]
     drawn: list[Box] = [(float(x), float(x), float(y)) for x, y in along]
-    places, shown = [*places, *sides.values()], [*_short(moment, names), *sides]
+    places = [*places, *hinges.values(), *sides.values()]
+    shown = [*_short(moment, names), *map(shortened_inside, hinges), *sides]
     placed = names_beside(places, shown, WIDTH - MARGIN, drawn)
     return marks + [Mark("text", "sk-name", x=x, y=y, text=text, anchor=side) for x, y, text, side in placed]
 

@@ -42,7 +42,7 @@ from gantline.statics.linear import LinearModel, linear_model
 from gantline.statics.motion import drums_of, in_words
 from gantline.statics.pieces import Pieces
 from gantline.statics.righted import righting
-from gantline.statics.streaming import leading_away, leads_straight, motions, streams
+from gantline.statics.streaming import leading_away, leading_straight, leads_straight, motions, streams
 from gantline.version import version
 
 #: What happens at the end of the lift is looked at so much later [s].
@@ -297,6 +297,9 @@ class Statics:
         straight, swinging, neutral = found["unstable"], 0, found["neutral"]
         if self._streams:  # the core tells by half of the tangent
             straight, swinging, neutral = leading_away(self._core.linear())
+        elif straight:  # pins and brakes yield a little there, which may lead away alone
+            straight, freed = leading_straight(self._core.modes(straight, None)["square"], straight)
+            neutral += freed
         unstable = straight + swinging
         self._is_stable = not unstable
         rest = Equilibrium(

@@ -1,4 +1,4 @@
-"""Motions about an equilibrium that wind, current or waves push, where K is not symmetric."""
+"""Motions that lead away from an equilibrium, also where wind, current or waves push: K is not symmetric."""
 
 from __future__ import annotations
 
@@ -57,6 +57,22 @@ def leading_away(found: Mapping[str, Any]) -> tuple[int, int, int]:
     roots = np.linalg.eigvals(np.vstack([np.eye(size, 2 * size, size), rates]))
     grows = np.count_nonzero((roots.real > _GROWS) & (roots.imag > _GROWS))
     return away, int(grows), neutral
+
+
+def leading_straight(squares: Floats, counted: int) -> tuple[int, int]:
+    """How many motions lead away of those that the core has counted, and how many of them nothing holds.
+
+    The core counts by the signs of pivots, with pins, brakes and ropes without compliance as soft as its
+    search has them. That makes nothing stiffer: of a load in a hinge with a plumb axis, which nothing turns,
+    the moment of its weight bends the pins, and ω² is below zero by that. Modes hold them exactly.
+
+    Args:
+        squares: ω² of so many slowest modes, shape (counted,) [1/s²].
+        counted: How many motions the core says lead away.
+    """
+    if len(squares) < counted:  # not all are known
+        return counted, 0
+    return int(np.count_nonzero(squares < -_NEUTRAL)), int(np.count_nonzero(abs(squares) <= _NEUTRAL))
 
 
 def leads_straight(found: Mapping[str, Any]) -> bool:

@@ -17,6 +17,7 @@ import numpy as np
 from gantline.results import series
 from gantline.results.clearances import watched_span
 from gantline.results.gaps import gap
+from gantline.results.hinges import HINGE_OPENED
 from gantline.results.lift_off import lift_off_time
 from gantline.results.progress import stretches, unfinished
 from gantline.results.recording import Recording
@@ -96,6 +97,7 @@ def pack(recording: Recording, *, since: int = 0) -> Packed:
         "ropes": _ropes(recording, scene, whole),
         "lugs": _lugs(recording, list(bodies)),
         "contacts": _contacts(recording, scene, list(bodies), at, arrays),
+        "hinges": _hinges(recording, list(bodies)),
         "pairs": _pairs(recording, at, arrays),
         **_surroundings(recording, arrays),
         "events": [list(event) for event in recording.events()],
@@ -206,6 +208,16 @@ def _lugs(recording: Recording, bodies: Sequence[str]) -> list[dict[str, Any]]:
                 }
             )
     return found
+
+
+def _hinges(recording: Recording, bodies: Sequence[str]) -> list[dict[str, Any]]:
+    """Hinges of loads, by the body that turns in each about its own y, and when they open."""
+    opened = {name: time for time, _, name in recording.events(HINGE_OPENED)}
+    return [
+        {"body": bodies.index(hinge.name), "openedAt": opened.get(hinge.name)}
+        for hinge in recording.rig.hinges
+        if hinge.name in bodies
+    ]
 
 
 def _contacts(

@@ -58,6 +58,12 @@ export interface Contact {
   at: Vector;
 }
 
+/** A hinge of a load: the body that turns in it, about its own y, and when it lets go [s]. */
+export interface Hinge {
+  body: number;
+  openedAt: number | null;
+}
+
 /** A hole in the ground: from wall to wall along x and y, and its floor [m]. */
 export interface Hole {
   x: [number, number];
@@ -117,6 +123,7 @@ export interface Header {
   ropes: Rope[];
   lugs: Lug[];
   contacts: Contact[];
+  hinges: Hinge[];
   /** Level of the ground [m]. */
   ground: number | null;
   holes: Hole[];

@@ -90,7 +90,7 @@ export class Lift {
     });
     const { samples, liftOff, events, steps, unfinished } = header;
     Object.assign(this.header, { samples, liftOff, events, steps, unfinished });
-    for (const list of ["ropes", "structures"] as const)
+    for (const list of ["ropes", "structures", "hinges"] as const)
       this.header[list].forEach((one, place) => {
         Object.assign(one, header[list][place]);
       });
@@ -106,6 +106,13 @@ export class Lift {
   stepAt(time: number): Step | undefined {
     const isOn = (one: Step) => time < one.end || (time === this.end && time === one.end);
     return this.steps.find((one) => time >= one.begin && isOn(one));
+  }
+
+  /** Whether a body is the pin of a hinge, and one that holds at the present time. */
+  pinOf(body: number): "none" | "shut" | "open" {
+    const hinge = this.header.hinges.find((one) => one.body === body);
+    if (!hinge) return "none";
+    return hinge.openedAt === null || this.now < hinge.openedAt ? "shut" : "open";
   }
 
   array(name: string): Numbers | undefined {

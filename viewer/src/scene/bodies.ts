@@ -24,7 +24,16 @@ import type { Body } from "../data/format";
 import type { Lift } from "../data/lift";
 import type { Palette } from "../theme";
 import { type Clipping, insideOf, outsideOf } from "./ground";
-import { geometryOf, hookGeometry, hullOf, plainSheaveGeometry, SIGN, sheaveGeometry } from "./solids";
+import {
+  geometryOf,
+  hingeGeometry,
+  hookGeometry,
+  hullOf,
+  PIN,
+  plainSheaveGeometry,
+  SIGN,
+  sheaveGeometry,
+} from "./solids";
 
 const MANY_LUGS = 40; // from which each is drawn with few triangles
 const CREASE = 25; // degrees between faces from which an edge is drawn
@@ -38,6 +47,8 @@ export class Bodies {
   /** One for each body, whose frame is that of the body at its centre of gravity. */
   readonly holders: Object3D[];
   private readonly materials = new Map<string, MeshLambertMaterial>();
+  /** Of the marks of hinges, which are seen through the loads that they hold. */
+  private readonly pins = new MeshBasicMaterial({ depthTest: false, transparent: true });
   private readonly edges = new LineBasicMaterial({ transparent: true, opacity: 0.75 });
   /** Of the shadows on the ground, and on the floor of each hole, with their levels. */
   private readonly shadowOn: { material: MeshBasicMaterial; level: number }[];
@@ -105,11 +116,14 @@ export class Bodies {
   private holder(body: Body, index: number): Object3D {
     const holder = new Group();
     const [x, y, z] = body.cog;
-    const geometry = this.shapeOf(body);
+    const geometry = this.shapeOf(body, index);
     if (geometry) {
       geometry.translate(-x, -y, -z);
-      holder.add(new Mesh(geometry, this.material(kindOf(body))));
-      holder.add(new LineSegments(new EdgesGeometry(geometry, CREASE), this.edges));
+      const isPin = this.lift.pinOf(index) !== "none";
+      const mesh = new Mesh(geometry, isPin ? this.pins : this.material(kindOf(body)));
+      if (isPin) mesh.renderOrder = 2;
+      holder.add(mesh);
+      if (!isPin) holder.add(new LineSegments(new EdgesGeometry(geometry, CREASE), this.edges));
       if (body.kind === "load") this.addShadows(geometry, index);
     }
     if (body.kind === "frame" && body.shape?.type === "box") holder.add(this.hangers(body));
@@ -127,8 +141,9 @@ export class Bodies {
     }
   }
 
-  private shapeOf(body: Body): BufferGeometry | null {
+  private shapeOf(body: Body, index: number): BufferGeometry | null {
     if (body.shape) return geometryOf(body.shape, this.lift);
+    if (this.lift.pinOf(index) !== "none") return hingeGeometry().scale(...cube(PIN * this.size));
     if (body.kind === "hook") return hookGeometry().scale(...cube(SIGN * this.size));
     const hasSheave = this.lift.header.sheaves.some(
       (sheave) => this.lift.header.bodies[sheave.body] === body,
@@ -169,6 +184,7 @@ export class Bodies {
     for (const [kind, material] of this.materials)
       material.color.set((palette as unknown as Record<string, number>)[kind] ?? palette.load);
     this.edges.color.set(palette.edge);
+    this.pins.color.set(palette.pinned);
     for (const { material } of this.shadowOn) material.color.set(palette.shadow);
   }
 
@@ -195,6 +211,8 @@ export class Bodies {
       holder.updateMatrix();
       holder.matrixWorldNeedsUpdate = true;
     }
+    for (const { body } of this.lift.header.hinges)
+      this.holders[body]!.visible = this.lift.pinOf(body) === "shut";
     this.turnSheaves();
     for (const { mesh, body, level } of this.shadows) {
       FLAT.makeScale(1, 1, 0).setPosition(0, 0, level - oz + 0.0008 * this.size);

@@ -5,7 +5,7 @@ import type { Lift } from "../data/lift";
 import { element, set } from "../dom";
 import { TOUCHING } from "./clearances";
 import { type Box, settle } from "./settle";
-import { cornersOf, SIGN_WIDE } from "./solids";
+import { cornersOf, PIN, SIGN_WIDE } from "./solids";
 import type { World } from "./world";
 
 /** Slings up to which each has its name; more of them would hide the lift. */
@@ -16,7 +16,7 @@ const MOST_PAIRS = 8;
 const LINE = 16; // pixels, as `.gl-label` has it
 const PADDING = 10; // pixels, left and right together
 const MOST_WIDE = 190; // pixels, from which a name is cut short
-const BESIDE = 4; // pixels from a hook to its name
+const BESIDE = 4; // pixels from a hook or hinge to its name
 /** Slings of which less is seen have no name: it would cover them [pixels]. */
 const SHORT = 48;
 
@@ -27,7 +27,7 @@ interface Label {
   rope: number;
   body: number;
   pair: number;
-  /** From the middle of a hook to its side [m]. */
+  /** From the middle of a hook or hinge to its side [m]. */
   aside: number;
   text: string;
   /** Where it is, as a style; empty while it is hidden. */
@@ -46,7 +46,7 @@ export class Labels {
     private readonly lift: Lift,
     private readonly world: World,
   ) {
-    const { ropes, bodies, pairs } = lift.header;
+    const { ropes, bodies, pairs, hinges } = lift.header;
     this.slings = ropes.filter((rope) => rope.kind === "sling").length;
     // Where there is no room for all, the first ones have it.
     for (const kind of ["load", "hook", "frame"])
@@ -54,6 +54,8 @@ export class Labels {
         if (body.kind === kind && this.labels.length < MOST_BODIES)
           this.add(shortenedInside(body.name), "gl-label gl-label-body", { body: index });
       });
+    for (const { body } of hinges)
+      this.add(shortenedInside(bodies[body]!.name), "gl-label gl-label-body", { body });
     pairs.slice(0, MOST_PAIRS).forEach((_, pair) => {
       this.add("", "gl-label gl-label-pair", { pair });
     });
@@ -73,6 +75,7 @@ export class Labels {
   }
 
   private asideOf(index: number): number {
+    if (this.lift.pinOf(index) !== "none") return PIN * this.world.extent.size;
     const body = this.lift.header.bodies[index];
     if (body?.kind !== "hook") return 0;
     if (!body.shape) return SIGN_WIDE * this.world.extent.size;
@@ -155,6 +158,7 @@ export class Labels {
       return this.world.project(middle(0), middle(1), middle(2), width, height);
     }
     if (label.body >= 0) {
+      if (this.lift.pinOf(label.body) === "open") return null;
       const at = 7 * label.body;
       const { poses } = this.lift;
       return this.world.project(poses[at]!, poses[at + 1]!, poses[at + 2]!, width, height);

@@ -9,6 +9,7 @@ import {
   ExtrudeGeometry,
   Shape as Outline,
   Path,
+  TorusGeometry,
   Vector3,
 } from "three";
 import { ConvexGeometry } from "three/examples/jsm/geometries/ConvexGeometry.js";
@@ -21,6 +22,9 @@ export const SIGN = 0.055;
 export const SIGN_HIGH = 1.05 * SIGN;
 /** Half its width. */
 export const SIGN_WIDE = 0.21 * SIGN;
+
+/** Radius of the mark of a hinge, of the size of the scene. */
+export const PIN = 0.013;
 
 /** Geometry of a shape in the frame of its body. */
 export function geometryOf(shape: Shape, lift: Lift): BufferGeometry {
@@ -68,6 +72,13 @@ export function cornersOf(shape: Shape, lift: Lift): number[] {
 
 function boxGeometry(box: Box): BufferGeometry {
   return new BoxGeometry(...box.size).translate(...box.centre);
+}
+
+/** The mark of a hinge: a pin along y, and a ring about it whose radius is 1. */
+export function hingeGeometry(): BufferGeometry {
+  const ring = new TorusGeometry(0.8, 0.2, 10, 28).toNonIndexed();
+  const pin = new CylinderGeometry(0.3, 0.3, 2.6, 16).toNonIndexed();
+  return merged([ring.rotateX(Math.PI / 2), pin]);
 }
 
 /** A sheave of radius 1 about z, with five holes that show how it turns. */
