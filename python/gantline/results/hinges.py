@@ -165,12 +165,16 @@ def hinge_moment(recording: Recording, hinge: Hinge) -> FloatArray:
 
 
 def is_shut(recording: Recording, hinge: Hinge) -> BoolArray:
-    """Samples at which a hinge holds its load, shape (time,); at that of its opening it does."""
+    """Samples at which a hinge holds its load, shape (time,); at that of its opening it does.
+
+    It does at none where it opens as the recording begins: the first sample is of what comes after that.
+    """
     shut = np.ones(len(recording.time), dtype=np.bool_)
     for time, _, name in recording.events(HINGE_OPENED):
         if name == hinge.name:
             # An equilibrium has but its end, at which what has opened is open.
-            shut &= recording.time < time if recording.is_equilibrium else recording.time <= time
+            begins = time <= recording.time[0]
+            shut &= recording.time < time if recording.is_equilibrium or begins else recording.time <= time
     return shut
 
 
