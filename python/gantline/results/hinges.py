@@ -31,6 +31,7 @@ __all__ = [
     "in_words",
     "is_shut",
     "radial_force",
+    "shut_as_at",
 ]
 
 #: Kind of event: a hinge lets its load go.
@@ -176,6 +177,16 @@ def is_shut(recording: Recording, hinge: Hinge) -> BoolArray:
             begins = time <= recording.time[0]
             shut &= recording.time < time if recording.is_equilibrium or begins else recording.time <= time
     return shut
+
+
+def shut_as_at(recording: Recording, time: float) -> BoolArray:
+    """Samples at which hinges hold their loads as at a time [s], shape (time,)."""
+    same = np.ones(len(recording.time), dtype=np.bool_)
+    for hinge in recording.rig.hinges:
+        opened = [at for at, _, name in recording.events(HINGE_OPENED) if name == hinge.name]
+        is_open = any(at < time or at <= recording.time[0] for at in opened)
+        same &= is_shut(recording, hinge) != is_open
+    return same
 
 
 def in_words(recording: Recording, hinge: Hinge) -> list[tuple[str, str]]:
