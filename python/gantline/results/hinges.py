@@ -189,8 +189,14 @@ def shut_as_at(recording: Recording, time: float) -> BoolArray:
     return same
 
 
-def in_words(recording: Recording, hinge: Hinge) -> list[tuple[str, str]]:
-    """What a hinge bears at most, how far its load turns in it, and when it opens: titles and sentences."""
+def in_words(recording: Recording, hinge: Hinge, used: float | None = None) -> list[tuple[str, str]]:
+    """What a hinge bears at most, how far its load turns in it, and when it opens: titles and sentences.
+
+    Args:
+        recording: Of a run.
+        hinge: A hinge of it.
+        used: Share of its rated capacity, as the checks have it [1]; None if that is not known.
+    """
     force, shut = hinge_force(recording, hinge), is_shut(recording, hinge)
     peak = int(np.argmax(force))
     moment = float(hinge_moment(recording, hinge).max())
@@ -206,8 +212,8 @@ def in_words(recording: Recording, hinge: Hinge) -> list[tuple[str, str]]:
         ("moment askew", f"{format_quantity(moment, 'kN m', 1)} at most"),
         (f"{hinge.load} turned in it", f"by {format_quantity(reach, 'deg', 2)} at most"),
     ]
-    if hinge.rated_capacity:
-        rows.insert(1, ("of rated capacity", format_quantity(force[peak] / hinge.rated_capacity, "%", 1)))
+    if used is not None:
+        rows.insert(1, ("of rated capacity", format_quantity(used, "%", 1)))
     at = [time for time, _, name in recording.events(HINGE_OPENED) if name == hinge.name]
     if at and shut.any():
         bore = format_quantity(float(force[shut][-1]), "kN", 1)
