@@ -16,8 +16,9 @@ from hinged_mast import mast
 
 PLAN = "  - {step: hold, hold: 1 s}\n  - {step: go, hold: until_end, open_hinges: foot}\n"
 ENDS = (
-    "an open hinge goes not along with its load to where an 'axis' that was level is upright, or one that was "
-    "upright level: choose the 'axis' across the load, about which it is raised, or open it once that is done"
+    "an open hinge goes not along with its load to where an 'axis' that was level is upright, or one that "
+    "was upright level: choose the 'axis' across the load, about which it is raised, or open it once that "
+    "is done"
 )
 
 
