@@ -58,6 +58,7 @@ from gantline.results.unfollowed import parted_neighbours, unfollowed
 from gantline.results.variable import Columns, FloatArray, Names
 from gantline.results.vessels import vessel_warnings, with_righting
 from gantline.scenario import Scenario, ScenarioError, load_scenario
+from gantline.scenario.hinge import failed_at
 from gantline.scenario.water import Water
 from gantline.statics import Statics
 from gantline.statics.hung import resting_loads
@@ -261,11 +262,9 @@ class Simulation:
             self.status = left if left != "done" or self.ended else "paused"
         self._failure = None
         if self.status == "failed":
-            self._failure = {
-                "time": float(outcome["time"]),
-                "element": str(outcome.get("element", "")),
-                "cause": str(outcome.get("cause") or outcome.get("message", "")),
-            }
+            cause = str(outcome.get("cause") or outcome.get("message", ""))
+            element, cause = failed_at(self.scenario, str(outcome.get("element", "")), cause)
+            self._failure = {"time": float(outcome["time"]), "element": element, "cause": cause}
             raise SimulationError(self.recording(), state=self.save(), **self._failure)
 
     def command(

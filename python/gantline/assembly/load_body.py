@@ -207,6 +207,7 @@ def _far_off(scenario: Scenario, load: Load, box: Array) -> list[Doubt]:
         "lug": "lug {} lies",
         "outfitting": "outfitting {} lies",
         "tag line": "the end of tag line {} on the load lies",
+        "hinge": "hinge {} holds the load",
     }
     return [
         Doubt(one.path, f"{words[one.kind].format(one.name)} {off:.3g} m outside the load's box")

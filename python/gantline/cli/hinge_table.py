@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from gantline.checks import values_of
 from gantline.cli.table import pairs, show, table
 from gantline.results.hinges import HINGE_WAYS, Hinge, hinge_force, hinge_moment, in_words, is_shut
 from gantline.results.recording import Recording
@@ -9,7 +10,8 @@ from gantline.results.recording import Recording
 
 def hinge_table(recording: Recording, hinge: Hinge) -> list[str]:
     """What a hinge bears over a run, and when it opens."""
-    return pairs(f"Hinge {hinge.name}", in_words(recording, hinge))
+    used = values_of(recording, "hinge_force_of_rated_capacity").get(hinge.name)
+    return pairs(f"Hinge {hinge.name}", in_words(recording, hinge, used))
 
 
 def hinges_at_rest(recording: Recording) -> list[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from gantline.checks import values_of
 from gantline.report.section import Section
 from gantline.report.subject import Subject, typeset
 from gantline.results.hinges import in_words
@@ -18,8 +19,10 @@ class Hinges(Section):
 
     def content(self, subject: Subject) -> dict[str, Any] | None:
         """What the template is given."""
+        used = values_of(subject.recording, "hinge_force_of_rated_capacity")
         found = [
-            (hinge.name, [(name, typeset(text)) for name, text in in_words(subject.recording, hinge)])
+            (hinge.name, [(name, typeset(text)) for name, text in in_words(subject.recording, hinge, share)])
             for hinge in subject.rig.hinges
+            for share in [used.get(hinge.name)]
         ]
         return {"hinges": found} if found else None

@@ -31,6 +31,7 @@ __all__ = [
     "in_words",
     "is_shut",
     "radial_force",
+    "shut_as_at",
 ]
 
 #: Kind of event: a hinge lets its load go.
@@ -165,17 +166,37 @@ def hinge_moment(recording: Recording, hinge: Hinge) -> FloatArray:
 
 
 def is_shut(recording: Recording, hinge: Hinge) -> BoolArray:
-    """Samples at which a hinge holds its load, shape (time,); at that of its opening it does."""
+    """Samples at which a hinge holds its load, shape (time,); at that of its opening it does.
+
+    It does at none where it opens as the recording begins: the first sample is of what comes after that.
+    """
     shut = np.ones(len(recording.time), dtype=np.bool_)
     for time, _, name in recording.events(HINGE_OPENED):
         if name == hinge.name:
             # An equilibrium has but its end, at which what has opened is open.
-            shut &= recording.time < time if recording.is_equilibrium else recording.time <= time
+            begins = time <= recording.time[0]
+            shut &= recording.time < time if recording.is_equilibrium or begins else recording.time <= time
     return shut
 
 
-def in_words(recording: Recording, hinge: Hinge) -> list[tuple[str, str]]:
-    """What a hinge bears at most, how far its load turns in it, and when it opens: titles and sentences."""
+def shut_as_at(recording: Recording, time: float) -> BoolArray:
+    """Samples at which hinges hold their loads as at a time [s], shape (time,)."""
+    same = np.ones(len(recording.time), dtype=np.bool_)
+    for hinge in recording.rig.hinges:
+        opened = [at for at, _, name in recording.events(HINGE_OPENED) if name == hinge.name]
+        is_open = any(at < time or at <= recording.time[0] for at in opened)
+        same &= is_shut(recording, hinge) != is_open
+    return same
+
+
+def in_words(recording: Recording, hinge: Hinge, used: float | None = None) -> list[tuple[str, str]]:
+    """What a hinge bears at most, how far its load turns in it, and when it opens: titles and sentences.
+
+    Args:
+        recording: Of a run.
+        hinge: A hinge of it.
+        used: Share of its rated capacity, as the checks have it [1]; None if that is not known.
+    """
     force, shut = hinge_force(recording, hinge), is_shut(recording, hinge)
     peak = int(np.argmax(force))
     moment = float(hinge_moment(recording, hinge).max())
@@ -191,8 +212,8 @@ def in_words(recording: Recording, hinge: Hinge) -> list[tuple[str, str]]:
         ("moment askew", f"{format_quantity(moment, 'kN m', 1)} at most"),
         (f"{hinge.load} turned in it", f"by {format_quantity(reach, 'deg', 2)} at most"),
     ]
-    if hinge.rated_capacity:
-        rows.insert(1, ("of rated capacity", format_quantity(force[peak] / hinge.rated_capacity, "%", 1)))
+    if used is not None:
+        rows.insert(1, ("of rated capacity", format_quantity(used, "%", 1)))
     at = [time for time, _, name in recording.events(HINGE_OPENED) if name == hinge.name]
     if at and shut.any():
         bore = format_quantity(float(force[shut][-1]), "kN", 1)

@@ -24,6 +24,7 @@ import numpy as np
 
 from gantline.results.alike import earliest_peak, first_peak
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
+from gantline.results.hinges import HINGE_OPENED, shut_as_at
 from gantline.results.parting import DETACHED, PARTING, while_there
 from gantline.results.pinned import PIN_PULLED, pinned_as_at
 from gantline.results.recording import Recording
@@ -121,8 +122,8 @@ def quiet_window(recording: Recording) -> BoolArray:
 def quiet_windows(recording: Recording) -> list[BoolArray]:
     """Times that the loads hung still, in order, each of shape (time,); the last is the quiet window.
 
-    None goes on where a rope parts or a locking pin is pulled: what slings carry before and after has no
-    mean.
+    None goes on where a rope parts, a locking pin is pulled or a hinge opens: what slings carry before and
+    after has no mean.
     """
     return list(recording.kept("quiet_windows", lambda: np.array(_found_quiet(recording), dtype=np.bool_)))
 
@@ -132,7 +133,7 @@ def _found_quiet(recording: Recording) -> list[BoolArray]:
         return [last_sample(recording)]
     clear = is_clear(recording)
     for time, kind, _ in recording.events():
-        if kind in (*PARTING, PIN_PULLED):
+        if kind in (*PARTING, PIN_PULLED, HINGE_OPENED):
             clear[np.searchsorted(recording.time, time) :][:1] = False
     found, wet = _hung_still(recording, clear), is_wet(recording)
     if any(not (one & wet).any() for one in found) or not wet.any():
@@ -221,11 +222,12 @@ def has_hung_so(recording: Recording, time: float, *, pinned: bool = False) -> b
     """Whether the loads ever hung still on the slings that are on at a time [s], turned as they are then.
 
     Where they did not, a force of that time has no static value to be compared with: what slings that came or
-    went left to the others, or what one hook hands to another as a load is turned, is no dynamics. Nor is how
-    slings share under locking pins: for them the same sheaves count that are `pinned`.
+    went left to the others, or a hinge that opened, or what one hook hands to another as a load is turned,
+    is no dynamics. Nor is how slings share under locking pins: for them the same sheaves count that are
+    `pinned`.
     """
     on = while_there(recording, [sling.rope for sling in recording.rig.slings], [DETACHED])
-    still = np.any([_no_sample(recording), *quiet_windows(recording)], axis=0)
+    still = np.any([_no_sample(recording), *quiet_windows(recording)], axis=0) & shut_as_at(recording, time)
     if pinned:
         still &= pinned_as_at(recording, time)
     # Between two samples either may be right: what comes or goes is slack.

@@ -7,6 +7,7 @@ from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.hinge import LoadHinge, opened_in
 from gantline.scenario.hooks import hooks_of
+from gantline.scenario.model import Scenario
 
 __all__ = ["check_hinges"]
 
@@ -43,12 +44,21 @@ def _check_hinge(findings: Findings, path: Path, hinge: LoadHinge) -> None:
         *(one for one in crane_bodies(scenario.cranes or {}) if one not in hooks),
     ]
     if hinge.held_by is not None and hinge.held_by not in (*known, "world"):
-        plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
-        what = "a body of 'mechanics'" if hinge.held_by in plain else "not a vessel or a part of a crane"
         right = "leave it out for a hinge in the yard" if not known else nearest(hinge.held_by, known)
-        findings.add((*path, "held_by"), f"'{hinge.held_by}' is {what}; {right}")
+        findings.add((*path, "held_by"), f"{_no_holder(scenario, hinge.held_by)}; {right}")
     if not any(hinge.axis):
         findings.add((*path, "axis"), "found [0, 0, 0], which points nowhere; [0, 1, 0] is across the load")
+
+
+def _no_holder(scenario: Scenario, name: str) -> str:
+    """What stands under a name that cannot hold a hinge."""
+    if scenario.load is not None and name == scenario.load.name:
+        return "the load cannot hold its own hinge"
+    if name in hooks_of(scenario.cranes or {}, scenario.hook_types or {}):
+        return f"'{name}' is a hook, and a hinge stands on a vessel or another part of a crane"
+    if scenario.mechanics is not None and name in scenario.mechanics.bodies:
+        return f"'{name}' is a body of 'mechanics'"
+    return f"'{name}' is not a vessel or a part of a crane"
 
 
 def _check_friction(findings: Findings, name: str, hinge: LoadHinge) -> None:
@@ -61,12 +71,16 @@ def _check_friction(findings: Findings, name: str, hinge: LoadHinge) -> None:
 def _check_plan(findings: Findings) -> None:
     scenario = findings.scenario
     hinges, opened = scenario.hinges or {}, dict[str, str]()
+    first = _first_steps(scenario) if scenario.starts_at_rest else set()
     for place, step in enumerate(scenario.plan):
         path: Path = ("plan", place, "open_hinges")
         for name in step.open_hinges:
             if name not in hinges:
                 right = nearest(name, hinges) if hinges else "the lift has no 'hinges'"
                 findings.add(path, f"'{name}' is not a hinge; {right}")
+            elif place in first:
+                sentence = f"'{name}' opens as the lift begins, so nothing tells what it lets go"
+                findings.add(path, f"{sentence}; a 'hold' step before it does")
             elif name in opened:
                 findings.add(path, f"step '{opened[name]}' has opened '{name}' already; a hinge opens once")
             opened.setdefault(name, step.step)
@@ -79,3 +93,13 @@ def _check_plan(findings: Findings) -> None:
             sentence = "a hinge bears a part of the load, which no step can wait for"
             right = "wait for 'supports: clear', 'load_tilt' or 'hoist_load'"
             findings.add(("plan", place, "until", "load_transferred"), f"{sentence}; {right}")
+
+
+def _first_steps(scenario: Scenario) -> set[int]:
+    """Places of the steps that begin as the lift does."""
+    found: set[int] = set()
+    for place, step in enumerate(scenario.plan):
+        beside = place - 1 in found and getattr(step, "starts", None) == "with_previous"
+        if not getattr(step, "start_at", None) and (place == 0 or beside):
+            found.add(place)
+    return found

@@ -29,7 +29,12 @@ __all__ = [
 _STANDING = 1e-3
 _ROUNDING = 1 + 1e-9
 #: What is called made fast to a load, by its kind.
-_THIS = {"lug": "this lug", "outfitting": "this outfitting", "tag line": "this end of the line"}
+_THIS = {
+    "lug": "this lug",
+    "outfitting": "this outfitting",
+    "tag line": "this end of the line",
+    "hinge": "this hinge",
+}
 
 Triple = tuple[float, float, float]
 #: Least and largest x, y, z.
@@ -85,17 +90,19 @@ class Attached(NamedTuple):
 
 
 def attached(scenario: Scenario, load: Load) -> Iterator[Attached]:
-    """Lugs of a load, outfitting, and ends of its tag lines."""
+    """Lugs of a load, outfitting, ends of its tag lines, and its hinge."""
     for name, lug in load.lugs.items():
         yield Attached(("load", "lugs", name, "at"), "lug", name, lug.at)
     for place, piece in enumerate(load.outfitting):
         yield Attached(("load", "outfitting", place, "at"), "outfitting", piece.name, piece.at)
     for name, line in (scenario.tag_lines or {}).items():
         yield Attached(("tag_lines", name, "at"), "tag line", name, line.at)
+    for name, hinge in (scenario.hinges or {}).items():
+        yield Attached(("hinges", name, "at"), "hinge", name, hinge.at)
 
 
 def check_attached(findings: Findings, load: Load, box: Extent) -> None:
-    """Note lugs, outfitting and ends of tag lines that are far outside the load's box."""
+    """Note lugs, outfitting, ends of tag lines and hinges that are far outside the load's box."""
     for one in attached(findings.scenario, load):
         off = one.off(box)
         if off > max(high - low for low, high in zip(*box, strict=True)) / 2:

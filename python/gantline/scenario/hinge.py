@@ -12,7 +12,7 @@ from gantline.scenario.quantities import Direction, Name, Position, PositiveMass
 if TYPE_CHECKING:
     from gantline.scenario.model import Scenario
 
-__all__ = ["PUSHES", "TURNS", "LoadHinge", "hinge_joints", "hinge_pins", "opened_in"]
+__all__ = ["PUSHES", "TURNS", "LoadHinge", "failed_at", "hinge_joints", "hinge_pins", "opened_in"]
 
 #: What the load cannot do in a hinge, by the ends of the names of joints that pins hold: ways along the axes
 #: of the hinge, and turns about the two that are not its own. Each is a joint on the one before.
@@ -59,3 +59,23 @@ def hinge_pins(scenario: Scenario) -> list[list[str]]:
 def opened_in(scenario: Scenario, hinge: str) -> list[str]:
     """Names of the steps of the plan that open a hinge."""
     return [step.step for step in scenario.plan if hinge in step.open_hinges]
+
+
+def failed_at(scenario: Scenario, element: str, cause: str) -> tuple[str, str]:
+    """Where a simulation failed, and why, of a joint within a hinge told as that of the hinge.
+
+    Args:
+        scenario: The lift.
+        element: Name of what it failed at; one that is in no hinge stays as it is, with its cause.
+        cause: What failed.
+    """
+    for name in scenario.hinges or {}:
+        if element not in (name, *hinge_joints(name).values()):
+            continue
+        if not opened_in(scenario, name):
+            return name, cause
+        # The joints of an open hinge know one attitude in which two of them turn about the same axis.
+        there = "an open hinge goes not along with its load to where an 'axis' that was level is upright"
+        right = "choose the 'axis' across the load, about which it is raised, or open it once that is done"
+        return name, f"{cause}; {there}, or one that was upright level: {right}"
+    return element, cause

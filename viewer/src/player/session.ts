@@ -32,6 +32,7 @@ const NOTABLE = [
   "detached",
   "attached",
   "support_removed",
+  "hinge_opened",
   "stop_hit",
   "pin_pulled",
   "pin_put_in",
