@@ -10,53 +10,17 @@ from __future__ import annotations
 import pytest
 
 import gantline
+from beside_mechanics import BESIDE_MECHANICS
 from gantline.checks import check_recording
 
-LIFT = """
-format: 1
-lift: {title: A module on two slings and two chain hoists}
-duration: 20 s
-ground: {friction: 0.5}
-ropes:
-  sling: {axial_stiffness: 100 MN, damping_time: 20 ms, minimum_breaking_force: 1000 kN}
-load:
-  name: module
-  shape: {box: [6 m, 4 m, 2 m]}
-  position: [0 m, 0 m, 0.5 m]
-  weight: {calculated: 40 t}
-  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
-  lugs:
-    B: {at: [2 m, 1.5 m, 2 m], capacity: 40 t}
-    D: {at: [2 m, -1.5 m, 2 m], capacity: 40 t}
-cranes:
-  hook:
-    type: fixed_hook
-    at: [0 m, 0 m, 10 m]
-    rated_capacity: 60 t
-    hoist: {speed: 3 m/min, acceleration: 0.05 m/s^2}
-sling_defaults: {rope: sling}
-slings:
-  B: {from: hook, to: module.B, length: 7.9 m}
-  D: {from: hook, to: module.D, length: 7.9 m}
-mechanics:
-  ropes:
-    A:
-      rope: sling
-      length: 7.9 m
-      route: [{type: end, body: hook}, {type: end, body: module, at: [-2 m, 1.5 m, 1 m]}]
-    C:
-      rope: sling
-      length: 7.9 m
-      route: [{type: end, body: hook}, {type: end, body: module, at: [-2 m, -1.5 m, 1 m]}]
-plan:
-  - {step: hang, hold: until_end}
+RULES = """\
 rules: {skew_load_factor: 1.25}
 limits: {rule: yard, sling_factor_on_breaking_force: 3}
 """
 
 
 def test_ropes_beside_slings_leave_no_factor_and_that_of_the_rule_counts() -> None:
-    recording = gantline.simulate(gantline.parse_scenario(LIFT))
+    recording = gantline.simulate(gantline.parse_scenario(BESIDE_MECHANICS + RULES))
     checks = {one.name: one for one in check_recording(recording)}
     skew = checks["skew_load_factor"]
     assert skew.value is None
@@ -70,7 +34,7 @@ def test_ropes_beside_slings_leave_no_factor_and_that_of_the_rule_counts() -> No
 
 def test_slings_alone_have_theirs() -> None:
     """The same two over the middle of the load, without the ropes: they have no choice."""
-    head, tail = LIFT.split("mechanics:\n")
+    head, tail = (BESIDE_MECHANICS + RULES).split("mechanics:\n")
     alone = f"{head}plan:\n{tail.split('plan:')[1]}".replace("at: [2 m, ", "at: [0 m, ")
     checks = {one.name: one for one in check_recording(gantline.simulate(gantline.parse_scenario(alone)))}
     assert checks["skew_load_factor"].value == pytest.approx(1.0)

@@ -268,4 +268,5 @@ mechanics: {{bodies: {{b: {{joint: {{type: fixed}}, mass: 1 kg}}}}}}
 def test_a_part_of_a_load_can_be_waited_for_once_the_hinge_is_open() -> None:
     plan = OPEN + "  - {step: up, hoist: main, speed: 1 m/min, until: {load_transferred: 50 %}}\n"
     text = short(plan).replace("ropes:", "ground: {level: 0 m, friction: 0.4}\nropes:", 1)
-    parse_scenario(text)
+    last = parse_scenario(text).plan[-1]
+    assert last.until is not None and last.until.load_transferred == 0.5
