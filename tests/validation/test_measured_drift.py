@@ -63,16 +63,22 @@ def test_mean_forces(measured: Pushed, found: dict[Pushed, float]) -> None:
 
 
 @pytest.mark.parametrize("measured", [one for one in MEASURED if resonant(one)], ids=lambda one: one.name)
-def test_mean_forces_in_resonance_are_on_the_safe_side(measured: Pushed, found: dict[Pushed, float]) -> None:
-    """The section goes farther than measured, throws off more, and is pushed harder."""
+def test_mean_forces_in_resonance_are_no_smaller(measured: Pushed, found: dict[Pushed, float]) -> None:
+    """The section goes farther than measured, throws off more, and is pushed harder.
+
+    By as much as records differ it may be pushed less: heave held at 1.21 s is, 0.06 for 0.22.
+    """
     assert found[measured] > measured.share - SLOSHING
 
 
 @pytest.mark.parametrize("measured", MEASURED, ids=lambda one: one.name)
 def test_forces_of_first_order_have_no_mean(measured: Pushed, found: dict[Pushed, float]) -> None:
-    """So the springs hold what the database has, to 0.015 of the force of waves thrown back whole."""
+    """So the springs hold what the database has, to a tenth of what records of the same waves differ by.
+
+    What is left is of second order, and largest where the section heaves and rolls most.
+    """
     known = np.interp(measured.frequency, *drift(measured.set_up)) * measured.amplitude**2 / measured.whole
-    assert found[measured] == pytest.approx(known, abs=0.015)
+    assert found[measured] == pytest.approx(known, abs=APART / 10)
 
 
 def test_the_page_has_them(found: dict[Pushed, float]) -> None:

@@ -22,6 +22,13 @@ PERIOD = 2 * math.pi / OMEGA
 LOW = {"height": "2 mm", "period": f"{PERIOD!r} s", "direction": "30 deg"}
 
 
+def of_sixty_periods(folder: Path, wave: dict[str, str], vessel: dict[str, Any]) -> Recording:
+    """The barge in a regular wave of `PERIOD`, by tight tolerances."""
+    times = {"duration": f"{60 * PERIOD!r} s", "simulation": {"sample_interval": f"{PERIOD / 16!r} s"}}
+    path = waves.in_waves(folder, {"swell": wave}, vessel, **times)
+    return simulate(path, tension_tolerance=0.1, position_tolerance=1e-8)
+
+
 def last_periods(run: Recording, count: int) -> Any:
     return run.time > run.time[-1] - count * PERIOD + 1e-9
 
@@ -76,14 +83,7 @@ def test_steady_motion_in_a_regular_wave(tmp_path: Path, direction: float, headi
     stern = middle - LENGTH / 2 * np.array([math.cos(by), math.sin(by)])
     given = {"position": [f"{part} m" for part in stern], "heading": f"{heading} deg"}
     wave = {**LOW, "direction": f"{direction} deg"}
-    path = waves.in_waves(
-        tmp_path,
-        {"swell": wave},
-        given,
-        duration=f"{60 * PERIOD!r} s",
-        simulation={"sample_interval": f"{PERIOD / 16!r} s"},
-    )
-    run = simulate(path, tension_tolerance=0.1, position_tolerance=1e-8)
+    run = of_sixty_periods(tmp_path, wave, given)
     towards = math.radians(direction)
     along = OMEGA**2 / waves.G * (middle @ [math.cos(towards), math.sin(towards)])
     force = waves.force_per_metre(OMEGA, towards - by) * 1e-3 * np.exp(1j * along)
@@ -101,14 +101,7 @@ def test_crests_pass_later_by_the_phase(tmp_path: Path, phase: float) -> None:
     middle = np.array([20.0, 10.0])
     given = {"position": [f"{middle[0] - LENGTH / 2} m", f"{middle[1]} m"]}
     wave = {**LOW, "phase": f"{phase} deg"}
-    path = waves.in_waves(
-        tmp_path,
-        {"swell": wave},
-        given,
-        duration=f"{60 * PERIOD!r} s",
-        simulation={"sample_interval": f"{PERIOD / 16!r} s"},
-    )
-    run = simulate(path, tension_tolerance=0.1, position_tolerance=1e-8)
+    run = of_sixty_periods(tmp_path, wave, given)
     towards, late = math.radians(30.0), math.radians(phase)
     along = OMEGA**2 / waves.G * (middle @ [math.cos(towards), math.sin(towards)])
     grown = last_periods(run, 40)
