@@ -23,7 +23,7 @@ from gantline.scenario.mooring import (
     weight_on_nodes,
 )
 from gantline.scenario.movers import movers
-from gantline.scenario.parting import Parting, partings
+from gantline.scenario.parting import Parting, partings, steps_that_cut
 from gantline.scenario.steps import LineStep
 from gantline.units import format_by_size, format_quantity
 
@@ -251,6 +251,7 @@ def mooring_rig(scenario: Scenario) -> Json:
             "rope": line_rope(name),
             "minimum_breaking_force": kinds[line.rope].breaking_force,
             "slipping_winch": winch_flow(name) if line.winch is not None and line.winch.capacity else None,
+            "let_go_in": steps_that_cut(scenario, line_rope(name)),
         }
         for name, line in (scenario.mooring_lines or {}).items()
     ]

@@ -14,7 +14,7 @@ from gantline.assembly.underground import under_ground
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.gear import RopeMaterial
-from gantline.scenario.parting import partings
+from gantline.scenario.parting import partings, steps_that_cut
 from gantline.scenario.tag_line import TUGGER_MASS, TUGGER_SPEED, TagLine, tag_rope, tag_tugger
 from gantline.units import format_by_size, format_quantity
 
@@ -130,7 +130,6 @@ def line_drive(line: str) -> str:
 
 def tag_rig(scenario: Scenario) -> Json:
     """What results need to know of tag lines; nothing in a lift without."""
-    let_go = {(rope, step.step) for step in scenario.plan for rope in step.cut}
     lines = [
         {
             "name": name,
@@ -138,7 +137,7 @@ def tag_rig(scenario: Scenario) -> Json:
             "pull": line.pull,
             "slipping_winch": tag_tugger(name) if line.winch is not None and line.winch.capacity else None,
             "speed": None if line.pull is None else line.speed or TUGGER_SPEED,
-            "let_go_in": [step for rope, step in sorted(let_go) if rope == tag_rope(name)],
+            "let_go_in": steps_that_cut(scenario, tag_rope(name)),
         }
         for name, line in (scenario.tag_lines or {}).items()
     ]

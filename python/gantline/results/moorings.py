@@ -20,12 +20,14 @@ class MooringLine(FromJson):
         rope: Its name among the ropes of the recording.
         minimum_breaking_force: Of its rope [N]; None if not known.
         slipping_winch: Joint of its winch if that has a capacity, at which it slips.
+        let_go_in: Steps of the plan that let go of it.
     """
 
     name: str
     rope: str
     minimum_breaking_force: float | None = None
     slipping_winch: str | None = None
+    let_go_in: Sequence[str] = ()
 
 
 @dataclass(frozen=True)

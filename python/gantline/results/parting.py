@@ -7,14 +7,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gantline.results.moorings import MooringLine
 from gantline.results.recording import Recording
+from gantline.results.tag_lines import TagLine
 from gantline.results.variable import BoolArray
 
 #: Kind of the event from which on a sling is off.
 DETACHED = "detached"
 #: Kinds of events after which a rope carries nothing any more.
 PARTING = ("cut", "broken", DETACHED)
-#: Kinds of partings that are as planned: slings taken off, tag lines that a step lets go of.
+#: Kinds of partings that are as planned: slings taken off, lines that a step lets go of.
 PLANNED = (DETACHED, "let go")
 #: Kind of the event from which on a sling may carry.
 ATTACHED = "attached"
@@ -28,7 +30,7 @@ class Parting:
 
     Attributes:
         rope: Its name.
-        kind: `cut`, `broken`, or as planned `detached`, `let go` of a tag line.
+        kind: `cut`, `broken`, or as planned `detached`, `let go` of a mooring or tag line.
         time: When [s].
         tension: What it carried: of a broken rope the tension at which it broke, of another that of
             the last sample before [N].
@@ -71,10 +73,10 @@ def partings(recording: Recording) -> list[Parting]:
     gone: set[str] = set()
     breaks_at = {rope.name: rope.breaks_at for rope in recording.rig.ropes}
     begins = {name: time for time, _, name in recording.events("step_begin")}
-    let_go = {
-        line.rope: None if line.is_let_go else [begins.get(step) for step in line.let_go_in]
-        for line in recording.rig.tag_lines
-    }
+    rig = recording.rig
+    lines: list[MooringLine | TagLine] = [*rig.mooring_lines, *rig.tag_lines]
+    let_go = {line.rope: [begins.get(step) for step in line.let_go_in] for line in lines}
+    always = {line.rope for line in rig.tag_lines if line.is_let_go}
     for time, kind, rope in recording.events():
         if kind == ATTACHED:
             gone.discard(rope)
@@ -85,7 +87,7 @@ def partings(recording: Recording) -> list[Parting]:
         tension = float(recording.column("rope_tension", rope)[max(before, 0)])
         if kind == "broken":
             tension = breaks_at.get(rope) or tension
-        elif rope in let_go and ((times := let_go[rope]) is None or time in times):
+        elif rope in always or time in let_go.get(rope, ()):
             # One that was lost before its step lets go of it is lost.
             kind = "let go"
         found.append(Parting(rope, kind, time, tension))

@@ -97,6 +97,11 @@ def rigging_ropes(scenario: Scenario) -> list[str]:
     return found + [f"sling.{name}" for name in scenario.slings or {}]
 
 
+def steps_that_cut(scenario: Scenario, rope: str) -> list[str]:
+    """Names of the steps of the plan that cut a rope as they begin."""
+    return [step.step for step in scenario.plan if rope in step.cut]
+
+
 def check_partings(findings: Findings) -> None:
     """Note breaking forces that are not known, cuts after the end, cuts through ropes that are not there."""
     scenario = findings.scenario
