@@ -9,6 +9,8 @@ from __future__ import annotations
 import pytest
 
 from gantline.checks import Verdict, check_recording
+from gantline.report.steps import step_rows
+from gantline.report.subject import Subject
 from gantline.results.parting import partings
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
@@ -51,6 +53,9 @@ def test_a_line_that_a_step_lets_go_of_has_not_parted(kind: str, lost: str, said
     assert parting.tension == pytest.approx(50e3, rel=0.02)
     failed = [check.name for check in check_recording(recording) if check.verdict is Verdict.FAILED]
     assert failed == (["rope_parted"] if lost else [])
+    # Its report says so by the line's own name.
+    rows = step_rows(Subject(recording))
+    assert rows[1]["does"] == "haul tow 30 m/min by 4 m; let go of aft"
     # The tow alone pulls it: 50 kN and more over 10 s on 2952 t.
     speed = recording.column("body_velocity", "cargo")[:, 0]
     assert speed[-1] > 50e3 * 10.0 / 2952e3

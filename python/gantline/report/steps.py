@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,9 @@ from gantline.checks import LIMITS
 from gantline.report.holds import shares
 from gantline.report.section import Section
 from gantline.report.subject import Subject, show, typeset
+from gantline.results.moorings import MooringLine
 from gantline.results.rig import Step
+from gantline.results.tag_lines import TagLine
 
 _MOST = 16
 #: Of lifts afloat, whose vessels take room on the sheet.
@@ -54,19 +57,20 @@ def first_steps(subject: Subject) -> dict[str, Any]:
 def step_rows(subject: Subject) -> list[dict[str, Any]]:
     """Each step of the plan: when it begins, what it does, holds and requires, how hooks share at its end."""
     times = {name: time for time, _, name in subject.recording.events("step_begin")}
-    plan = subject.rig.plan
-    shared = shares(subject)
-    hooks = {hook.name for hook in subject.rig.hooks}
+    rig, shared = subject.rig, shares(subject)
+    hooks = {hook.name for hook in rig.hooks}
+    made_fast: list[MooringLine | TagLine] = [*rig.mooring_lines, *rig.tag_lines]
+    lines = {line.rope: line.name for line in made_fast}
     return [
         {
             "name": step.step,
             "begin": show(times.get(step.step), "s", 1),
-            "does": _does(step, hooks),
-            "is_hold": _is_hold_point(step, plan[-1]),
+            "does": _does(step, hooks, lines),
+            "is_hold": _is_hold_point(step, rig.plan[-1]),
             "shares": shared.get(step.step, ""),
             "require": ", ".join(_requirement(key, bounds) for key, bounds in step.require.items()),
         }
-        for step in plan
+        for step in rig.plan
     ]
 
 
@@ -79,8 +83,11 @@ def _is_hold_point(step: Step, last: Step) -> bool:
     return step.kind == "hold" and (step is not last or bool(step.require))
 
 
-def _does(step: Step, hooks: set[str]) -> str:
-    """What a step moves, how fast and how far, with which pins, and what goes or comes as it begins."""
+def _does(step: Step, hooks: set[str], lines: Mapping[str, str]) -> str:
+    """What a step moves, how fast and how far, with which pins, and what goes or comes as it begins.
+
+    `lines` are names of mooring and tag lines in the lift file by those of their ropes.
+    """
     pins = [
         f"{words} pins of {', '.join(names)}"
         for words, names in (("pull", step.pull_pins), ("put in", step.put_in_pins))
@@ -91,7 +98,8 @@ def _does(step: Step, hooks: set[str]) -> str:
         for words, names in (
             ("take off", step.detach),
             ("put on", step.attach),
-            ("cut", step.cut),
+            ("let go of", [lines[name] for name in step.cut if name in lines]),
+            ("cut", [name for name in step.cut if name not in lines]),
             ("take away", step.remove_supports),
             ("open", step.open_hinges),
         )
