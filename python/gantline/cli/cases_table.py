@@ -56,10 +56,12 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
         *notes(result.states, in_cases, width),
         *_lines(_cautions(result.states), result.states, in_cases, width),
     ]
+    states, governed = _states(groups, width), _governing(groups, width)
     parts = [
         [f"{result.title}, at rest"],
-        [*_states(groups, width), *why],
-        _governing(groups, width),
+        [*states, *why],
+        governed,
+        _numbered([name for name, _ in groups], [*states, *governed]),
         *_tensions(result, width),
         _worst(result.worst, width),
         *_bands(result),
@@ -85,7 +87,8 @@ def _states(groups: Sequence[tuple[str, Sequence[State]]], width: int) -> list[s
     head = ("", "slings", "to", "hook load", "tilt", "travel", "")
     taken = max(len(line) for line in table(head, rows, "lrrrrrl"))
     room = max(_SHORTEST_LABEL, width - taken)
-    named = [(_shortened(name, room), *row[1:]) for (name, _), row in zip(groups, rows, strict=True)]
+    names = _told_apart([name for name, _ in groups], room)
+    named = [(name, *row[1:]) for name, row in zip(names, rows, strict=True)]
     return table(("Case", *head[1:]), named, "lrrrrrl")
 
 
@@ -195,18 +198,18 @@ def _in_cases(states: Sequence[State], found: Sequence[int]) -> str:
 
 def _governing(groups: Sequence[tuple[str, Sequence[State]]], width: int) -> list[str]:
     """The check of each group of states that uses most of its limit."""
-    rows = []
-    for name, states in groups:
+    rows = {}
+    for place, (_, states) in enumerate(groups):
         check = governing([check for state in states for check in state.checks])
         if check is not None:
             used = ABSENT if check.utilisation is None else show(check.utilisation, "%", 1)
-            rows.append((name, check.name, used, check.element))
+            rows[place] = (check.name, used, check.element)
     if not rows:
         return []
     head = ("Nearest to a limit", "check", "used", "by")
-    others = max(len(line) for line in table(("", *head[1:]), [("", *row[1:]) for row in rows], "llrl"))
-    room = max(_SHORTEST_LABEL, width - others)
-    return table(head, [(_shortened(row[0], room), *row[1:]) for row in rows], "llrl")
+    others = max(len(line) for line in table(("", *head[1:]), [("", *row) for row in rows.values()], "llrl"))
+    names = _told_apart([name for name, _ in groups], max(_SHORTEST_LABEL, width - others))
+    return table(head, [(names[place], *row) for place, row in rows.items()], "llrl")
 
 
 def _tensions(result: CasesResult, width: int) -> list[list[str]]:
@@ -319,6 +322,25 @@ def nothing_hangs(states: Sequence[State]) -> str:
     if not all(state.not_lifted for state in states):
         return ""
     return f"nothing hangs then, {'; '.join(states[0].not_lifted)}"
+
+
+def _told_apart(names: Sequence[str], room: int) -> list[str]:
+    """Names no longer than `room`, with a number each where what is cut off is all that two differ by."""
+    cut = [_shortened(name, room) for name in names]
+    if len(set(cut)) == len(set(names)):
+        return cut
+    return [_shortened(f"{_number(place)} {name}", room) for place, name in enumerate(names)]
+
+
+def _numbered(names: Sequence[str], lines: Sequence[str]) -> list[str]:
+    """What numbers stand for, where names have them in these lines."""
+    if not any(line.startswith(f"  {_number(0)} ") for line in lines):
+        return []
+    return [f"  {_number(place)} {name}" for place, name in enumerate(names)]
+
+
+def _number(place: int) -> str:
+    return f"#{place + 1}"
 
 
 def _shortened(text: str, room: int) -> str:
