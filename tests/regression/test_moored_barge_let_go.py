@@ -50,7 +50,8 @@ def test_a_line_that_a_step_lets_go_of_has_not_parted(kind: str, lost: str, said
     recording = simulate(parse_scenario(text))
     (parting,) = partings(recording)
     assert (parting.rope, parting.kind, parting.time) == ("mooring.aft", *said)
-    assert parting.tension == pytest.approx(50e3, rel=0.02)
+    # The barge has hardly moved by then.
+    assert parting.tension == pytest.approx(50e3, rel=2e-5)
     failed = [check.name for check in check_recording(recording) if check.verdict is Verdict.FAILED]
     assert failed == (["rope_parted"] if lost else [])
     # Its report says so by the line's own name.
