@@ -15,7 +15,8 @@ from gantline.scenario import parse_scenario
 SEATING = """\
 supports:
   seating: {{under: module, measured_from: world,
-            places: {{A: {{at: [{x} m, 0 m]}}, B: {{at: [{x} m, 2 m]}}}}, foot: {foot} m, height: 1 m, stiffness: 100 MN/m}}
+            places: {{A: {{at: [{x} m, 0 m]}}, B: {{at: [{x} m, 2 m]}}}},
+            foot: {foot} m, height: 1 m, stiffness: 100 MN/m}}
 structures: {{dock: {{type: dock, x: [30 m, 60 m], y: [-9 m, 9 m], floor: -8 m}}}}
 cranes:
 """
