@@ -41,3 +41,9 @@ def test_a_hook_above_a_bar_is_told_by_the_lugs_of_the_load() -> None:
     assert at in text
     said = refused(text.replace(at, "at: [9 m, 0 m, ", 1))
     assert "hook stands 9.00 m beside the middle of its lugs, which is 9.00 m along −x" in said
+
+
+def test_where_no_height_helps_the_way_stands_last() -> None:
+    said = refused(LIFT.replace("at: [0 m, 0 m, 11 m]", "at: [0 m, 20 m, 11 m]"))
+    way = "crane stands 20.00 m beside the middle of its lugs, which is 20.00 m along −y"
+    assert f"which no height of the hook makes up; put crane, boom or load elsewhere: {way}" in said

@@ -384,7 +384,11 @@ def _too_short(
         if sling.name in aside:
             way = f"{sideways[sling.name]:.3f} m of that sideways"
             sentence += f"{way}, which no height of the hook makes up; "
-        sentence += hook_aside(parts, scenario, rigging, sling, distance - sling.length, lugs)
+        beside = hook_aside(parts, scenario, rigging, sling, distance - sling.length, lugs)
+        if beside and aside:
+            advice += f": {beside}"
+        elif beside:
+            sentence += f"{beside}; "
         if outweighed := _outweighed(parts, scenario, rigging, sling, distance):
             sentence += f"{outweighed}; "
             advice = "two extension sheaves on one sling have equal masses"
