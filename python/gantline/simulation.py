@@ -430,10 +430,9 @@ class Simulation:
         return warnings
 
     def _with_resting(self, found: Recording) -> Recording:
-        """The recording of a run that has ended, with how loads rest that hang in ropes of `mechanics`."""
-        if not (self.ended and self.status == "done") or not any(
-            load.other_ropes for load in self._rig.loads
-        ):
+        """The recording of a run that has ended, with how loads rest in ropes of `mechanics` or in water."""
+        is_asked = any(load.other_ropes or load.in_water is not None for load in self._rig.loads)
+        if not (self.ended and self.status == "done") or not is_asked:
             return found
         if self._question is None:
             return found

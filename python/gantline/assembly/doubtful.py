@@ -44,6 +44,7 @@ def doubtful_cranes(scenario: Scenario) -> list[Doubt]:
         *_rising_charts(scenario),
         *_unsaid_ratings(scenario),
         *_charts_past_tipping(scenario),
+        *_counterweights_past_tipping(scenario),
         *_light_hook_blocks(scenario),
         *_strong_hoists(scenario),
         *_light_parts(scenario),
@@ -108,6 +109,35 @@ def _charts_past_tipping(scenario: Scenario) -> Iterator[Doubt]:
             right = "the chart is too large, or a mass of the crane too small"
             sentence = f"the rating chart of {one.owner} has {row}, {share}; {right}"
             yield Doubt(one.path, sentence)
+
+
+def _counterweights_past_tipping(scenario: Scenario) -> Iterator[Doubt]:
+    """Each crawler crane that its counterweight tips over backwards where nothing hangs in its hooks."""
+    for name, crane in (scenario.cranes or {}).items():
+        if not isinstance(crane, Crawler):
+            continue
+        half = min(crane.tracks.gauge, crane.tracks.length) / 2
+        weight, boom = crane.counterweight, crane.boom
+        head = boom.length * math.cos(boom.angle)
+        ahead = boom.heel_pins.ahead
+        holds = math.fsum(
+            (
+                (crane.base_mass + crane.central_ballast) * half,
+                boom.mass * (half + ahead + boom.centre_of_gravity * head),
+                boom.head_gear * (half + ahead + head),
+            )
+        )
+        tips = weight.mass * (weight.behind - half)
+        if tips <= holds:
+            continue
+        counter = f"{format_quantity(weight.mass, 't', 1)} of counterweight"
+        about = f"about the line {format_quantity(half, 'm', 2)} behind its slewing axis"
+        moments = f"{tips / 1e3:.0f} t m against {holds / 1e3:.0f} t m of base and boom"
+        sentence = (
+            f"{counter} tip {name} over backwards {about}, {moments}: only what hangs in its hooks holds it, "
+            "and as it lands or is lost the crane falls; see the masses, and 'behind'"
+        )
+        yield Doubt(("cranes", name, "counterweight"), sentence)
 
 
 def rows_by_radius(crane: Crawler, chart: Chart) -> list[tuple[float, float]]:

@@ -1,9 +1,9 @@
-"""Baskets of `mechanics` that lean along their load so far that they slide along it, as no rope does here."""
+"""Baskets of `mechanics` that slide along their load as no rope does here, or that go through it."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import combinations, groupby, pairwise
 
@@ -22,6 +22,10 @@ __all__ = ["doubtful_baskets"]
 #: Friction of steel and slings along a smooth load, wet or painted [1]: less than this may be there.
 _FRICTION = 0.1
 _UP = np.array([0.0, 0.0, 1.0])
+#: How deep a fall may cut the corner of a box [m]: a box stands for what is round, or has chamfers.
+_DEEP = 0.1
+#: Places along a fall at which its depth is looked at.
+_LOOKS = 200
 
 
 @dataclass(frozen=True)
@@ -61,6 +65,7 @@ def doubtful_baskets(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None
         for basket in _baskets(parts, name, rope)
         if basket.body != load or basket.height < top
     ]
+    yield from _through_the_load(parts, scenario, ropes, lifted)
     for first, second in combinations(baskets, 2):
         if first.body != second.body:
             continue
@@ -77,6 +82,45 @@ def doubtful_baskets(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None
             "here they stay where their eyes are; hang them plumb, from two hooks or a bar, or choke them"
         )
         yield Doubt(("mechanics", "ropes", second.rope), sentence)
+
+
+def _through_the_load(
+    parts: Parts, scenario: Scenario, ropes: Mapping[str, MechanicsRope], lifted: LiftedLoad | None
+) -> Iterator[Doubt]:
+    """That falls go through the box of the load between an eye on it and what is above.
+
+    A real rope bends about the upper edge. Here it pulls from the lower eye, so that a load rolls in it that
+    would lie still, and bears less than it does.
+    """
+    load = scenario.load
+    if load is None or load.shape.box is None or lifted is None:
+        return
+    low, high = (np.asarray(corner) - lifted.body.centre for corner in lifted.body.box)
+    centre, turned = parts.pose(load.name)
+    found: dict[str, tuple[str, float]] = {}
+    for name, rope in ropes.items():
+        for one, other in pairwise(rope.route):
+            if not isinstance(one, RopeEnd | Eye) or not isinstance(other, RopeEnd | Eye):
+                continue
+            inner, above = (one, other) if one.body == load.name else (other, one)
+            if not isinstance(inner, Eye) or inner.body != load.name or above.body == load.name:
+                continue
+            ends = [(_place(parts, guide) - centre) @ turned for guide in (one, other)]
+            line = ends[0] + np.linspace(0.0, 1.0, _LOOKS)[:, np.newaxis] * (ends[1] - ends[0])
+            deep = float(np.minimum(line - low, high - line).min(axis=1).max())
+            if deep > max(_DEEP, found.get(name, ("", 0.0))[1]):
+                found[name] = above.body, deep
+    if not found:
+        return
+    names, upper = list(found), next(iter(found.values()))[0]
+    goes = f"{names[0]} goes" if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]} go"
+    deepest = format_quantity(max(deep for _, deep in found.values()), "m", 2)
+    yield Doubt(
+        ("mechanics", "ropes", names[0]),
+        f"{goes} through {load.name}, up to {deepest} deep, between eyes on it and {upper}: a rope bends "
+        "about the edge that it meets; lead it over an eye there too, or the load rolls in it as it would "
+        "not",
+    )
 
 
 def _baskets(parts: Parts, name: str, rope: MechanicsRope) -> Iterator[_Basket]:

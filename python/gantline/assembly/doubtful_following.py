@@ -25,11 +25,14 @@ from gantline.scenario.movers import Mover, mover
 from gantline.scenario.plan import Step
 from gantline.scenario.slinging import slings_on
 from gantline.scenario.steps import AlongStep, HoldStep, HookStep
+from gantline.units import format_quantity
 
 __all__ = ["doubtful_following"]
 
 #: Angle of the way of a drive to the line of lugs beyond which more than half of that lies across it [rad].
 _MOST_ASKEW = math.radians(30.0)
+#: By how much a range may be short of the way of a step that follows before that is told [m].
+_SHORT = 0.2
 
 
 def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
@@ -92,6 +95,8 @@ def _doubts_of(stage: _Stage, step: AlongStep) -> Iterator[Doubt]:
     lifted = _lifted(scenario, stage.heights, others) - _lifted(scenario, stage.heights, own)
     steepest = _steepest(line, stage.before, stage.after, lifted, way)
     yield from (Doubt(path, said) for said in _out_of_reach(step, one, way, steepest))
+    if not _is_elsewhere(scenario, step) and not _follow_beside(stage.steps, step):
+        yield from (Doubt(path, said) for said in _out_of_range(step, one, way, towards, line, steepest))
     yield from (Doubt(path, said) for said in _too_slow(step, abs(speed), steepest, way))
 
 
@@ -215,6 +220,11 @@ def _others_beside(scenario: Scenario, stage: Sequence[Step], step: AlongStep) -
     return any(own & _followers(scenario, other) for other in stage if other is not step)
 
 
+def _follow_beside(stage: Sequence[Step], step: AlongStep) -> bool:
+    """Whether another step that goes on beside it follows too, and makes good a part of the way."""
+    return any(isinstance(other, AlongStep) and other.keep_plumb for other in stage if other is not step)
+
+
 def _is_elsewhere(scenario: Scenario, step: AlongStep) -> bool:
     """Whether a step before has brought the crane to another place, or its boom, than that of the start."""
     own = _followers(scenario, step)
@@ -245,6 +255,25 @@ def _out_of_reach(
     reach = f"there '{one.name}' comes to the end of its reach, or of its range, {way.range_in_words}"
     right = "begin with it steeper" if way.side > 0.0 else "begin with it less steep"
     yield f"step '{step.step}': {goes}: {reach}; {right}, or let the crane travel"
+
+
+def _out_of_range(
+    step: AlongStep, one: Mover, way: Along, towards: float, line: Array, steepest: tuple[float, str] | None
+) -> Iterator[str]:
+    """A trolley or crane that would have to go on past the end of its range, from where it starts."""
+    if steepest is None or isinstance(way, Luffing | Slewing) or one.range is None or one.start is None:
+        return
+    length, level = float(np.linalg.norm(line)), float(np.hypot(line[0], line[1]))
+    nearer = level - length * math.cos(steepest[0])
+    low, high = one.range
+    room = high - one.start if math.cos(towards - way.way) > 0.0 else one.start - low
+    if nearer <= room + _SHORT:
+        return
+    angle = math.acos(max(-1.0, min((level - room) / length, 1.0)))
+    goes = f"falls do not stay plumb from {math.degrees(angle):.1f} deg of the lugs over level on"
+    ends = " to ".join(format_quantity(end, "m", 2) for end in one.range)
+    has_to = f"{format_quantity(nearer, 'm', 1)} nearer, and has {format_quantity(room, 'm', 1)} that way"
+    yield f"step '{step.step}': {goes}: '{one.name}' has to go {has_to} in its range, {ends}; widen it"
 
 
 def _too_slow(step: AlongStep, speed: float, steepest: tuple[float, str] | None, way: Along) -> Iterator[str]:

@@ -138,6 +138,7 @@ def doubtful_supports(
     for name in scenario.supports or {}:
         own = [one for one in under if one.support.group == name]
         path = ("supports", name)
+        yield from _buried(scenario, path, own)
         if name == load.stands_on and (beside := [one for one in own if one.place is None]):
             found = _listed([f"'{one.support.name}'" for one in beside])
             yield Doubt(path, f"nothing of the load is over {len(beside)} of {len(own)} supports: {found}")
@@ -152,6 +153,30 @@ def doubtful_supports(
             "the CAD file of the load: its convex hull has so many corners that what lies on supports is"
         )
         yield Doubt(("load", "shape", "cad"), f"{sentence} up to {error} within it, and heights off by that")
+
+
+def _buried(scenario: Scenario, path: tuple[str, ...], own: Sequence[UnderLoad]) -> Iterator[Doubt]:
+    """Supports whose tops lie under the ground, on which a load that is set down there stands before.
+
+    In a dock, down to its floor, there is none.
+    """
+    if scenario.ground is None:
+        return
+    dock = dock_of(scenario)
+    deep: dict[str, float] = {}
+    for one in own:
+        x, y, top = one.pad["at"]
+        is_in_dock = dock is not None and dock.x[0] <= x <= dock.x[1] and dock.y[0] <= y <= dock.y[1]
+        level = dock.floor if dock is not None and is_in_dock else scenario.ground.level
+        if top < level - _STANDING:
+            deep[one.support.name] = level - top
+    if deep:
+        lie = "lies" if len(deep) == 1 else "lie"
+        most = shown_gap(max(deep.values()))
+        found = f"{len(deep)} of {len(own)} {lie} up to {most} under the ground: "
+        named = _listed([f"'{name}'" for name in deep])
+        right = "a load that comes down there stands on the ground; see their 'foot' and 'height'"
+        yield Doubt(path, f"tops of {found}{named}; {right}")
 
 
 def _corners_in_the_air(scenario: Scenario, load: Load, body: LoadBody) -> Iterator[Doubt]:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from gantline.assembly.hook_aside import hook_aside
 from gantline.assembly.parts import ORIGIN, Json, Parts, end, eye, half_turn, material
 from gantline.assembly.reeving import add_reeved_hook, reeved_hooks
 from gantline.assembly.rope_weight import add_free_rope, lump_rope, mass_at_end
@@ -290,7 +291,7 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         elif sling.starts_on and sling.length > _MOST_SLACK * distance:
             loose[sling.name] = sling.length, distance
     if too_short:
-        raise StartError(scenario.source, _too_short(parts, scenario, rigging, too_short))
+        raise StartError(scenario.source, _too_short(parts, scenario, rigging, too_short, lugs))
     warn_of_off(parts, scenario, off)
     if below:
         deepest = max(below, key=lambda name: below[name])
@@ -359,7 +360,11 @@ def _outweighed(
 
 
 def _too_short(
-    parts: Parts, scenario: Scenario, rigging: Rigging, slings: Sequence[tuple[SlingRigging, list[Json]]]
+    parts: Parts,
+    scenario: Scenario,
+    rigging: Rigging,
+    slings: Sequence[tuple[SlingRigging, list[Json]]],
+    lugs: Mapping[str, Sequence[float]],
 ) -> list[Problem]:
     """What is wrong with slings that do not reach from end to end at the start, with their routes."""
     assert scenario.load is not None
@@ -379,6 +384,11 @@ def _too_short(
         if sling.name in aside:
             way = f"{sideways[sling.name]:.3f} m of that sideways"
             sentence += f"{way}, which no height of the hook makes up; "
+        beside = hook_aside(parts, scenario, rigging, sling, distance - sling.length, lugs)
+        if beside and aside:
+            advice += f": {beside}"
+        elif beside:
+            sentence += f"{beside}; "
         if outweighed := _outweighed(parts, scenario, rigging, sling, distance):
             sentence += f"{outweighed}; "
             advice = "two extension sheaves on one sling have equal masses"

@@ -17,7 +17,7 @@ from gantline.results.rig import Load
 from gantline.results.through import Through, slings_through_loads
 from gantline.results.tilting import loose_tilt
 from gantline.results.upending import is_turned
-from gantline.results.upright import top_heavy, unknown_whether_upright
+from gantline.results.upright import heels_over, top_heavy, unknown_whether_upright
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
 
@@ -76,6 +76,12 @@ def on_their_tip(recording: Recording) -> list[Check]:
     for heavy in top_heavy(recording):
         high = f"what weighs on it is {heavy.too_high:.2f} m too high to hang stably"
         remark = f"{high}: any push turns it over, even where the run has none"
+        checks.append(
+            Check("hangs_stably", Verdict.FAILED, meaning, element=heavy.name, time=heavy.time, remark=remark)
+        )
+    for heavy in heels_over(recording):
+        high = f"what weighs on it is {heavy.too_high:.2f} m too high to hang stably in these slings"
+        remark = f"hoisted, it heels over on what it stands on in place of coming clear: {high}"
         checks.append(
             Check("hangs_stably", Verdict.FAILED, meaning, element=heavy.name, time=heavy.time, remark=remark)
         )

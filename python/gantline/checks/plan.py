@@ -109,13 +109,19 @@ def stood_still(recording: Recording) -> list[Check]:
         still.setdefault(_STILL.get(step.ends_by, _STILL["until"]), []).append(step.step)
     remark = "; ".join(f"{why}, and nothing moved: {named(names)}" for why, names in still.items())
     hung = [
-        f"{100.0 * share:.0f} % of {load.name}"
+        f"{100.0 * share:.0f} % of {load.name} {_hangs(recording, load)}"
         for load in recording.rig.loads
         if (share := float(recording.column("load_transferred", load.name)[0])) > _HANGS
     ]
     if hung and begins[at_once[0].step] == recording.time[0]:
-        remark += f"; {' and '.join(hung)} hangs before the plan begins"
+        remark += f"; {' and '.join(hung)} before the plan begins"
     return [Check("plan_moves", Verdict.WARNING, "steps move what they say", remark=remark)]
+
+
+def _hangs(recording: Recording, load: Load) -> str:
+    """What bears the share of a load that its supports do not, at the start."""
+    wet = load.in_water is not None and recording.column("displaced_volume", load.in_water)[0] > 0.0
+    return "is borne by the water and its slings" if wet else "hangs"
 
 
 def never_still(recording: Recording) -> list[Check]:

@@ -63,6 +63,7 @@ def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[s
             "At rest where each step ends",
             *(() if rest is None else friction_of(rest)),
             *slides,
+            *_not_ended(question, found),
         ],
         *_loads(question, found, width),
         *_vessels(question, found, width),
@@ -73,6 +74,22 @@ def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[s
         ],
     ]
     return [line for part in parts if part for line in (*part, "")]
+
+
+def _not_ended(question: Statics, found: Sequence[StepAtRest]) -> list[str]:
+    """Steps that the lift does not get through, which the table lacks; none of a hold until its end."""
+    from gantline.checks.measure import named
+
+    told = {name for one in found for name in one.steps}
+    plan = question.scenario.plan
+    left = [step for step in plan if step.step not in told and getattr(step, "hold", None) != "until_end"]
+    begins = {step.step: question.times_of(step.step)[0] for step in left}
+    goes_on = [name for name, begin in begins.items() if begin is not None]
+    not_begun = [name for name, begin in begins.items() if begin is None]
+    end = f"{question.scenario.duration:g} s"
+    parts = [f"do not end by {end}: {named(goes_on)}"] if goes_on else []
+    parts += [f"not begun: {named(not_begun)}"] if not_begun else []
+    return [f"  steps that {'; '.join(parts)}"] if goes_on else [f"  steps {parts[0]}"] if parts else []
 
 
 def _loads(question: Statics, found: Sequence[StepAtRest], width: int) -> list[list[str]]:

@@ -17,6 +17,8 @@ __all__ = ["clearance_events", "contact_warnings", "peak_support_force", "watche
 
 #: A sample at the time of an event shows a support before it was taken away; rounding of that time [s].
 _AT_ONCE = 1e-9
+#: A support that bears less is taken away from under nothing, as planned [N].
+_NOTHING = 500.0
 
 
 def clearance_events(
@@ -127,7 +129,10 @@ def contact_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:
     ):
         if kind == "support_removed":
             force = _force_before(columns, names, name, float(moment))
-            warnings.append(f"{name} is taken away at {moment:.2f} s under {force / 1e3:.0f} kN")
+            if moment <= time[0] + _AT_ONCE:  # no sample shows what it bore
+                warnings.append(f"{name} is taken away as the run begins, whatever stands on it")
+            elif force > _NOTHING:
+                warnings.append(f"{name} is taken away at {moment:.2f} s under {force / 1e3:.0f} kN")
         elif kind == "off_support":
             warnings.append(f"the load leaves {name} beyond its edge at {moment:.2f} s")
     return warnings

@@ -97,9 +97,11 @@ def tipping_utilisation(
         length: Length of a track on the ground [m].
         gauge: Distance of the tracks, middle to middle [m].
 
+    Where the crane's own weight lies beyond a line, as that of a counterweight may, what hangs holds it: of
+    that line it is the moment of its own weight over the moment of what holds it.
+
     Returns:
-        The worst of the four lines, shape (time,) [1]; 1 where two corners are clear. Where the crane's own
-        weight does not hold it, 1 as well.
+        The worst of the four lines, shape (time,) [1]; 1 where two corners are clear.
     """
     lines = (
         (corners[:, 1] + corners[:, 3], length, 0, 1.0),  # over the front end; the back corners hold
@@ -110,6 +112,10 @@ def tipping_utilisation(
     worst = np.full(len(own), -np.inf)
     for beyond, across, axis, sign in lines:
         holds = own * (across / 2 - sign * centre[:, axis])
-        used = 1 - beyond * across / np.where(holds > 0, holds, 1.0)
-        worst = np.maximum(worst, np.where(holds > 0, used, 1.0))
+        presses = beyond * across
+        used = 1 - presses / np.where(holds > 0, holds, 1.0)
+        # Two corners that are clear leave nothing that presses: 1 there too.
+        over = -holds / np.where(presses > holds, presses - holds, 1.0)
+        leans = np.where(presses > 0, over, 1.0)
+        worst = np.maximum(worst, np.where(holds > 0, used, leans))
     return worst

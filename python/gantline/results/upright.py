@@ -16,7 +16,7 @@ of that makes what hangs stiffer than it is.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -31,14 +31,23 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["TopHeavy", "borne_by_others", "top_heavy", "unknown_whether_upright"]
+__all__ = [
+    "TopHeavy",
+    "borne_by_others",
+    "borne_by_water",
+    "heels_over",
+    "top_heavy",
+    "unknown_whether_upright",
+]
 
 #: Of slings of which it is not known: stiffer than steel of these lengths [N/m].
 _STIFF = 1e9
 #: Height by which what hangs may be too high before it is told [m]: nobody knows a centre of gravity so well.
 _TOO_HIGH = 0.005
-#: Share of its weight that other ropes may bear of a load before nothing is said of it [1].
+#: Share of its weight that other ropes, or water, may bear of a load before nothing is said of it [1].
 _BORNE = 0.05
+#: Share of its weight that slings bear of a load at least where they tell how it would hang [1].
+_MOSTLY = 0.8
 
 
 @dataclass(frozen=True)
@@ -73,18 +82,55 @@ def top_heavy(recording: Recording) -> list[TopHeavy]:
     return list(found.values())
 
 
+def heels_over(recording: Recording) -> list[TopHeavy]:
+    """Loads that hooks hoist and that never hang clear, since they would hang unstably.
+
+    Such a load turns about its last corner on what it stands on as long as it is hoisted, and bounces on
+    it. It is looked at where the run ends, with most of its weight in its slings; where steps lower hooks
+    it may have been set down.
+
+    Args:
+        recording: Of a run.
+    """
+    kinds = {step.kind for step in recording.rig.plan}
+    if recording.is_equilibrium or "hoist" not in kinds or "lower" in kinds or not len(recording.time):
+        return []
+    found = []
+    for load in recording.rig.loads if not series.quiet_windows(recording) else ():
+        hung = recording.column("load_transferred", load.name)[-1]
+        if hung > _MOSTLY and not series.load_is_clear(recording, load)[-1]:
+            found += [one for one in _at(recording, len(recording.time) - 1) if one.name == load.name]
+    return found
+
+
 def borne_by_others(recording: Recording) -> dict[str, list[int]]:
     """Last samples of the times at which each load hung still in ropes that are no slings.
 
     Args:
         recording: Of a run, or of an equilibrium.
     """
+    return _last_samples(recording, _is_borne_by_others)
+
+
+def borne_by_water(recording: Recording) -> dict[str, list[int]]:
+    """Last samples of the times at which each load hung still, or floated, with water bearing a part of it.
+
+    Args:
+        recording: Of a run, or of an equilibrium.
+    """
+    return _last_samples(recording, _is_borne_by_water)
+
+
+def _last_samples(
+    recording: Recording, holds: Callable[[Recording, Load, int], bool]
+) -> dict[str, list[int]]:
+    """Last samples of the times at which loads hung still and something holds of them."""
     clear = series.is_clear(recording)
     found: dict[str, list[int]] = {}
     for window in series.quiet_windows(recording):
         last = int(np.flatnonzero(window)[-1])
         for load in recording.rig.loads if clear[last] else ():
-            if _is_borne_by_others(recording, load, last):
+            if holds(recording, load, last):
                 found.setdefault(load.name, []).append(last)
     return found
 
@@ -111,11 +157,26 @@ def _is_borne_by_others(recording: Recording, load: Load, sample: int) -> bool:
     return sum(others) > _BORNE * load.weight
 
 
+def _is_borne_by_water(recording: Recording, load: Load, sample: int) -> bool:
+    """Whether a load is wet, and all its ropes together do not pull with nearly its weight."""
+    if load.in_water is None or not recording.column("displaced_volume", load.in_water)[sample] > 0.0:
+        return False
+    pulls = [
+        float(series.sling_tension(recording, sling)[sample])
+        for sling in _pulling(recording, sample)
+        for lug_of in sling.lugs_of
+        if lug_of == load.name
+    ]
+    pulls += [float(recording.column("rope_tension", rope)[sample]) for rope in load.other_ropes]
+    return sum(pulls) < (1.0 - _BORNE) * load.weight
+
+
 def _at(recording: Recording, sample: int) -> Iterator[TopHeavy]:
     """Of all that hangs together at a sample."""
     bodies: list[Load | Spreader] = [*recording.rig.loads, *recording.rig.spreaders]
-    if any(_is_borne_by_others(recording, load, sample) for load in recording.rig.loads):
-        return
+    for load in recording.rig.loads:
+        if _is_borne_by_others(recording, load, sample) or _is_borne_by_water(recording, load, sample):
+            return
     slings = _pulling(recording, sample)
     stiffness = _stiffness(recording, sample, bodies, slings)
     if not np.isfinite(stiffness).all():

@@ -1,8 +1,9 @@
-"""How loads rest that a run hangs still in ropes of `mechanics`, whose stiffness no recording knows."""
+"""How loads rest that a run hangs still in ropes of `mechanics` or in water, as no recording knows."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,7 +11,7 @@ import numpy as np
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Resting
 from gantline.results.rotation import axes
-from gantline.results.upright import borne_by_others
+from gantline.results.upright import borne_by_others, borne_by_water
 from gantline.statics.answers import Equilibrium, Mode, NoEquilibriumError
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ _MOVES = 1e-3
 
 
 def resting_loads(question: Statics, recording: Recording, state: bytes | None) -> dict[str, list[Resting]]:
-    """How equilibria have loads that hung still in ropes which are no slings; left out where there is none.
+    """How equilibria have loads that hung still in ropes that are no slings, or in water, where there is one.
 
     Where the run ends it is asked from what it has saved, earlier by its plan.
 
@@ -36,13 +37,16 @@ def resting_loads(question: Statics, recording: Recording, state: bytes | None) 
     """
     found: dict[str, list[Resting]] = {}
     loads = {load.name: load for load in recording.rig.loads}
-    for name, samples in borne_by_others(recording).items():
-        for sample in samples:
+    in_ropes, in_water = borne_by_others(recording), borne_by_water(recording)
+    for name in {**in_ropes, **in_water}:
+        for sample in sorted({*in_ropes.get(name, ()), *in_water.get(name, ())}):
             is_last = sample == len(recording.time) - 1
             try:
                 rests = _resting(question, recording, loads[name], sample, state if is_last else None)
             except NoEquilibriumError:
                 continue
+            if rests is not None and sample not in in_ropes.get(name, ()):
+                rests = replace(rests, aside=0.0)  # waves that a rest does not know turn it to and fro
             if rests is not None:
                 found.setdefault(name, []).append(rests)
     return found
