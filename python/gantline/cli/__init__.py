@@ -20,7 +20,7 @@ def main() -> None:
         # An exit and no exception, which what is being loaded may take for one of its own.
         signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
     # Nearly all that a command makes it needs until its end: to look that through for what nobody needs any
-    # more, as often as Python does by itself, takes a twelfth of the time of a short command.
+    # more, as often as Python does by itself, takes about a twentieth of the time of a short command.
     gc.set_threshold(_BETWEEN_LOOKS)
     from gantline.cli.app import run_app
 
