@@ -2,9 +2,9 @@
 
     python -m benchmarks.jobs [SCENARIO ...]
 
-Times are of whole processes, the least of three. The parts are found in a run of their own under the
-profiler, which costs Python more than the core: they are shares of that run, without the interpreter's own
-start.
+Times are of whole processes, the least of three each: processor time, which other programs on the machine
+disturb least, and wall time. The parts are found in a run of their own under the profiler, which costs Python
+more than the core: they are shares of that run, without the interpreter's own start.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from rich.console import Console
 from rich.table import Table
 
 SCENARIOS = Path(__file__).resolve().parents[1] / "scenarios"
-DEFAULT = ("equalizer", "floating_crane")
+DEFAULT = ("equalizer", "floating_crane", "crane_barge_in_swell")
 RUNS = 3
 DONE = (0, 1, 4)  # exit codes: done, a check that failed, and no verdict
 
@@ -32,6 +32,7 @@ PARTS = {
     "start-up": (("importlib._bootstrap>", "_find_and_load"),),
     "reading": (
         ("scenario/reading.py", "load_scenario"),
+        ("hydro/database/__init__.py", "read_database"),
         ("results/netcdf.py", "load_recording"),
         ("cad/__init__.py", "read"),
     ),
@@ -48,6 +49,7 @@ def jobs(lift: Path, folder: Path) -> Iterator[tuple[str, ...]]:
     yield "run", str(lift), "-o", str(folder / lift.name), "--no-plots", "--no-report"
     yield "run", str(lift), "-o", str(folder / lift.name)
     yield "statics", str(lift)
+    yield "statics", str(lift), "--steps"
     yield "check", recording
     yield "report", recording
     yield "compare", recording, recording, "-o", str(folder / "compared")
@@ -55,19 +57,21 @@ def jobs(lift: Path, folder: Path) -> Iterator[tuple[str, ...]]:
         yield "cad", "file", str(structure)
 
 
-def finish(words: Sequence[str], *options: str) -> float:
-    """Run a job in a process of its own; its wall time [s].
+def finish(words: Sequence[str], *options: str) -> tuple[float, float]:
+    """Run a job in a process of its own; its processor time and its wall time [s].
 
     Raises:
         RuntimeError: If it could not be done.
     """
-    start = time.perf_counter()
+    start, before = time.perf_counter(), os.times()
     done = subprocess.run(
         [sys.executable, *options, "-m", "gantline", *words], capture_output=True, text=True, check=False
     )
     if done.returncode not in DONE:
         raise RuntimeError(f"gantline {' '.join(words)}: {done.stderr}")
-    return time.perf_counter() - start
+    after = os.times()
+    used = after.children_user - before.children_user + after.children_system - before.children_system
+    return used, time.perf_counter() - start
 
 
 def shares(words: Sequence[str], folder: Path) -> dict[str, float]:
@@ -90,18 +94,19 @@ def shares(words: Sequence[str], folder: Path) -> dict[str, float]:
 
 
 def measured(words: Sequence[str], folder: Path) -> list[str]:
-    """Cells of a job: its words, least time [ms], shares."""
-    least = min(finish(words) for _ in range(RUNS))
+    """Cells of a job: its words, least processor time and least wall time [ms], shares."""
+    used, lasted = (min(times) for times in zip(*(finish(words) for _ in range(RUNS)), strict=True))
     short = [Path(word).name if os.sep in word else word for word in words]
     return [
         " ".join(short),
-        f"{1e3 * least:,.0f}",
+        f"{1e3 * used:,.0f}",
+        f"{1e3 * lasted:,.0f}",
         *(f"{share:.0%}" for share in shares(words, folder).values()),
     ]
 
 
 def main(names: Sequence[str]) -> None:
-    table = Table("gantline", "time [ms]", *PARTS, "else")
+    table = Table("gantline", "processor [ms]", "wall [ms]", *PARTS, "else")
     for column in table.columns[1:]:
         column.justify = "right"
     with tempfile.TemporaryDirectory() as made:

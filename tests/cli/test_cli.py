@@ -50,6 +50,7 @@ SLOW = ("scipy", "matplotlib", "xarray", "pandas")
         (["check", "equalizer"], SLOW),
         (["check", "floating_crane"], SLOW),
         (["statics", "equalizer"], SLOW),
+        (["check", "crane_barge_in_swell"], ("matplotlib", "xarray", "pandas")),
     ],
 )
 def test_a_command_loads_only_what_it_needs(words: list[str], needless: tuple[str, ...]) -> None:

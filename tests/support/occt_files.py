@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
-_BEGINS = """
+#: Reads a line with path and body for each file, and says when it is written; ends with its input.
+_PROGRAM = """
+import json
 import sys
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 from OCP.BRep import BRep_Builder
@@ -50,17 +54,29 @@ def without_a_face(body):
     builder.MakeSolid(solid)
     builder.Add(solid, shell)
     return solid
+
+def write(path, body):
+    if path.endswith(".igs"):
+        writer = IGESControl_Writer("MM", 0)  # trimmed surfaces, which is what IGES files mostly hold
+        writer.AddShape(body)
+        writer.ComputeModel()
+    else:
+        writer = STEPControl_Writer()
+        writer.Transfer(body, STEPControl_StepModelType.STEPControl_AsIs)
+    writer.Write(path)
+
+for line in sys.stdin:
+    path, body = json.loads(line)
+    write(path, eval(body))
+    print("\\nWRITTEN", flush=True)
 """
-_ENDS = """
-if sys.argv[1].endswith(".igs"):
-    writer = IGESControl_Writer("MM", 0)  # trimmed surfaces, which is what IGES files mostly hold
-    writer.AddShape(body)
-    writer.ComputeModel()
-else:
-    writer = STEPControl_Writer()
-    writer.Transfer(body, STEPControl_StepModelType.STEPControl_AsIs)
-writer.Write(sys.argv[1])
-"""
+
+
+@cache
+def _writer() -> subprocess.Popen[str]:
+    """One process for all files: Open CASCADE takes most of a second to load."""
+    program = [sys.executable, "-c", _PROGRAM]
+    return subprocess.Popen(program, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
 def written(path: Path, body: str) -> Path:
@@ -70,6 +86,9 @@ def written(path: Path, body: str) -> Path:
         path: the file.
         body: Python that makes it, in millimetres, of the functions above.
     """
-    program = f"{_BEGINS}\nbody = {body}\n{_ENDS}"
-    subprocess.run([sys.executable, "-c", program, str(path)], check=True, capture_output=True)
+    process = _writer()
+    assert process.stdin is not None and process.stdout is not None
+    print(json.dumps([str(path), body]), file=process.stdin, flush=True)
+    # Before that the library tells of its work.
+    assert any(line == "WRITTEN\n" for line in process.stdout), f"{body}: could not be written"
     return path

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import h5py
 import numpy as np
 import pytest
+import xarray as xr
 
 import databases
 from databases import ADDED, DAMPING, DENSITY, DRIFT, EXCITATION, INFINITE, OMEGA
@@ -98,6 +100,36 @@ def test_a_file_without_density_or_infinity_says_so(tmp_path: Path) -> None:
         found.added_mass_at(None, 1025.0)
 
 
+PACKED = {"added_mass": {"dtype": "int32", "scale_factor": 500.0, "add_offset": 3e4, "_FillValue": -9999}}
+
+
+@pytest.mark.parametrize("engine", ["h5netcdf", "scipy"])
+@pytest.mark.parametrize("encoding", [{}, PACKED], ids=["plain", "packed"])
+def test_every_netcdf_file_gives_the_same(engine: Any, encoding: dict[str, Any], tmp_path: Path) -> None:
+    """Of the fourth version or an older one, with other orders of dimensions, and with packed numbers: all
+    of ADDED are whole numbers of 500 above 3e4, so those are exact but for rounding of the largest."""
+    known = databases.drifting(tmp_path / "known.nc")
+    with xr.open_dataset(known, engine="h5netcdf") as tables:
+        other = tables.transpose("influenced_dof", "omega", ...)
+        other.to_netcdf(tmp_path / "other.nc", engine=engine, encoding=encoding)
+    found, same = read_database(tmp_path / "other.nc"), read_database(known)
+    largest = float(np.abs(ADDED).max())
+    assert found.added_mass == pytest.approx(ADDED, rel=1e-12, abs=1e-12 * largest)
+    for field in ("frequencies", "damping", "excitation", "directions", "drift"):
+        np.testing.assert_array_equal(getattr(found, field), getattr(same, field), err_msg=field)
+
+
+def test_a_gap_of_a_file_is_no_number(tmp_path: Path) -> None:
+    """What the file has marked as missing is refused as a number that is none."""
+    with xr.open_dataset(databases.capytaine(tmp_path / "whole.nc"), engine="h5netcdf") as tables:
+        holed = tables.load()
+    holed["added_mass"][0, 0, 0] = np.nan
+    encoding: Any = {"added_mass": {"_FillValue": -1e30}}
+    holed.to_netcdf(tmp_path / "holed.nc", engine="h5netcdf", encoding=encoding)
+    with pytest.raises(DatabaseError, match="its added mass has numbers that are not finite"):
+        read_database(tmp_path / "holed.nc")
+
+
 def made(added: np.ndarray, damping: np.ndarray) -> HydrodynamicDatabase:
     return HydrodynamicDatabase("box", "made", np.array([0.5]), added[None], damping[None], DENSITY)
 
@@ -186,6 +218,9 @@ def spoiled(tmp_path: Path, name: str) -> Path:
         path.write_text(whole.decode().replace("OMEGA", "REM  ", 1), encoding="utf-8")
     elif name.startswith("motions"):
         databases.capytaine(path, coordinates={"influenced_dof": [f"mode {k}" for k in range(6)]})
+    elif name.startswith("adrift"):
+        with h5py.File(path, "a") as file:
+            del file["added_mass"].attrs["DIMENSION_LIST"]
     elif name.startswith("bare"):
         databases.capytaine(path, without=["added_mass"])
     elif name.startswith("reverse"):
@@ -227,6 +262,7 @@ def spoiled(tmp_path: Path, name: str) -> Path:
         ("motions.nc", "no body has the six motions surge to yaw; it has mode 0, mode 1"),
         ("reverse.nc", "-3 kg/m^3 is not the density of water"),
         ("drift_nan.nc", "its drift forces have numbers that are not finite"),
+        ("adrift.nc", "its 'added_mass' does not run over 'omega'"),
         ("drift_over.nc", "its 'drift_force_surge' runs over omega, body_name"),
     ],
 )

@@ -22,6 +22,7 @@ from gantline.export import RerunMissing, TableError, gltf_binary, write_csv, wr
 from gantline.export.surroundings import surroundings
 from gantline.export.tables import columns
 from gantline.export.video import VideoError, write_still, write_video
+from gantline.plot.film import Film
 from gantline.results import Recording
 from hostile import hostile_recording
 from sample_lift import ringing_lift, sample_recording, sample_scene
@@ -231,6 +232,17 @@ def test_a_film_has_its_pictures_at_its_speed(tmp_path: Path) -> None:
         assert film.info["duration"] == 100
     with pytest.raises(VideoError, match="more than 20000 pictures"):
         write_video(recording, tmp_path / "long.gif", speed=1e-4)
+
+
+def test_a_picture_of_a_film_has_nothing_of_those_before() -> None:
+    """Each begins with what no moment changes: of what another moment has, nothing is left."""
+    recording = ringing_lift(load_z=2.5 + np.linspace(0.0, 5.0, 2001))
+    film, last = Film(recording, 800), len(recording.time) - 1
+    first, later, again = (film.picture(sample) for sample in (0, last, 0))
+    np.testing.assert_array_equal(again, first)
+    np.testing.assert_array_equal(later, Film(recording, 800).picture(last))
+    for part in (np.s_[:60], np.s_[60:, :450], np.s_[60:220, 480:], np.s_[225:, 480:]):
+        assert (first[part] != later[part]).any(), "caption, side, top and cursor have moved"
 
 
 @pytest.mark.parametrize("speed", ["inf", "nan", "0", "-1"])

@@ -43,7 +43,9 @@ SAMPLE = 0.02
 
 def frames(q: Batch) -> list[tuple[Batch, Batch]]:
     """Rotations and origins of all bodies over q (k, 24): places, then yaw, pitch and roll of each."""
-    return [(yaw_pitch_roll(q[:, 6 * k + 3 : 6 * k + 6]), q[:, 6 * k : 6 * k + 3]) for k in range(4)]
+    parts = q.reshape(len(q), 4, 6)
+    turns = yaw_pitch_roll(parts[:, :, 3:])
+    return [(turns[:, k], parts[:, k, :3]) for k in range(4)]
 
 
 def _box(mass: float, sizes: tuple[float, ...]) -> Floats:

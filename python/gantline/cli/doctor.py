@@ -8,7 +8,7 @@ import shutil
 import sys
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
-from importlib import import_module, metadata
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated
@@ -113,6 +113,8 @@ def _player() -> Finding:
 
 
 def _package(module: str, distribution: str, gives: str, how: str) -> Finding:
+    from importlib import metadata  # takes a sixth of the time of `gantline --help` to load
+
     if find_spec(module) is None:
         return Finding(distribution, "absent", "", f"{gives} ({how})")
     try:

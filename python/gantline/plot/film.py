@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Iterator
+from typing import Any
 
 import matplotlib
 import numpy as np
 import numpy.typing as npt
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
@@ -59,7 +61,14 @@ class Film:
             self._side, self._top, trace = self._panels()
             self._cursor = self._trace(trace)
             panels.tension_bar(self._figure, [self._side], self._norm, pad=0.05)
-        self._windows = {panel: _filled(panel, window) for panel, window in self._windows.items()}
+            for panel, window in self._windows.items():
+                panels.bare(panel, _filled(panel, window))
+            # What no moment changes is drawn once, and each picture begins with that.
+            for moving in self._moving():
+                moving.set_animated(True)
+            canvas: Any = FigureCanvasAgg(self._figure)  # has no types
+            canvas.draw()
+            self._canvas, self._backdrop = canvas, canvas.copy_from_bbox(self._figure.bbox)
 
     def picture(self, sample: int) -> Image:
         """The lift at a sample, red, green and blue of each pixel, shape (rows, columns, 3)."""
@@ -67,9 +76,9 @@ class Film:
         snap = snapshot(recording, sample)
         with matplotlib.rc_context(RC):
             for panel, view in ((self._side, self._view), (self._top, drawing.TOP)):
-                panel.cla()
-                window = self._windows[panel]
-                panels.bare(panel, window)
+                # All of the moment before; to clear a panel would make its frame anew as well.
+                for artist in (*panel.lines, *panel.collections, *panel.patches, *panel.texts, *panel.images):
+                    artist.remove()
                 drawing.draw(panel, snap, view, self._norm)
             if self._ground is not None:
                 panels.draw_ground(self._side, self._ground, self._lift, self._view.axis)
@@ -78,10 +87,15 @@ class Film:
             panels.scale_bar(self._side)
             self._caption.set_text(self._said(snap.time))
             self._cursor.set_xdata([snap.time, snap.time])
-            self._figure.savefig(raw := io.BytesIO(), format="raw", dpi=self._figure.dpi)
-        rows = round(self._figure.get_figheight() * self._figure.dpi)
-        pixels: Image = np.frombuffer(raw.getvalue(), dtype=np.uint8).reshape(rows, -1, 4)[..., :3]
+            self._canvas.restore_region(self._backdrop)
+            for moving in self._moving():
+                self._figure.draw_artist(moving)
+        pixels: Image = np.array(self._canvas.buffer_rgba())[..., :3]
         return pixels
+
+    def _moving(self) -> tuple[Artist, ...]:
+        """What each moment draws anew, in this order."""
+        return self._side, self._top, self._caption, self._cursor
 
     def frames(self, speed: float, rate: float) -> Iterator[Image]:
         """Pictures from the start to the end.

@@ -31,12 +31,11 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.validity import hold_recording
 from gantline.results.variable import Variable
+from gantline.scales import alone, said, tables_of
 
 _FORMAT = 1
 _PLAIN_TEXT = frozenset({"title", "gantline_version", "scenario", "status"})
 _OF_THE_FORMAT = frozenset({"recording_format", "_NCProperties"})
-#: How NetCDF4 names a dimension without a variable along it alone, and begins a variable of the same name.
-_NO_VARIABLE, _BESIDE_DIMENSION = "This is a netCDF dimension but not a netCDF variable", "_nc4_non_coord_"
 _LEVEL = 1  # of gzip: higher ones take longer and save nothing
 _COMPRESS_FROM = 1 << 16  # bytes; smaller variables are not worth a chunk index
 _WORKERS = os.cpu_count() or 1
@@ -107,7 +106,7 @@ def _opened(path: Path) -> Iterator[h5py.File]:
         with h5py.File(path, "r") as file:
             if "recording_format" not in file.attrs:
                 raise ValueError("another program wrote it: it has no attribute 'recording_format'")
-            form = int(_alone(file.attrs["recording_format"]))
+            form = int(alone(file.attrs["recording_format"]))
             if form > _FORMAT:
                 raise ValueError(f"recording format {form}; this version reads up to {_FORMAT}")
             yield file
@@ -226,9 +225,9 @@ def _chunks(variable: Variable) -> tuple[int, ...]:
 def _read(file: h5py.File) -> Recording:
     variables: dict[str, Variable] = {}
     coordinates: dict[str, list[str]] = {}
-    for name, dims, stored in _variables(file):
+    for name, dims, stored in tables_of(file):
         hold_variable(name, dims, stored.dtype)
-        unit = _said(stored, "units")
+        unit = said(stored, "units")
         if unit is None and dims != (name,):
             raise FormError(f"variable '{name}' has no attribute 'units'")
         values = _without_infinity(np.asarray(stored[...]), endless=name in _ENDLESS)
@@ -237,7 +236,7 @@ def _read(file: h5py.File) -> Recording:
             coordinates[name] = [str(label) for label in _text(values)]
             continue
         is_number = values.dtype.kind == "f"
-        description = _said(stored, "long_name") or ""
+        description = said(stored, "long_name") or ""
         variables[name] = Variable(dims, values if is_number else _text(values), unit, description)
     try:
         recording = Recording(variables, coordinates, _attributes(file))
@@ -245,31 +244,6 @@ def _read(file: h5py.File) -> Recording:
         raise FormError(str(problem)) from None
     hold_recording(recording)
     return recording
-
-
-def _variables(file: h5py.File) -> Iterator[tuple[str, tuple[str, ...], h5py.Dataset]]:
-    """Names, dimensions and datasets of a NetCDF4 file, whose dimensions are scales of HDF5."""
-    for key, stored in file.items():
-        if not isinstance(stored, h5py.Dataset):
-            continue
-        name = key.removeprefix(_BESIDE_DIMENSION)
-        if "DIMENSION_LIST" in stored.attrs:
-            scales = (references[0] for references in stored.attrs["DIMENSION_LIST"])
-            places = (h5py.h5i.get_name(h5py.h5r.dereference(scale, file.id)) for scale in scales)
-            yield name, tuple(place.decode().removeprefix("/") for place in places), stored
-        elif not (_said(stored, "NAME") or "").startswith(_NO_VARIABLE):
-            yield name, (name,) * stored.ndim, stored
-
-
-def _said(stored: h5py.Dataset, attribute: str) -> str | None:
-    """A text that stands beside a dataset; None where it does not."""
-    value = _alone(stored.attrs.get(attribute))
-    return value.decode() if isinstance(value, bytes) else None if value is None else str(value)
-
-
-def _alone(value: Any) -> Any:
-    """The value of an attribute, also of one that another program has written as an array of one."""
-    return value.item() if isinstance(value, np.ndarray) and value.size == 1 else value
 
 
 def _without_infinity(
@@ -293,7 +267,7 @@ def _text(values: np.ndarray[Any, np.dtype[Any]]) -> np.ndarray[Any, np.dtype[np
 
 
 def _attributes(file: h5py.File) -> dict[str, Any]:
-    own = {name: _alone(value) for name, value in file.attrs.items() if name not in _OF_THE_FORMAT}
+    own = {name: alone(value) for name, value in file.attrs.items() if name not in _OF_THE_FORMAT}
     return {name: _attribute(name, value) for name, value in own.items()}
 
 

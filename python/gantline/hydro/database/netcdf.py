@@ -7,16 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from gantline.hydro.database.model import AXES, DRIFTING, Coupling, DatabaseError, HydrodynamicDatabase
 from gantline.hydro.database.opening import checked_hdf5, text_of
-
-if TYPE_CHECKING:
-    import xarray as xr
+from gantline.hydro.database.tables import Tables, tables_in
 
 __all__ = ["read_capytaine", "read_dhyd"]
 
@@ -36,13 +33,13 @@ def read_capytaine(path: Path) -> list[HydrodynamicDatabase]:
         DatabaseError: If it is no such file, or something that it needs is not in it.
     """
     source = f"{path.name} (Capytaine)"
-    with _dataset(path) as found:
+    with tables_in(path) as found:
         if "added_mass" not in found or "radiation_damping" not in found:
             raise DatabaseError(
                 f"{path}: has no 'added_mass' and 'radiation_damping' as Capytaine's files have"
             )
         for name in ("omega", *_RADIATION[1:]):
-            if name not in found.coords:
+            if name not in found:
                 raise DatabaseError(f"{path}: has no '{name}', which its tables run over")
         # A single one is no dimension, but is there.
         speeds = np.asarray(found["forward_speed"].values if "forward_speed" in found else 0.0, dtype=float)
@@ -59,7 +56,7 @@ def read_capytaine(path: Path) -> list[HydrodynamicDatabase]:
         single = text_of(found["body_name"].values) if "body_name" in found else ""
         result = []
         for body, dofs in bodies.items():
-            mass, damping = (_matrix(path, found[name], dofs) for name in _TABLES)
+            mass, damping = (_matrix(path, found, name, dofs) for name in _TABLES)
             directions, excitation = _capytaine_waves(path, found, dofs)
             drift = _drift(path, found, directions)
             result.append(
@@ -79,7 +76,7 @@ def read_capytaine(path: Path) -> list[HydrodynamicDatabase]:
                     # Of several bodies the file has that of all together.
                     drift=None if drift is None or len(bodies) > 1 else drift[kept],
                     others={
-                        other: Coupling(*(_matrix(path, found[name], dofs, moving)[kept] for name in _TABLES))
+                        other: Coupling(*(_matrix(path, found, name, dofs, moving)[kept] for name in _TABLES))
                         for other, moving in bodies.items()
                         if other != body
                     },
@@ -101,15 +98,15 @@ def read_dhyd(path: Path) -> list[HydrodynamicDatabase]:
     for name in needed:
         if name not in names:
             raise DatabaseError(f"{path}: has no '{name}', as .dhyd files have")
-    with _dataset(path, "mass") as mass, _dataset(path, "damping") as damping:
+    with tables_in(path, "mass") as mass, tables_in(path, "damping") as damping:
         dofs = list(AXES)
         omega = np.asarray(mass["omega"].values, dtype=float)
         order = np.argsort(omega)
         if not np.array_equal(omega, np.asarray(damping["omega"].values, dtype=float)):
             raise DatabaseError(f"{path}: added mass and damping are for different frequencies")
         matrices = (
-            _matrix(path, mass["added_mass"], dofs),
-            _matrix(path, damping["radiation_damping"], dofs),
+            _matrix(path, mass, "added_mass", dofs),
+            _matrix(path, damping, "radiation_damping", dofs),
         )
         directions, excitation = _dhyd_waves(path, names, omega)
         return [
@@ -127,18 +124,6 @@ def read_dhyd(path: Path) -> list[HydrodynamicDatabase]:
         ]
 
 
-def _dataset(path: Path, group: str | None = None) -> xr.Dataset:
-    """A NetCDF file, or one of its groups, of the fourth version or of an older one."""
-    import xarray
-
-    with path.open("rb") as file:
-        start = file.read(4)
-    if start[:3] == b"CDF":
-        return xarray.open_dataset(path, engine="scipy", decode_times=False)
-    checked_hdf5(path)
-    return xarray.open_dataset(path, engine="h5netcdf", group=group, decode_times=False)
-
-
 def _bodies(path: Path, dofs: Sequence[str]) -> dict[str, list[str]]:
     """The six motions of each body by its name; of a single one the name may be empty."""
     found: dict[str, dict[str, str]] = {}
@@ -153,31 +138,32 @@ def _bodies(path: Path, dofs: Sequence[str]) -> dict[str, list[str]]:
     return whole
 
 
-def _matrix(path: Path, table: Any, dofs: Sequence[str], moving: Sequence[str] | None = None) -> Array:
+def _matrix(
+    path: Path, found: Tables, name: str, dofs: Sequence[str], moving: Sequence[str] | None = None
+) -> Array:
     """(n, 6, 6): rows are forces, columns motions, those of the same body if no other is `moving`."""
-    for name in _RADIATION:
-        if name not in table.dims and table.sizes.get(name) is None:
-            raise DatabaseError(f"{path}: its '{table.name}' does not run over '{name}'")
-    extra = [name for name in table.dims if name not in _RADIATION]
-    if any(table.sizes[name] != 1 for name in extra):
-        raise DatabaseError(f"{path}: its '{table.name}' runs over {', '.join(map(str, extra))} as well")
-    values = np.asarray(
-        table.squeeze(extra).transpose("omega", "influenced_dof", "radiating_dof").values, dtype=float
-    )
-    return values[:, _places(path, table, "influenced_dof", dofs)][
-        :, :, _places(path, table, "radiating_dof", moving or dofs)
+    table = found[name]
+    for over in _RADIATION:
+        if over not in table.dims:
+            raise DatabaseError(f"{path}: its '{name}' does not run over '{over}'")
+    if not table.runs_over(*_RADIATION):
+        extra = ", ".join(dim for dim in table.dims if dim not in _RADIATION)
+        raise DatabaseError(f"{path}: its '{name}' runs over {extra} as well")
+    values = np.asarray(table.over("omega", "influenced_dof", "radiating_dof"), dtype=float)
+    return values[:, _places(path, found, "influenced_dof", dofs)][
+        :, :, _places(path, found, "radiating_dof", moving or dofs)
     ]
 
 
-def _places(path: Path, table: Any, dimension: str, dofs: Sequence[str]) -> list[int]:
-    known = {text_of(dof).lower(): place for place, dof in enumerate(table[dimension].values)}
+def _places(path: Path, found: Tables, dimension: str, dofs: Sequence[str]) -> list[int]:
+    known = {text_of(dof).lower(): place for place, dof in enumerate(found[dimension].values)}
     missing = [dof for dof in dofs if dof.lower() not in known]
     if missing:
         raise DatabaseError(f"{path}: its '{dimension}' has no {missing[0]}")
     return [known[dof.lower()] for dof in dofs]
 
 
-def _scalar(path: Path, found: xr.Dataset, name: str) -> float | None:
+def _scalar(path: Path, found: Tables, name: str) -> float | None:
     if name not in found:
         return None
     values = np.unique(np.asarray(found[name].values, dtype=float))
@@ -186,7 +172,7 @@ def _scalar(path: Path, found: xr.Dataset, name: str) -> float | None:
     return float(values[0])
 
 
-def _point(found: xr.Dataset, body: str, *names: str) -> Array | None:
+def _point(found: Tables, body: str, *names: str) -> Array | None:
     """A point (3,) of a body where the file has it under one of these names."""
     for name in names:
         values = _of_body(found, body, name)
@@ -195,12 +181,12 @@ def _point(found: xr.Dataset, body: str, *names: str) -> Array | None:
     return None
 
 
-def _volume(found: xr.Dataset, body: str) -> float | None:
+def _volume(found: Tables, body: str) -> float | None:
     values = _of_body(found, body, "disp_volume")
     return float(values[0]) if values is not None and values.size == 1 else None
 
 
-def _of_body(found: xr.Dataset, body: str, name: str) -> Array | None:
+def _of_body(found: Tables, body: str, name: str) -> Array | None:
     """Numbers that a file has for each body, or for its only one; None where it has none of that name.
 
     Capytaine called what they run over `body_name`, since version 3 `body`.
@@ -210,32 +196,33 @@ def _of_body(found: xr.Dataset, body: str, name: str) -> Array | None:
     table = found[name]
     for over in ("body", "body_name"):
         if over in table.dims and body:
-            known = [text_of(one) for one in table[over].values]
+            known = [text_of(one) for one in found[over].values]
             if body not in known:
                 return None
-            table = table.isel({over: known.index(body)})
+            table = table.at(over, known.index(body))
     return np.asarray(table.values, dtype=float).reshape(-1)
 
 
-def _capytaine_waves(path: Path, found: xr.Dataset, dofs: Sequence[str]) -> tuple[Array, Complex | None]:
+def _capytaine_waves(path: Path, found: Tables, dofs: Sequence[str]) -> tuple[Array, Complex | None]:
     """Froude–Krylov and diffraction forces together; angles in radians."""
     parts = [found[name] for name in ("Froude_Krylov_force", "diffraction_force") if name in found]
-    if len(parts) != 2 or "wave_direction" not in found.coords:
+    if len(parts) != 2 or "wave_direction" not in found:
         return np.zeros(0), None
-    table = parts[0] + parts[1]
+    is_pair = any("complex" in part.dims for part in parts)
     wanted = ("omega", "wave_direction", "influenced_dof")
-    if "complex" in table.dims:
-        pair = {text_of(label): place for place, label in enumerate(table["complex"].values)}
-        table = table.isel(complex=pair["re"]) + 1j * table.isel(complex=pair["im"])
-    extra = [name for name in table.dims if name not in wanted]
-    if any(table.sizes[name] != 1 for name in extra) or any(name not in table.dims for name in wanted):
+    over = ("complex", *wanted) if is_pair else wanted
+    if not all(part.runs_over(*over) for part in parts):
         return np.zeros(0), None
-    values = np.asarray(table.squeeze(extra).transpose(*wanted).values, dtype=complex)
-    places = _places(path, table, "influenced_dof", dofs)
-    return np.asarray(found["wave_direction"].values, dtype=float), values[:, :, places]
+    values = parts[0].over(*over) + parts[1].over(*over)
+    if is_pair:
+        pair = {text_of(label): place for place, label in enumerate(found["complex"].values)}
+        values = values[pair["re"]] + 1j * values[pair["im"]]
+    places = _places(path, found, "influenced_dof", dofs)
+    directions = np.asarray(found["wave_direction"].values, dtype=float)
+    return directions, np.asarray(values, dtype=complex)[:, :, places]
 
 
-def _drift(path: Path, found: xr.Dataset, directions: Array) -> Array | None:
+def _drift(path: Path, found: Tables, directions: Array) -> Array | None:
     """Surge, sway and yaw (n, k, 3) of single waves, `drift_force_surge` and so on.
 
     Capytaine's `far_field_mean_drift_force` gives them for pairs of waves: of each with itself.
@@ -247,16 +234,15 @@ def _drift(path: Path, found: xr.Dataset, directions: Array) -> Array | None:
     for name in names:
         table = found[name]
         if "complex" in table.dims:
-            real = [text_of(label) for label in table["complex"].values].index("re")
-            table = table.isel(complex=real)
-        over = ("omega", *(dim for dim in table.dims if str(dim).startswith("wave_direction")))
-        extra = [dim for dim in table.dims if dim not in over]
-        if any(table.sizes[dim] != 1 for dim in extra) or "omega" not in table.dims or len(over) == 1:
-            raise DatabaseError(f"{path}: its '{name}' runs over {', '.join(map(str, table.dims))}")
+            real = [text_of(label) for label in found["complex"].values].index("re")
+            table = table.at("complex", real)
+        over = ("omega", *(dim for dim in table.dims if dim.startswith("wave_direction")))
+        if not table.runs_over(*over) or len(over) == 1:
+            raise DatabaseError(f"{path}: its '{name}' runs over {', '.join(table.dims)}")
         for dim in over[1:]:
             if not np.array_equal(np.asarray(found[dim].values, dtype=float), directions):
                 raise DatabaseError(f"{path}: its '{name}' has other directions than its wave forces")
-        values = np.asarray(table.squeeze(extra).transpose(*over).values).real
+        values = table.over(*over).real
         tables.append(np.einsum("nkk->nk", values) if values.ndim == 3 else values)
     return np.stack(tables, axis=-1)
 
@@ -269,9 +255,9 @@ def _dhyd_waves(path: Path, names: Sequence[str], omega: Array) -> tuple[Array, 
     forces: list[Complex] = []
     directions = np.zeros(0)
     for group in groups:
-        with _dataset(path, group) as found:
-            table = found["real"] + 1j * found["imag"]
-            values = np.asarray(table.transpose("omega", "wave_direction").values, dtype=complex)
+        with tables_in(path, group) as found:
+            real, imaginary = (found[part].over("omega", "wave_direction") for part in ("real", "imag"))
+            values = np.asarray(real + 1j * imaginary, dtype=complex)
             own = np.asarray(found["omega"].values, dtype=float)
             ways = np.radians(np.asarray(found["wave_direction"].values, dtype=float))
         if values.shape != (len(omega), len(ways)):
