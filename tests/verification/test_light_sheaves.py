@@ -115,6 +115,21 @@ def test_a_weight_bounces_over_a_light_sheave() -> None:
     assert run.energy_remainder < 1e-12
 
 
+def test_light_sheaves_of_a_second_rope() -> None:
+    """What hangs on a rope of its own, listed before it, changes nothing of the rope over the sheave."""
+    alone = adaptive(hung(0.0), 0.5, tension_tolerance=0.1, position_tolerance=1e-8)
+    system = hung(0.0)
+    other = body("other", slider(), MASS, position=(5, 0, 0))
+    apart = rope("apart", 4.0, [end(None, (5, 0, 4.0)), end("other")], 1e6)
+    system |= {"bodies": [other, *system["bodies"]], "ropes": [apart, *system["ropes"]]}
+    beside = adaptive(system, 0.5, tension_tolerance=0.1, position_tolerance=1e-8)
+    spans = beside.columns["segment_tension"]
+    assert spans[:, 1:] == pytest.approx(alone.columns["segment_tension"], abs=0.2)
+    # It begins unstretched, and its pull is m g (1 - cos ωt).
+    swing = 1 - np.cos(math.sqrt(1e6 / 4.0 / MASS) * beside.time)
+    assert spans[:, 0] == pytest.approx(MASS * G * swing, abs=0.2)
+
+
 def test_inertia_that_vanishes() -> None:
     """Tensions with 8, 2 and 0.5 kg tend to those of the light sheave, where rope has no damper.
 

@@ -220,7 +220,7 @@ def test_through_the_splash_zone() -> None:
             along = along + amplitude * omega * math.cos(angle) * decay
             u = u + amplitude * omega * math.sin(angle) * decay
             pull = pull - amplitude * omega**2 * math.cos(angle) * decay
-        return g * eta, g * rate + dg * eta, g * along, g * u, g * pull
+        return g * eta, g * rate + dg * eta, g * along, g * u, g * pull + dg * u
 
     def tension(time: Any, z: Any, v: Any) -> Any:
         goes = np.minimum(time / begun, 1.0)

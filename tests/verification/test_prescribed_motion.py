@@ -112,3 +112,19 @@ def test_a_rope_on_a_slider_that_passes_by() -> None:
     times = run.events("slack")[0][0], run.events("taut")[0][0]
     # 1 N over the slope of the force there, k · 3/5 · 1 m/s = 1.2e5 N/s.
     assert times == pytest.approx((7.25, 13.25), abs=1.0 / 1.2e5)
+
+
+@pytest.mark.parametrize("speed", [3.0, -3.0])
+def test_an_arm_turns_by_no_more_than_a_radian_in_a_step(speed: float) -> None:
+    """A balanced rotor in free bearings on an arm that goes round notices nothing of it: steps would be as
+    long as the run, and samples of energy straight lines over it. Steps are as many as radians at least,
+    either way.
+    """
+    shaft = body("shaft", hinge(drive="turn"), MASS, centre_of_gravity=(ARM, 0, 0), inertia=(1, 1, 1))
+    rotor = body("rotor", hinge(), 500.0, parent="shaft", inertia=(5, 5, 5))
+    drives = [{"name": "turn", "ramps": [{"at": 0.0, "duration": RAMP, "velocity": speed}]}]
+    run = adaptive(document([shaft, rotor], drives=drives), 20.0, sample_interval=0.1)
+    turned_by = abs(speed) * (20.0 - 0.5 * RAMP)
+    assert abs(run.joint("shaft")[-1]) == pytest.approx(turned_by, rel=1e-12)
+    assert run.counters["steps"] >= turned_by
+    assert run.energy_remainder < 1e-7

@@ -3,12 +3,12 @@
 //! With θ = k·x − ω t + ε, κ = |k|, ζ the height above the still surface and d the depth,
 //!
 //! ```text
-//! η = g Σ a cos θ        u = g Σ a ω (k/κ C cos θ + ẑ S sin θ)        u̇ = g Σ a ω² (k/κ C sin θ − ẑ S cos θ)
+//! η = g Σ a cos θ        u = g Σ a ω (k/κ C cos θ + ẑ S sin θ)        u̇ = g Σ a ω² (k/κ C sin θ − ẑ S cos θ) + u ġ/g
 //! C = cosh κ(ζ + d)/sinh κd        S = sinh κ(ζ + d)/sinh κd        in deep water both e^{κζ}
 //! ```
 //!
-//! Above the still surface the water moves as at it, which linear theory leaves open, and below the bed as there. What the growth
-//! g of the waves adds to u̇ is left out.
+//! Above the still surface the water moves as at it, which linear theory leaves open, and below the bed as there. While the waves
+//! grow u̇ has the rate of g too: what floats without a trace goes on as the water does.
 
 use glam::{DMat3, DVec2, DVec3};
 
@@ -90,7 +90,7 @@ impl Trains {
                 slope: sum.slope * g,
                 rate: g * sum.rate + growing * sum.height,
                 velocity: sum.velocity * g,
-                acceleration: sum.acceleration * g,
+                acceleration: sum.acceleration * g + sum.velocity * growing,
             };
         }
     }
@@ -137,6 +137,11 @@ impl Trains {
                     - outer(up * pull, up * (s_slope * cos) - ahead * (s * sin));
             });
         }
+        // What is there has grown by g already.
+        let grows = if g > 0.0 { growing / g } else { 0.0 };
+        for sum in out {
+            sum.gradient[1] += sum.gradient[0] * grows;
+        }
     }
 
     /// Sets in `out` how it changes as time goes on; `water` is what is there.
@@ -163,10 +168,12 @@ impl Trains {
             });
         }
         // What is there has grown by g already.
-        let grows = if g > 0.0 { growing / g } else { 0.0 };
+        let [grows, bends] = if g > 0.0 { [growing / g, bending / g] } else { [0.0; 2] };
         for (sum, here) in out.iter_mut().zip(water) {
-            sum.pace[0] = here.acceleration + here.velocity * grows;
-            sum.pace[1] += here.acceleration * grows;
+            sum.pace[0] = here.acceleration;
+            // ü = g ∂³ + 2 ġ ∂² + g̈ ∂ of the sum, of which u̇ has ġ ∂ beside g ∂².
+            sum.pace[1] +=
+                (here.acceleration - here.velocity * grows) * (2.0 * grows) + here.velocity * bends;
         }
     }
 }

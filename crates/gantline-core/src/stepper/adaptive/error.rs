@@ -102,7 +102,7 @@ impl Weights {
         let (mut sum, mut count) = (0.0, 0.0);
         for dof in (0..error.v.len()).filter(free) {
             let impedance = (self.stiffness[dof] * system.tree.inertia_scale[dof]).sqrt() / self.arm[dof];
-            let swing = error.v[dof].abs() * impedance;
+            let swing = error.v[dof] * impedance;
             sum += swing * swing;
             count += 1.0;
             // Nothing holds it: what it does to positions within a second counts.

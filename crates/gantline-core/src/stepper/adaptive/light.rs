@@ -258,3 +258,19 @@ fn follow_row(
         weight *= step(span);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::allowed;
+
+    /// A quarter of the tolerance, 7.5 % of the mean where that is less, and 0.75 % of the tolerance of what goes slack: at
+    /// 400 N of tolerance 100 N, under a mean of 1 kN 75 N, under none 3 N.
+    #[test]
+    fn tensions_may_differ_by_a_share_of_tolerance_or_mean() {
+        for (mean, expected) in
+            [(1e6, 100.0), (1334.0, 100.0), (1e3, 75.0), (100.0, 7.5), (39.0, 3.0), (0.0, 3.0)]
+        {
+            assert!((allowed(mean, 400.0) - expected).abs() < 1e-9, "{mean}");
+        }
+    }
+}

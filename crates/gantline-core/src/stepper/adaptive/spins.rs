@@ -51,3 +51,25 @@ impl Spins {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::{DMat3, DVec3};
+
+    use super::Spins;
+
+    /// (1 + κ[ω]/2) y = κ x for y = κ P x, and rows times P are rows of P x.
+    #[test]
+    fn increments_solve_for_the_rate_of_a_rotation_vector() {
+        let (omega, x, kappa) = (DVec3::new(1.3, -0.7, 2.1), DVec3::new(0.4, 0.9, -0.2), 0.8);
+        let mut spins = Spins { joints: vec![(0, DMat3::IDENTITY)] };
+        spins.update(&omega.to_array(), kappa);
+        let mut out = [0.0; 3];
+        spins.increments(kappa, &x.to_array(), &mut out);
+        let y = DVec3::from_array(out);
+        assert!((y + omega.cross(y) * (0.5 * kappa) - x * kappa).length() < 1e-15);
+        let row = [0.7, -0.1, 0.6];
+        let turned = DVec3::from_array(spins.turn(0, row));
+        assert!((turned.dot(x) * kappa - DVec3::from_array(row).dot(y)).abs() < 1e-15);
+    }
+}
