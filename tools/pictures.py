@@ -40,6 +40,7 @@ PICTURES_OF_LIFTS = {
     "onto_a_platform": {"hook_load": "onto_a_platform"},
     "spreader_bar": {"system": "spreader_bar"},
     "upending": {"stages": "upending_stages"},
+    "monopile": {"stages": "monopile_stages"},
     "crane_barge_in_swell": {"vessels": "waves"},
     "splash_zone": {"hook_load": "splash_zone"},
 }

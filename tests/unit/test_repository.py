@@ -231,7 +231,9 @@ def test_every_dependency_has_a_line_in_the_architecture() -> None:
 def test_every_scenario_comes_with_the_package() -> None:
     links = {path.name: path for path in (ROOT / "python/gantline/scenarios").iterdir()}
     lifts = {f"{path.parent.name}.yaml": path for path in (ROOT / "scenarios").glob("*/scenario.yaml")}
-    files = [path.resolve() for kind in ("3docx", "nc") for path in (ROOT / "scenarios").glob(f"*/*.{kind}")]
+    files = [
+        path.resolve() for kind in ("3docx", "nc", "obj") for path in (ROOT / "scenarios").glob(f"*/*.{kind}")
+    ]
     named = {path.name: path for path in files}
     assert links.keys() == (lifts | named).keys()
     for name, link in links.items():

@@ -27,6 +27,7 @@ from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_ground import doubtful_ground
 from gantline.assembly.doubtful_heights import doubtful_heights
+from gantline.assembly.doubtful_hinges import doubtful_hinges
 from gantline.assembly.doubtful_lee import doubtful_lee
 from gantline.assembly.doubtful_masses import doubtful_masses
 from gantline.assembly.doubtful_rails import doubtful_rails
@@ -234,6 +235,7 @@ def _doubts(
         *doubtful_strength(scenario, rigging),
         *doubtful_ratings(scenario, rigging),
         *doubtful_following(scenario, rigging),
+        *doubtful_hinges(parts, scenario, rigging, lifted),
         *doubtful_beside(parts, scenario, rigging, lifted),
     )
 

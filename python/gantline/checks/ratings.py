@@ -11,6 +11,7 @@ import numpy as np
 from gantline.checks.forces import UNRAISED, Force, factor, hook_force, kilonewton
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
+from gantline.results.hinges import is_shut
 from gantline.results.rating import (
     RatedGroup,
     at_one_place,
@@ -137,16 +138,19 @@ def _by_rule(
     """The design weight with the rule's dynamics against the least that is rated while the load is still.
 
     Of a crane that lifts alone against the least while the load hangs at all: it bears the same all the way.
+    What hung in it while a hinge held the load counts where it hung alone.
     """
     group, kept = of
     element, hooks = group.element, group.hooks
-    hangs = _hangs(recording, chart, hooks) & during
+    all_the_way = _hangs(recording, chart, hooks) & during
+    held = _held(recording)
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
     windows = series.quiet_windows(recording)
     if not windows and hook_force(recording, hooks, variable, during).lacks_static:
         yield Caution(UNRAISED)
     for whole in windows:
         window = _to_its_end(whole) & during
+        hangs = all_the_way & ~held[whole].any()
         # A hook in which nothing hangs but its own slings lifts nothing, as for its radius and leads.
         load = chart_load(recording, chart, hooks)
         if not (load[whole] > 0.0).any() or not (load[window | hangs] > 0.0).any():
@@ -194,13 +198,24 @@ def _raised_by(
 
 
 def _hangs(recording: Recording, chart: RatingChart, hooks: tuple[str, ...]) -> BoolArray:
-    """Samples at which the whole load hangs in these hooks, shape (time,); none if others may bear it too."""
+    """Samples at which the whole load hangs in these hooks, shape (time,); none if others may bear it too.
+
+    A hinge that holds the load bears a part of it, which changes as it turns.
+    """
     others = (hook for hook in recording.rig.hooks if hook.name not in chart.hooks)
     alone = _lifting(recording) == {chart.crane} and set(hooks) == set(chart.hooks)
     if not alone or recording.is_equilibrium or any(hook.bears_mechanics for hook in others):
         return np.zeros(len(recording.time), dtype=np.bool_)
     hanging: BoolArray = series.is_clear(recording) & (chart_load(recording, chart, hooks) > 0)
-    return hanging
+    return hanging & ~_held(recording)
+
+
+def _held(recording: Recording) -> BoolArray:
+    """Samples at which a hinge holds a load, shape (time,)."""
+    held = np.zeros(len(recording.time), dtype=np.bool_)
+    for hinge in recording.rig.hinges:
+        held |= is_shut(recording, hinge)
+    return held
 
 
 def shown_places(chart: RatingChart, hooks: Sequence[str], places: FloatArray, digits: int = 2) -> str:

@@ -57,6 +57,7 @@ _ONLY = {
     "sling": "slings",
     "equalizer": "equalizers",
     "hook": "hooks",
+    "hinge": "hinges",
     "load": "loads",
     "rope": "ropes",
     "body": "bodies",
@@ -86,6 +87,7 @@ def comparison_table(
         _run(comparison, Difference(*integration_times)),
         _forces("Rope", comparison.ropes),
         _forces("Hook load", comparison.hooks),
+        _forces("Hinge force", comparison.hinges),
         _motion(comparison),
         _only(comparison),
         _stability(comparison),
@@ -200,7 +202,7 @@ def _has_rounding(comparison: Comparison) -> bool:
         for name, _, unit, _ in _HEADLINES
         if name in comparison.metrics
     )
-    peaks = ((one.deviation, _largest(one)) for one in (*comparison.ropes, *comparison.hooks))
+    peaks = ((one.deviation, _largest(one)) for one in _all_forces(comparison))
     forces = ((one, largest, _unit_of(largest)) for one, largest in peaks)
     motions = ((of, 0.0, unit) for one in _shown_motions(comparison) for of, unit in _parts(one))
     deviations = (
@@ -208,6 +210,10 @@ def _has_rounding(comparison: Comparison) -> bool:
         for one, scale, unit in (*forces, *motions)
     )
     return any(metrics) or any(deviations)
+
+
+def _all_forces(comparison: Comparison) -> Sequence[ForceComparison]:
+    return (*comparison.ropes, *comparison.hooks, *comparison.hinges)
 
 
 def _largest(force: ForceComparison) -> float:

@@ -68,6 +68,7 @@ def comparison_figures(comparison: Comparison) -> Iterator[tuple[str, Figure]]:
         "compare_sling_tension": partial(_forces, comparison, under_slings, _SLINGS, slings),
         "compare_rope_tension": partial(_forces, comparison, others, _ROPES, {}),
         "compare_hook_load": partial(_forces, comparison, comparison.hooks, _HOOKS, {}),
+        "compare_hinge_force": partial(_forces, comparison, comparison.hinges, _HINGES, {}),
     }
     for load in comparison.loads:
         suffix = f"_{load.name}" if len(comparison.loads) > 1 else ""
@@ -94,6 +95,7 @@ class _Kind:
 _SLINGS = _Kind("rope_tension", "Tension", "Sling tension", "slings")
 _ROPES = _Kind("rope_tension", "Tension", "Rope tension", "ropes")
 _HOOKS = _Kind("hook_load", "Hook load", "Hook load", "hooks")
+_HINGES = _Kind("hinge_force", "Force", "Force between load and hinge", "hinges")
 
 
 def _forces(

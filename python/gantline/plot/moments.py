@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gantline.results import series
+from gantline.results.hinges import HINGE_OPENED
 from gantline.results.lift_off import hangs_from_the_start, lift_off_time
 from gantline.results.recording import Recording
 from gantline.results.upending import is_turned
@@ -71,7 +72,8 @@ def stages(recording: Recording) -> list[Moment]:
     """Up to six stages: start, slings taut, lift-off or set-down, ends of the last steps that move something.
 
     Steps side by side are one stage, under the name of the first of them. A load that is turned as it hangs
-    is shown at a third and at two thirds of its turn as well.
+    is shown at a third and at two thirds of its turn as well; one whose hinge opens as that does, and not as
+    its slings come taut, when it lies as at the start.
 
     Args:
         recording: Any recording.
@@ -80,7 +82,9 @@ def stages(recording: Recording) -> list[Moment]:
         Each in order; fewer than four where the plan does little after the load is clear.
     """
     clear_from = 0.0 if _hang(recording) else lift_off_time(recording)
-    known = [one for one in moments(recording) if one.name not in ("peak tension", "end")]
+    opened = [_moment(recording, f"{name} opens", time) for time, _, name in recording.events(HINGE_OPENED)]
+    left_out = {"peak tension", "end", *(("slings taut",) if opened else ())}
+    known = [one for one in moments(recording) if one.name not in left_out] + opened
     known += _turning(recording)[: _STAGES - 1 - len(known)]
     after = [
         _moment(recording, f"end of '{name}'", time)

@@ -11,9 +11,10 @@ from gantline.checks.sling_figures import SlingFigures, sling_figures
 from gantline.report.subject import ABSENT, Subject, as_given, number, show
 from gantline.results import series, upper_end
 from gantline.results.gear import Equalizer, Hook, Sling
+from gantline.results.hinges import is_shut
 from gantline.results.parting import ATTACHED, PARTING, PLANNED, partings
 from gantline.results.travel import most_used, ways_of
-from gantline.results.variable import FloatArray
+from gantline.results.variable import BoolArray, FloatArray
 
 #: Shares of the weight over at which a load cell is read.
 READINGS = (0.25, 0.5, 0.75, 1.0)
@@ -65,7 +66,8 @@ def _load_cell(subject: Subject, load: FloatArray) -> list[float | None]:
         return [None for _ in READINGS]
     transferred = recording["load_transferred"].values.min(axis=1)
     if recording.is_equilibrium or transferred[0] >= READINGS[0]:
-        return [*(None for _ in READINGS[1:]), _mass(subject, subject.static(load))]
+        whole = subject.static(load) if _hangs_whole(subject).any() else None
+        return [*(None for _ in READINGS[1:]), _mass(subject, whole)]
     if subject.rig.is_in_waves:
         return _between_crests(subject, load)
     found: list[float | None] = []
@@ -96,8 +98,8 @@ def _between_crests(subject: Subject, load: FloatArray) -> list[float | None]:
 
 
 def _once_clear(subject: Subject, load: FloatArray) -> float | None:
-    """Mean of a series over the first seconds in which nothing supports a load; None if one never hangs."""
-    time, clear = subject.recording.time, series.is_clear(subject.recording)
+    """Mean of a series over the first seconds in which hooks alone bear the loads; None if they never do."""
+    time, clear = subject.recording.time, _hangs_whole(subject)
     if not clear.any():
         return None
     begin = int(np.argmax(clear))
@@ -107,6 +109,14 @@ def _once_clear(subject: Subject, load: FloatArray) -> float | None:
     until = min([time[begin] + READ_OVER, *parted])
     first = begin + np.flatnonzero(time[begin:end] <= until)
     return series.mean_over(time[first], load[first])
+
+
+def _hangs_whole(subject: Subject) -> BoolArray:
+    """Samples at which neither supports nor a hinge bear anything of a load, shape (time,)."""
+    hangs = series.is_clear(subject.recording)
+    for hinge in subject.rig.hinges:
+        hangs = hangs & ~is_shut(subject.recording, hinge)
+    return hangs
 
 
 def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:

@@ -287,6 +287,10 @@ def stop_if(subject: Subject) -> list[str]:
     cell = "the mean of a load cell over some waves" if subject.rig.is_in_waves else "a load cell"
     # What lifts without hooks, as jacks of `mechanics` do, has its tensions in curves alone.
     reading = "its reading in the table “Hooks”" if subject.rig.hooks else _IN_CURVES
+    # What a hinge bears changes as its load turns, which readings at shares of the weight do not tell.
+    turned = [hinge.load for hinge in subject.rig.hinges if subject.rig.hooks]
+    if turned and next(hold_points(subject.recording), None) is not None:
+        reading += f", as {turned[0]} turns from those under “Hooks at hold points”"
     found = [f"{cell} differs by more than 10 % from {reading}{_in_water(subject)}"]
     found.append(_tilt(subject, limits.get("load_tilt")))
     if any(one.mechanism == "sheaves" for one in subject.rig.equalizers):

@@ -174,11 +174,24 @@ def sketches(subject: Subject) -> list[Sketch]:
 
 def _sample(recording: Recording, turned: Load | None) -> int:
     """The sample that is drawn."""
-    chosen = len(recording.time) - 1 if turned is None else int(np.argmax(load_is_clear(recording, turned)))
+    chosen = len(recording.time) - 1 if turned is None else _as_it_turns(recording, turned)
     slings = {sling.rope for sling in recording.rig.slings}
     parted = [one.time for one in partings(recording) if one.kind not in PLANNED and one.rope in slings]
     before = int(np.searchsorted(recording.time, min(parted))) - 1 if parted else chosen
     return max(0, min(chosen, before))
+
+
+def _as_it_turns(recording: Recording, load: Load) -> int:
+    """The sample at which a load that is turned comes clear; of one in a hinge that halfway of its turn.
+
+    What a hinge holds lies as it comes clear, as it lay before: nothing would tell that it is raised.
+    """
+    clear = load_is_clear(recording, load)
+    first = int(np.argmax(clear))
+    held = [is_shut(recording, hinge) for hinge in recording.rig.hinges if hinge.load == load.name]
+    tilt = recording.column("load_tilt", load.name)
+    turned = np.where(clear & np.any(held, axis=0), np.abs(tilt - tilt[first]), 0.0) if held else np.zeros(1)
+    return int(np.argmax(turned >= 0.5 * turned.max())) if turned.max() > 0.0 else first
 
 
 def _across_turn(recording: Recording, load: Load) -> str:

@@ -1,8 +1,8 @@
-"""Two recordings of a lift side by side: key numbers, ropes, hooks, motion, and how sound each run was.
+"""Two recordings of a lift side by side: key numbers, ropes, hooks, hinges, motion, how sound each run was.
 
-Differences are B less A, relative ones are of A. Ropes, hooks, loads and bodies belong together by name;
-where each recording has exactly one hook, load or equalizer left over, these belong together whatever their
-names.
+Differences are B less A, relative ones are of A. Ropes, hooks, hinges, loads and bodies belong together by
+name; where each recording has exactly one hook, hinge, load or equalizer left over, these belong together
+whatever their names.
 """
 
 from __future__ import annotations
@@ -66,12 +66,12 @@ class Peak:
 
 @dataclass(frozen=True)
 class ForceComparison:
-    """A force that both recordings have: tension of a rope, or hook load.
+    """A force that both recordings have: tension of a rope, hook load, or force of a load in its hinge.
 
     Attributes:
         name: In A.
         name_b: In B.
-        peak_a: Of A [N, s]; of a rope over all steps, of a hook over the samples.
+        peak_a: Of A [N, s]; of a rope over all steps, of hooks and hinges over the samples.
         peak_b: Of B, in the same way.
         deviation: B - A over the common time [N]; None without common time.
     """
@@ -117,10 +117,11 @@ class Comparison:
         counters: Steps, rejected attempts and what else the integrator counted.
         ropes: Ropes that both have.
         hooks: Hook load of the hooks that both have; none where a run failed before its first sample.
+        hinges: Force between load and hinge of the hinges that both have, in the same way.
         loads: Motion of the loads that both have.
         bodies: Motion of all bodies that both have, loads among them.
-        only_a: Names that only A has, by kind: `sling`, `equalizer`, `hook`, `load`, `rope` (neither sling
-            nor equalizing rope), and, where neither has loads, `body`. Kinds without any are absent.
+        only_a: Names that only A has, by kind: `sling`, `equalizer`, `hook`, `hinge`, `load`, `rope` (neither
+            sling nor equalizing rope), and, where neither has loads, `body`. Kinds without any are absent.
         only_b: The same for B.
         stability: How sound the runs of A and B were.
         parted: Ropes of A and of B that were cut, broke or were taken off.
@@ -134,6 +135,7 @@ class Comparison:
     counters: Mapping[str, Difference]
     ropes: Sequence[ForceComparison]
     hooks: Sequence[ForceComparison]
+    hinges: Sequence[ForceComparison]
     loads: Sequence[MotionComparison]
     bodies: Sequence[MotionComparison]
     only_a: Mapping[str, Sequence[str]]
@@ -157,7 +159,7 @@ class Comparison:
             "counters": {name: _difference_json(value) for name, value in self.counters.items()},
             **{
                 kind: [dataclasses.asdict(one) for one in getattr(self, kind)]
-                for kind in ("ropes", "hooks", "loads", "bodies")
+                for kind in ("ropes", "hooks", "hinges", "loads", "bodies")
             },
             "only_a": {kind: list(names) for kind, names in self.only_a.items()},
             "only_b": {kind: list(names) for kind, names in self.only_b.items()},
@@ -200,9 +202,8 @@ def compare(
         metrics=_differences(a.metrics(), b.metrics()),
         counters=_differences(a.attributes.get("counters") or {}, b.attributes.get("counters") or {}),
         ropes=[_rope(a, b, common, pair) for pair in _rope_pairs(a, b)],
-        hooks=[_hook(a, b, common, pair) for pair in _paired_labels(a, b, "hook", lone=True)]
-        if sampled
-        else [],
+        hooks=_sampled_forces(a, b, common, "hook", "hook_load") if sampled else [],
+        hinges=_sampled_forces(a, b, common, "hinge", "hinge_force") if sampled else [],
         loads=[_motion(a, b, common, pair, (bodies_a[pair[0]], bodies_b[pair[1]])) for pair in loads],
         bodies=[_motion(a, b, common, pair, pair) for pair in _paired_labels(a, b, "body")],
         only_a=only_a,
@@ -321,17 +322,23 @@ def _rope(a: Recording, b: Recording, common: CommonTime | None, pair: tuple[str
     )
 
 
-def _hook(a: Recording, b: Recording, common: CommonTime | None, pair: tuple[str, str]) -> ForceComparison:
-    return ForceComparison(
-        *pair,
-        _hook_peak(a, pair[0]),
-        _hook_peak(b, pair[1]),
-        _force_deviation(a, b, common, "hook_load", pair),
-    )
+def _sampled_forces(
+    a: Recording, b: Recording, common: CommonTime | None, dim: str, variable: str
+) -> list[ForceComparison]:
+    """A force of each hook or hinge that both have, of which samples alone are known."""
+    return [
+        ForceComparison(
+            *pair,
+            _peak(a, variable, pair[0]),
+            _peak(b, variable, pair[1]),
+            _force_deviation(a, b, common, variable, pair),
+        )
+        for pair in _paired_labels(a, b, dim, lone=True)
+    ]
 
 
-def _hook_peak(recording: Recording, hook: str) -> Peak:
-    force = recording.column("hook_load", hook)
+def _peak(recording: Recording, variable: str, name: str) -> Peak:
+    force = recording.column(variable, name)
     at = first_peak(force)
     return Peak(float(force[at]), float(recording.time[at]))
 
@@ -370,7 +377,7 @@ def _only(a: Recording, b: Recording) -> tuple[dict[str, list[str]], dict[str, l
     only_a: dict[str, list[str]] = {}
     only_b: dict[str, list[str]] = {}
     for kind in named_a:
-        lone = kind in ("equalizer", "hook", "load")
+        lone = kind in ("equalizer", "hook", "hinge", "load")
         pairs = _pairs(named_a[kind], named_b[kind], lone=lone)
         for side, named, only in ((0, named_a, only_a), (1, named_b, only_b)):
             both = {pair[side] for pair in pairs}
@@ -388,6 +395,7 @@ def _named(rig: Rig, recording: Recording) -> dict[str, list[str]]:
         "sling": [sling.name for sling in rig.slings],
         "equalizer": [e.name for e in rig.equalizers],
         "hook": [hook.name for hook in rig.hooks],
+        "hinge": [hinge.name for hinge in rig.hinges],
         "load": [load.name for load in rig.loads],
         "rope": [rope for rope in ropes if rope not in known],
         "body": list(recording.coordinates.get("body", ())),

@@ -207,11 +207,13 @@ def _load_state(columns: Columns, names: Names, rig: Rig) -> Derived:
         return {}, {}
     borne = [_borne(columns, names, rig, load) for load in rig.loads]
     transferred = 1.0 - np.stack(borne, axis=1) / np.array([load.weight for load in rig.loads])
+    if rig.hinges:  # one that holds its load down against its hooks bears nothing of its weight
+        transferred = np.minimum(transferred, 1.0)
     bodies = [list(names["body"]).index(load.body) for load in rig.loads]
     dims = ("time", "load")
     return {
         "load_transferred": Variable(
-            dims, transferred, "1", "1 - forces of supports and hinge/weight of a load"
+            dims, transferred, "1", "1 - forces of supports and hinge/weight of a load, 1 at most"
         ),
         "load_tilt": Variable(
             dims,

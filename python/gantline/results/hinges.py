@@ -36,6 +36,8 @@ __all__ = [
 
 #: Kind of event: a hinge lets its load go.
 HINGE_OPENED = "hinge_opened"
+#: Share of the load's weight from which on it is told that a hinge holds the load down [1].
+_HELD_DOWN = 0.01
 #: Axes of a hinge: the middle one is its own, the last as upright as that allows.
 HINGE_WAYS = ("across", "along", "upright")
 
@@ -137,9 +139,19 @@ def held_up(columns: Columns, names: Names, rig: Rig, load: str) -> FloatArray:
     for place, hinge in enumerate(rig.hinges):
         if hinge.load == load:
             body = list(names["body"]).index(hinge.pushes[-1])
-            upwards = axes(columns["body_orientation"][:, body])[:, 2]
-            held = held - (upwards * columns["hinge_push"][:, place]).sum(axis=1)
+            held = held - _upwards(columns["body_orientation"][:, body], columns["hinge_push"][:, place])
     return held
+
+
+def _upwards(orientation: FloatArray, push: FloatArray) -> FloatArray:
+    """The part of a force that points up [N], shape (time,).
+
+    Args:
+        orientation: Of the axes of a hinge, quaternions (time, 4).
+        push: The force along these axes (time, 3) [N].
+    """
+    up: FloatArray = (axes(orientation)[:, 2] * push).sum(axis=1)
+    return up
 
 
 def hinge_force(recording: Recording, hinge: Hinge) -> FloatArray:
@@ -214,6 +226,14 @@ def in_words(recording: Recording, hinge: Hinge, used: float | None = None) -> l
     ]
     if used is not None:
         rows.insert(1, ("of rated capacity", format_quantity(used, "%", 1)))
+    orientation = recording.column("body_orientation", hinge.pushes[-1])
+    pulled = _upwards(orientation, recording.column("hinge_push", hinge.name))
+    load = recording.rig.load(hinge.load)
+    most = int(np.argmax(pulled))
+    if load is not None and pulled[most] > _HELD_DOWN * load.weight:
+        down = f"with {format_quantity(pulled[most], 'kN', 1)} at most"
+        when = f"at {format_quantity(recording.time[most], 's', 2)}"
+        rows.append((f"holds {hinge.load} down", f"{down}, {when}"))
     at = [time for time, _, name in recording.events(HINGE_OPENED) if name == hinge.name]
     if at and shut.any():
         bore = format_quantity(float(force[shut][-1]), "kN", 1)

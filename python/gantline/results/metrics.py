@@ -51,8 +51,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   outside of the chart
 - `tipping_utilisation.<crane>` [1]: largest moment of what hangs over that of a crawler crane's own weight
 - `peak_ground_pressure.<crane>` [Pa]: largest pressure on the ground under a crawler crane
-- `final_load_transferred` [1]: 1 - forces of supports and hinges/weight at the last sample, the smallest over
-  the loads
+- `final_load_transferred` [1]: 1 - forces of supports and hinges/weight at the last sample, 1 at most, the
+  smallest over the loads
 - `peak_load_tilt` [rad]: largest angle of a load's own z axis from plumb
 - `peak_load_yaw` [rad]: largest change of a load's heading from its start, to either side
 - `peak_equalizer_tilt` [rad]: largest angle from plumb of the frame of any equalizer that tilts

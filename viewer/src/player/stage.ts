@@ -176,7 +176,7 @@ export class Stage {
 
   private switches(): HTMLElement {
     const holder = element("div", { class: "gl-switches", role: "group", "aria-label": "What is shown" });
-    const names = this.toggle("Names", "Names of slings, hooks and loads (N)", true, (on) => {
+    const names = this.toggle("Names", "Names of slings, hooks, hinges and loads (N)", true, (on) => {
       this.labels.root.hidden = !on;
     });
     const arrows = this.toggle("Forces", "Arrows of tensions and of support forces (F)", true, (on) => {
