@@ -36,5 +36,5 @@ def test_a_body_of_mechanics_is_told_what_takes_commands() -> None:
         run.command("trolley", speed=0.2)
     assert str(refused.value) == (
         "'trolley' is a body of 'mechanics', and moves as its joint lets it; commands are for hooks, "
-        "trolleys, cranes, booms, drums and winches; this lift has none"
+        "trolleys, cranes, booms, drums, winches and chain hoists; this lift has none"
     )

@@ -9,6 +9,7 @@ import pytest
 
 from gantline.results.drift import is_taken_along, load_drift
 from gantline.results.recording import Recording
+from gantline.results.rig import Rig
 from gantline.results.variable import FloatArray, Variable
 
 TIME = np.arange(7.0)
@@ -70,6 +71,17 @@ def test_what_a_crane_does_outside_of_such_steps_is_drift() -> None:
     assert drift(lift(TROLLEY, kind="hoist")) == pytest.approx(TROLLEY)
     assert not is_taken_along(lift(TROLLEY, kind="hoist").rig)
     assert is_taken_along(lift(TROLLEY).rig)
+
+
+def test_chain_hoists_take_no_load_along() -> None:
+    """A step that hauls mooring lines does; one that hauls chain hoists of slings moves loads below hooks."""
+    rig = lift(TROLLEY, kind="haul").attributes["rig"]
+    chain = {"name": "S1", "joint": "sling.S1.chain_hoist"}
+    plan = [{"step": "go", "kind": "haul", "drives": ["sling.S1.chain_hoist.drive"]}]
+    assert is_taken_along(Rig.from_json(rig))
+    assert not is_taken_along(Rig.from_json({**rig, "plan": plan, "chain_hoists": [chain]}))
+    beside = [{**plan[0], "drives": ["mooring.bow.winch.drive", *plan[0]["drives"]]}]
+    assert is_taken_along(Rig.from_json({**rig, "plan": beside, "chain_hoists": [chain]}))
 
 
 def test_a_load_that_stands_is_not_taken_along() -> None:

@@ -233,3 +233,58 @@ def test_what_has_slid_sticks_where_it_stands() -> None:
     statics.equilibrium()
     (found,) = statics.sensitivities([("mass", "box")])
     assert found.of("line") == pytest.approx(g * math.sin(aside), rel=1e-5)
+
+
+@pytest.mark.parametrize("by", [1.0, 3.0])
+def test_sensitivities_of_a_rope_that_a_drum_has_hauled_in(by: float) -> None:
+    """A weight in a guide on two plumb ropes, one of them hauled in by a drum with a drive.
+
+    With k = EA/L of the length L outside and the strain ε of that rope, T + T' = W gives
+    dT/dL = -k k' (1 + ε)/(k + k') and dT/dEA = k' (ℓ - L)/L/(k + k'), and T' the opposite.
+    """
+    stiffness, weight = (2e6, 3e6), 4000.0 * G
+    routes = [
+        [
+            {"type": "end", "body": "world", "at": [f"{x} m", "0 m", "10 m"], **drum},
+            {"type": "end", "body": "box", "at": [f"{x} m", "0 m", "0 m"]},
+        ]
+        for x, drum in ((-1, {"drum": "d"}), (1, {}))
+    ]
+    given = {
+        "format": 1,
+        "lift": {"title": "A weight on two ropes"},
+        "duration": "300 s",
+        "ropes": {
+            f"r{n}": {"axial_stiffness": f"{ea} N", "damping_time": "0.1 s"} for n, ea in enumerate(stiffness)
+        },
+        "mechanics": {
+            "drums": {
+                "d": {
+                    "diameter": "1 m",
+                    "rotating_mass": "100 kg",
+                    "drive": {"speed": "1 m/min", "acceleration": "0.01 m/s^2"},
+                }
+            },
+            "bodies": {"box": {"mass": "4 t", "joint": {"type": "slider", "axis": [0, 0, 1]}}},
+            "ropes": {
+                "hauled": {"rope": "r0", "length": f"{9.978 + by} m", "route": routes[0]},
+                "fast": {"rope": "r1", "length": "9.98 m", "route": routes[1]},
+            },
+        },
+        "plan": [
+            {"step": "go", "haul_in": "d", "speed": "0.9 m/min", "by": f"{by} m"},
+            {"step": "end", "hold": "until_end"},
+        ],
+    }
+    question = Statics(parse_scenario(json.dumps(given)))
+    rest = question.equilibrium()
+    tension, other = rest.tension("hauled"), rest.tension("fast")
+    assert min(tension, other) > 0.1 * weight
+    strain, span = tension / stiffness[0], 9.98 * (1.0 + other / stiffness[1])
+    long = span / (1.0 + strain)
+    k, beside = stiffness[0] / long, stiffness[1] / 9.98
+    found = question.sensitivities([("length", "hauled"), ("stiffness", "hauled")])
+    expected = (-k * beside * (1.0 + strain) / (k + beside), beside * (span - long) / long / (k + beside))
+    for one, slope in zip(found, expected, strict=True):
+        assert one.of("hauled") == pytest.approx(slope, rel=1e-9)
+        assert one.of("fast") == pytest.approx(-slope, rel=1e-9)

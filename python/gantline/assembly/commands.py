@@ -93,7 +93,7 @@ def commanded(scenario: Scenario, text: str, motion: str | None) -> Commanded:
     if not fitting:
         names = dict.fromkeys(name for of in known.values() for name in of)
         if scenario.mechanics is not None and text in scenario.mechanics.bodies:
-            takes = "commands are for hooks, trolleys, cranes, booms, drums and winches"
+            takes = "commands are for hooks, trolleys, cranes, booms, drums, winches and chain hoists"
             which = f"known here: {', '.join(map(repr, names))}" if names else "this lift has none"
             sentence = f"'{text}' is a body of 'mechanics', and moves as its joint lets it"
             raise CommandError(f"{sentence}; {takes}; {which}")

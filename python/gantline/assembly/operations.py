@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from gantline.assembly.chain_hoists import chain_drive
 from gantline.assembly.conditions import condition_of
 from gantline.assembly.followed import followed
 from gantline.assembly.parts import Json, Parts
@@ -131,6 +132,8 @@ def drives_of(one: Mover) -> list[str]:
         return [luff_drive(one.name)]
     if one.kind == "line":
         return [line_drive(one.name)]
+    if one.kind == "sling":
+        return [chain_drive(one.name.removeprefix("sling."))]
     return [drum_drive(one.name) if one.kind == "drum" else along_drive(one.name)]
 
 

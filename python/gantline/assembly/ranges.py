@@ -1,9 +1,10 @@
-"""How far trolleys, cranes and upper structures may go, for checks of where a run takes them."""
+"""How far trolleys, cranes, upper structures and chain hoists may go, for checks of where they come to."""
 
 from __future__ import annotations
 
 from gantline.assembly.parts import Json
 from gantline.scenario import Scenario
+from gantline.scenario.chain_hoist import chain_flow
 from gantline.scenario.crawler import Crawler, along_body
 from gantline.scenario.movers import movers
 
@@ -11,7 +12,7 @@ __all__ = ["range_rig"]
 
 
 def range_rig(scenario: Scenario) -> Json:
-    """Ends of range of what traverses, travels and slews [m, rad]; nothing in a lift without any."""
+    """Ends of range of what traverses, travels, slews or pays out [m, rad]; nothing in a lift without."""
     cranes = scenario.cranes or {}
     found = [
         # A crawler crane travels on a joint of its own, everything else on that of its name.
@@ -23,6 +24,16 @@ def range_rig(scenario: Scenario) -> Json:
         }
         for kind in ("trolley", "crane", "upper")
         for name, one in movers(scenario, kind).items()
+        if one is not None and one.range is not None
+    ]
+    found += [
+        {
+            "name": name,
+            "joint": chain_flow(name.removeprefix("sling.")),
+            "range": list(one.range),
+            "pays_out": True,
+        }
+        for name, one in movers(scenario, "line").items()
         if one is not None and one.range is not None
     ]
     return {"ranges": found} if found else {}

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from gantline.assembly.boom import boom_rig
+from gantline.assembly.chain_hoists import chain_hoist_rig
 from gantline.assembly.checked import bends, limits_and_rules, rating_charts, ratings
 from gantline.assembly.compensators import hung_mass
 from gantline.assembly.crawler import crawler_rig
@@ -72,6 +73,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **({"spreaders": spreaders} if (spreaders := _spreaders(scenario, parts)) else {}),
         **({"compensators": compensators} if (compensators := _compensators(scenario, parts)) else {}),
         "slings": [_sling(scenario, rigging, sling) for sling in rigging.slings.values()],
+        **chain_hoist_rig(scenario, rigging),
         "ropes": rope_rig(scenario, rigging, parts),
         "sheaves": sheaves_with_flow(parts),
         "drums": drum_rig(scenario),

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from gantline.assembly.chain_hoists import add_chain_hoist, paid_out_by
 from gantline.assembly.hook_aside import hook_aside
 from gantline.assembly.parts import ORIGIN, Json, Parts, end, eye, half_turn, material
 from gantline.assembly.reeving import add_reeved_hook, reeved_hooks
@@ -45,11 +46,12 @@ def hoist_drive(hook: str) -> str:
 
 
 def upper_lump(sling: SlingRigging) -> float:
-    """Mass at the upper end of a sling: the upper shackle and what the end carries of the rope [kg].
+    """Mass at the upper end of a sling: upper shackle, chain hoist, what the end carries of the rope [kg].
 
     One that is put on later hangs there with all its weight.
     """
     own = mass_at_end(sling.weight, sling.length) + (sling.top[1].mass if sling.top else 0.0)
+    own += sling.chain_hoist.mass if sling.chain_hoist else 0.0
     return own if sling.starts_on else own + _lower_mass(sling)
 
 
@@ -147,7 +149,7 @@ def sling_route(
     `lugs` are positions in the load's body frame.
     """
     ends = [lower_end(scenario, lugs, one) for one in sling.ends]
-    top = _upper_end(scenario, rigging, sling)
+    top = paid_out_by(sling, _upper_end(scenario, rigging, sling))
     return [top, *ends] if sling.over is None else [ends[0], top, ends[1]]
 
 
@@ -280,6 +282,7 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
         rope = f"sling.{sling.name}"
         if sling.weight.mass_per_length > 0:  # lumped where hook, sheaves and load are made
             parts.rope_mass[rope] = sling.weight.mass_per_length * sling.length, 0.0
+        add_chain_hoist(parts, scenario, sling)
         add_free_rope(parts, scenario, path, rope, sling.rope, sling.weight, sling.length, route)
         if (
             sling.starts_on

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from gantline.checks import (
     booms,
+    chain_hoists,
     compensators,
     contacts,
     cranes,
@@ -194,6 +195,10 @@ LIMITS: dict[str, Measure] = {
     "equalizer_load_of_rated_capacity": _utilisation(
         "static vertical force of all slings of an equalizer / its rated capacity",
         equalizers.load_of_rated_capacity,
+    ),
+    "chain_hoist_load_of_rated_capacity": _utilisation(
+        "largest force of a sling / rated capacity of the chain hoist in it",
+        chain_hoists.load_of_rated_capacity,
     ),
     "spreader_load_of_rated_capacity": _utilisation(
         "static vertical force of all slings under a spreader / its rated capacity",

@@ -1,4 +1,4 @@
-"""Whether trolleys, cranes and upper structures stay within their ranges."""
+"""Whether trolleys, cranes, upper structures and chain hoists stay within their ranges."""
 
 from __future__ import annotations
 
@@ -33,8 +33,9 @@ def left_range(recording: Recording) -> list[Check]:
         came, low, high = (format_quantity(value, unit, digits) for value in (farthest, least, most))
         time = float(recording.time[beyond[0]])
         remark = f"it comes to {came}, and its range is {low} to {high}"
-        remark += "; end the step by 'to' or 'by', or earlier"
-        meaning = "trolleys, cranes and upper structures stay within their ranges"
+        ways = "'by'" if one.pays_out else "'to' or 'by'"
+        remark += f"; end the step by {ways}, or earlier"
+        meaning = "trolleys, cranes, upper structures and chain hoists stay within their ranges"
         checks.append(
             Check("stays_in_range", Verdict.FAILED, meaning, element=one.name, time=time, remark=remark)
         )

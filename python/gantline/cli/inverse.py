@@ -165,10 +165,29 @@ def _slings(answer: LengthAnswer) -> list[str]:
         *table(head, rows, "lrrrrr"),
         "",
         *_attitude(answer.before, answer.after),
+        *_chain_hoists(answer),
         f"  least change of lengths; residual {answer.residual:.1e}, {_steps(answer.steps)}",
         "",
         *_as_case("lengths", answer.values),
     ]
+
+
+def _chain_hoists(answer: LengthAnswer) -> list[str]:
+    """What steps of the plan would say of the chain hoists in slings that get other lengths."""
+    from gantline.cli.table import show
+
+    recording = answer.before.recording
+    ranges = {one.name: one.range for one in recording.rig.chain_hoists}
+    lines = []
+    for name, way in answer.chain_hoists.items():
+        verb = "haul" if way < 0.0 else "veer"
+        line = f"  {verb}: sling.{name}, by: {abs(way):.4f} m"
+        room, out = ranges[name], float(recording.column("chain_paid_out", name)[-1]) + way
+        if room is not None and not room[0] <= out <= room[1]:
+            ends = " to ".join(show(end, "m", 2) for end in room)
+            line += f" brings its chain hoist to {show(out, 'm', 3)}, PAST ITS RANGE of {ends}"
+        lines.append(line)
+    return lines and ["  by the chain hoists, as steps of the plan:", *(f"  {line}" for line in lines)]
 
 
 def _hooks(answer: HookAnswer) -> list[str]:

@@ -187,6 +187,7 @@ def _as_json(question: Statics, answer: _Answer, sensitivities: bool) -> str:
 
 def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
     from gantline.cli import rest_table
+    from gantline.cli.chain_hoist_table import chain_hoist_table
     from gantline.cli.friction import contact_forces
     from gantline.cli.hinge_table import hinges_at_rest
     from gantline.cli.tilting import tilting_lines
@@ -197,6 +198,7 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
     parts = [
         rest_table.heading_of(question, rest, answer.found),
         rest_table.slings_of(rest, answer.bounds),
+        chain_hoist_table(rest.recording),
         rest_table.ropes(rest, answer.bounds),
         rest_table.fenders(rest),
         rest_table.hooks(rest),

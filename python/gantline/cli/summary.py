@@ -9,6 +9,7 @@ import numpy as np
 
 from gantline.checks import Check, Verdict, values_of
 from gantline.checks.sling_figures import SlingFigures, sling_figures
+from gantline.cli.chain_hoist_table import chain_hoist_table
 from gantline.cli.check_table import check_table
 from gantline.cli.compensator_table import compensator_table
 from gantline.cli.equalizer_table import equalizer_table
@@ -58,6 +59,7 @@ def summary(
         _parted(recording),
         _put_on(recording),
         cut(_used(slings), _MOST_ROWS),
+        chain_hoist_table(recording),
         *(equalizer_table(recording, equalizer) for equalizer in rig.equalizers),
         *(compensator_table(recording, compensator) for compensator in rig.compensators),
         *(hinge_table(recording, hinge) for hinge in rig.hinges),

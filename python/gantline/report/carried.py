@@ -10,6 +10,7 @@ from gantline.checks import values_of
 from gantline.checks.sling_figures import SlingFigures, sling_figures
 from gantline.report.subject import ABSENT, Subject, as_given, number, show
 from gantline.results import series, upper_end
+from gantline.results.chain_hoists import sling_lengths
 from gantline.results.gear import Equalizer, Hook, Sling
 from gantline.results.hinges import is_shut
 from gantline.results.parting import ATTACHED, PARTING, PLANNED, partings
@@ -154,7 +155,7 @@ def _sling(subject: Subject, one: SlingFigures) -> dict[str, Any]:
     return {
         "name": one.sling.name,
         "lug": ", ".join(lugs) or ABSENT,
-        "length": number(one.sling.length, "m", 2),
+        "length": _length(subject, one.sling),
         "static": number(one.static, "kN", 0),
         "peak": number(one.peak, "kN", 0),
         "time": number(one.peak_time, "s", 1),
@@ -165,6 +166,15 @@ def _sling(subject: Subject, one: SlingFigures) -> dict[str, Any]:
         "lug_used": number(one.of_lug_capacity, "%", 0),
         "aside": number(one.out_of_plane, "deg", 1),
     }
+
+
+def _length(subject: Subject, sling: Sling) -> str:
+    """Length of a sling; of one with a chain hoist the shortest and the longest that it has."""
+    lengths = sling_lengths(subject.recording, sling)
+    if not lengths.size:
+        return number(sling.length, "m", 2)
+    least, most = (number(float(length), "m", 2) for length in (lengths.min(), lengths.max()))
+    return least if least == most else f"{least}–{most}"
 
 
 def equalizer_row(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:

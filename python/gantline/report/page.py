@@ -11,6 +11,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 from markupsafe import Markup
 
 from gantline.replacing import replace_text
+from gantline.report.chain_hoists import ChainHoists
 from gantline.report.compensators import Compensators
 from gantline.report.events import Events
 from gantline.report.first_page import FirstPage
@@ -38,6 +39,7 @@ SECTIONS: tuple[Section, ...] = (
     Equalizers(),
     Compensators(),
     Hinges(),
+    ChainHoists(),
     HookLoads(),
     HoldPoints(),
     Attitude(),

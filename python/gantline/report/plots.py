@@ -66,7 +66,7 @@ class Tensions(_Plots):
     title = "Tensions and travel"
 
     def plots(self, subject: Subject) -> list[Plot]:
-        """Tension, spread, travel, pins, lengthening."""
+        """Tension, travel, rods, hinges, lengthening, chain hoists, spread, pins."""
         recording, rig = subject.recording, subject.rig
         found = []
         if recording.coordinates.get("rope"):
@@ -101,6 +101,9 @@ class Tensions(_Plots):
             found.append(_plot("Force between load and hinge", "hinges", "kN", height=180, smallest=1e-3))
         if "rope_lengthening" in recording:
             found.append(_plot("Lengthening of slings by adjusting", "lengthening", "m", smallest=1e-3))
+        if "chain_paid_out" in recording:
+            title = "Chain paid out by the hoists of slings, hauled in negative"
+            found.append(_plot(title, "chain", "m", smallest=1e-3, extreme="both"))
         if any(equalizer.slings for equalizer in rig.equalizers) and subject.clear.any():
             title = "Tension spread of an equalizer's slings while the load is clear"
             found.append(_plot(title, "spread", "%", height=180, smallest=0.1, zero=True))

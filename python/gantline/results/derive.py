@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results.boom import boom_state
+from gantline.results.chain_hoists import chain_hoist_state
 from gantline.results.crane import corner_loads, crane_events, hook_state
 from gantline.results.crawler import crawler_events, crawler_state
 from gantline.results.direct import commands, direct, only, round_path
@@ -70,6 +71,7 @@ def _of_each_sample(columns: Columns, names: Names, lift: Rig) -> Iterator[Deriv
     yield _sheave_travel(columns, names, lift)
     yield _rods_out(columns, names, lift)
     yield rope_flows(columns, names, lift)
+    yield chain_hoist_state(columns, names, lift)
     yield wind_at_loads(columns, names, {load.name: load.body for load in lift.loads}, lift.wind)
     yield mooring_state(columns, names, lift.mooring_lines, lift.fenders)
     yield vessel_state(columns, names, lift.vessels, lift.sea)

@@ -2,9 +2,9 @@
 
 The *drift* of a load is the horizontal distance of its centre of gravity from its start, less the way that
 the upper sheaves of its hooks go while the load is clear and a step takes loads along: one that
-traverses, travels, slews, luffs, or moves mooring lines. Of several hooks it is their mean, weighted by hook
-load, under which a load hangs whose falls are plumb. What the upper sheaves do at any other time, as when a
-vessel trims or its moorings give, is in no plan and counts.
+traverses, travels, slews, luffs, or moves mooring lines; not one that moves chain hoists of slings. Of
+several hooks it is their mean, weighted by hook load, under which a load hangs whose falls are plumb. What
+the upper sheaves do at any other time, as when a vessel trims or its moorings give, is in no plan and counts.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from gantline.results import series
 from gantline.results.crane import CraneHook
 from gantline.results.progress import spans
 from gantline.results.recording import Recording
-from gantline.results.rig import Load, Rig
+from gantline.results.rig import Load, Rig, Step
 from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -33,7 +33,13 @@ def load_drift(recording: Recording, load: Load) -> FloatArray:
 
 def is_taken_along(rig: Rig) -> bool:
     """Whether the plan takes a load anywhere."""
-    return bool(rig.carried_hooks) and any(step.kind in _TAKE_ALONG for step in rig.plan)
+    return bool(rig.carried_hooks) and any(_takes_along(rig, step) for step in rig.plan)
+
+
+def _takes_along(rig: Rig, step: Step) -> bool:
+    """Whether a step does: what only makes slings longer or shorter moves loads below their hooks."""
+    chains = {f"{one.joint}.drive" for one in rig.chain_hoists}
+    return step.kind in _TAKE_ALONG and not (step.drives and chains.issuperset(step.drives))
 
 
 def _taken_along(recording: Recording, load: Load) -> FloatArray:
@@ -55,7 +61,7 @@ def _taken_along(recording: Recording, load: Load) -> FloatArray:
 
 def _under_way(recording: Recording) -> BoolArray:
     """Intervals between samples in which a step that takes loads along is under way, shape (time - 1,)."""
-    goes = {step.step for step in recording.rig.plan if step.kind in _TAKE_ALONG}
+    goes = {step.step for step in recording.rig.plan if _takes_along(recording.rig, step)}
     during = np.zeros(len(recording.time) - 1, dtype=np.bool_)
     for name, (begin, end) in spans(recording).items():
         if name in goes:

@@ -86,7 +86,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `final_rope_lengthening.<rope>` [m]: what it has added to that of this rope at the last sample
 - `final_joint_travel.<joint>` [m or rad]: position of that hinge or slider at the last sample less that at
   the start; of a sheave with losses or inertia the rope that has passed it, of a drum how far it has turned
-  on its own diameter, of the drum of a hook how far it has hoisted the hook in the first layer
+  on its own diameter, of the drum of a hook how far it has hoisted the hook in the first layer, of the
+  chain hoist of a sling the chain that it has paid out
 - `least_drum_wraps.<drum>` [1]: fewest turns of rope on that drum
 - `energy_remainder` [1]: largest magnitude, over all steps, of the energy that the audit cannot place,
   relative to the largest of kinetic + elastic + |work of drives| + |work of wind, current and waves|

@@ -12,6 +12,7 @@ from functools import cache
 from typing import Any, Self, get_args, get_origin, get_type_hints
 
 from gantline.results.boom import Boom
+from gantline.results.chain_hoists import ChainHoist
 from gantline.results.crane import Crane, CraneHook
 from gantline.results.crawler import Crawler
 from gantline.results.form import Vector
@@ -258,11 +259,12 @@ class Rig(FromJson):
         cranes: Goliath cranes, with what is particular to their hooks.
         booms: Booms, with what is particular to their hooks.
         crawlers: Crawler cranes, with what they stand on.
-        ranges: How far trolleys, cranes and upper structures may go.
+        ranges: How far trolleys, cranes, upper structures and chain hoists may go.
         equalizers: Equalizers of all hooks.
         spreaders: Bars, beams and frames between slings.
         compensators: Gas springs between slings.
         slings: Slings of all hooks.
+        chain_hoists: Chain hoists of slings.
         ropes: All ropes: equalizing ropes, slings, mooring lines, tag lines, ropes of `mechanics`.
         sheaves: Sheaves with losses or inertia.
         drums: Drums.
@@ -307,6 +309,7 @@ class Rig(FromJson):
     spreaders: Sequence[Spreader] = ()
     compensators: Sequence[Compensator] = ()
     slings: Sequence[Sling] = ()
+    chain_hoists: Sequence[ChainHoist] = ()
     ropes: Sequence[Rope] = ()
     sheaves: Sequence[Sheave] = ()
     drums: Sequence[Drum] = ()

@@ -35,6 +35,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
+from gantline.results.chain_hoists import sling_lengths
 from gantline.results.gear import Rope, Sling
 from gantline.results.pinned import pinned_sheaves
 from gantline.results.recording import Recording
@@ -187,7 +188,7 @@ def _of_group(recording: Recording, window: BoolArray, slings: Sequence[Sling]) 
     if ropes is None:
         yield from _none(slings, tension, "axial stiffness of its slings not known")
         return
-    lengths = np.array([one.length for one in slings])
+    lengths = np.array([_static(recording, window, sling_lengths(recording, one)) for one in slings])
     perfect = perfect_forces_of(ropes, lengths, gradient, tension)
     yield from _all(slings, tension, perfect, lengths_decide=True)
 

@@ -1,8 +1,8 @@
 """What the upper end of a rope carries: its tension, and of its own weight what hangs below.
 
 The tension of a rope whose weight is lumped is that at the middle of each straight part; at the upper end
-half the weight of that part comes to it (docs/concepts/rope_weight.md, equation RW4). Ropes with nodes know
-the forces of their ends themselves.
+half the weight of that part comes to it (docs/concepts/rope_weight.md, equation RW4), and the weight of the
+chain hoist of a sling. Ropes with nodes know the forces of their ends themselves.
 """
 
 from __future__ import annotations
@@ -37,13 +37,20 @@ class UpperEnd:
 def own_weight(recording: Recording, rope: str) -> FloatArray:
     """What the upper end of a rope carries over its recorded tension [N], shape (time,).
 
-    Half the weight of the part that goes farthest down. Of a rope in which a hook hangs these are its falls:
-    what goes down to the drum pulls it there by less, not at the top by more.
+    Half the weight of the part that goes farthest down, and that of a sling's chain hoist. Of a rope in which
+    a hook hangs these are its falls: what goes down to the drum pulls it there by less, not at the top by
+    more.
     """
     return recording.kept(("own_weight", rope), lambda: _found(recording, rope))
 
 
 def _found(recording: Recording, rope: str) -> FloatArray:
+    slings = {sling.rope: sling.name for sling in recording.rig.slings}
+    hoists = sum(one.weight for one in recording.rig.chain_hoists if one.name == slings.get(rope))
+    return _of_rope(recording, rope) + hoists
+
+
+def _of_rope(recording: Recording, rope: str) -> FloatArray:
     known = recording.rig.rope(rope)
     drawn = recording.points_of_ropes.get(rope, ())
     if known is None or known.weight != "lumped" or len(drawn) < 2:

@@ -23,6 +23,7 @@ from itertools import pairwise
 import numpy as np
 
 from gantline.results import series
+from gantline.results.chain_hoists import sling_lengths
 from gantline.results.gear import Sling, Spreader
 from gantline.results.hinges import is_shut
 from gantline.results.parting import DETACHED, while_there
@@ -265,7 +266,8 @@ def _stiffness(
                     total[turns, turns] += 0.5 * (both + both.T) - float(slope @ lever) * np.eye(3)
             total += tension / length * moves.T @ (np.eye(3) - np.outer(up, up)) @ moves
             shortens += moves.T @ up
-        group, stiff = _shares(recording, sling, sample), _along(recording, sling, tension)
+        length = float(sling_lengths(recording, sling)[sample])
+        group, stiff = _shares(recording, sling, sample), _along(recording, sling, tension, length)
         together.setdefault(group, []).append((shortens, stiff))
     for shared in together.values():
         way = np.sum([one for one, _ in shared], axis=0)
@@ -284,13 +286,13 @@ def _shares(recording: Recording, sling: Sling, sample: int) -> str:
     return sling.rope if pinned else equalizer.name
 
 
-def _along(recording: Recording, sling: Sling, tension: float) -> float:
-    """EA/L of a sling [N/m], of one with a curve its slope at a tension [N]."""
+def _along(recording: Recording, sling: Sling, tension: float, length: float) -> float:
+    """EA/L of a sling of a length [m], of one with a curve its slope at a tension [N]; [N/m]."""
     rope = recording.rig.rope(sling.rope)
     strain = None if rope is None else rope.strain(tension)
-    if strain is None or not sling.length:
+    if strain is None or not length:
         return _STIFF
-    return 1.0 / (strain[1] * sling.length)
+    return 1.0 / (strain[1] * length)
 
 
 def _cross(at: FloatArray) -> FloatArray:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from gantline.scenario.chain_hoist import check_chain_hoists
 from gantline.scenario.check_booms import check_booms
 from gantline.scenario.check_crawlers import check_crawlers
 from gantline.scenario.check_cut_lines import check_cut_lines
@@ -63,6 +64,7 @@ def check(scenario: Scenario) -> None:
         check_compensators(findings, rigging)
         check_pins(findings, rigging)
         check_put_on(findings, rigging)
+        check_chain_hoists(findings, rigging)
         check_waits(findings, rigging)
         check_kept_plumb(findings, rigging)
         if scenario.simulation.integrator == "explicit" and pins_of(scenario, rigging).at_start:

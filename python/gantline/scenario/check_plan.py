@@ -29,7 +29,7 @@ _WORDS = {
     "crane": ("crane that travels", "travel", "travel"),
     "boom": ("crane with 'luffing'", "luff", "luffing"),
     "upper": ("crane with 'slewing'", "slew", "slewing"),
-    "line": ("mooring or tag line", "move", "winch"),
+    "line": ("mooring line, tag line or sling with a 'chain_hoist'", "move", "winch"),
 }
 
 
@@ -113,6 +113,10 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
                 missing = "'slewing'" if crane.slewing_axis else "'slewing_axis' and 'slewing'"
                 sentence = f"the boom of '{text}' does not slew: it has no {missing}"
                 sentence += "; 'haul' and 'veer' of mooring lines take its vessel along"
+            sling = text.removeprefix("sling.")
+            if step.kind == "line" and sling in (findings.scenario.slings or {}):
+                sentence = f"sling '{sling}' has no 'chain_hoist' that could move it; give it one, such as "
+                sentence += "'chain_hoist: {speed: 1 m/min, rated_capacity: 20 t}'"
             findings.add(("plan", place, step.verb), sentence)
             continue
         one = known[name]
@@ -138,7 +142,7 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
             right = f"its most is {said(step.kind, one.acceleration, 'acceleration')}"
             findings.add(("plan", place, "acceleration"), f"{sentence}; {right}")
     if len(set(moved)) < len(moved):
-        short = what.partition(" ")[0]
+        short = "line" if step.kind == "line" else what.partition(" ")[0]
         findings.add(("plan", place, step.verb), f"names a {short} twice; each {short} stands once")
     return set(moved)
 

@@ -115,6 +115,11 @@ def _check_range(findings: Findings, path: Path, one: Mover, after: Bounds) -> N
     if far is None:
         return
     there, least, most = (said(one.kind, value, "position") for value in (far, low, high))
+    if one.kind == "sling":
+        longer = "longer" if far > 0.0 else "shorter"
+        sentence = f"'{one.name}' would be {said(one.kind, abs(far), 'position')} {longer} than at the start"
+        findings.add(path, f"{sentence}; the range of its chain hoist is {least} to {most}")
+        return
     right = f"its highest position is {most}" if one.kind == "hook" else f"its range is {least} to {most}"
     findings.add(path, f"'{one.name}' would come to {there}; {right}")
 

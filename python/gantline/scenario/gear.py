@@ -12,6 +12,7 @@ from pydantic.json_schema import JsonSchemaValue
 
 from gantline.rope_data import GRADES, RopeClass, rope_class, rope_classes
 from gantline.scenario.base import Element
+from gantline.scenario.chain_hoist import ChainHoist
 from gantline.scenario.curve import RopeCurve
 from gantline.scenario.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
 from gantline.scenario.quantities import (
@@ -321,6 +322,11 @@ class Sling(SlingDefaults):
     to: Names = Field(
         description="The lug it holds, of the load like 'block.L3' or of a spreader, or the extension sheave "
         "or compensator that hangs on it; with 'over' the two of them."
+    )
+    chain_hoist: ChainHoist | None = Field(
+        None,
+        description="Chain hoist, hydraulic cylinder or turnbuckle in it, by which steps shorten it ('haul') "
+        "or lengthen it ('veer'); none if not given.",
     )
     cut_at: Time | None = Field(None, description=CUT_SHOWN)
     remark: Text | None = Field(None, description="A remark for people.")

@@ -110,6 +110,10 @@ class Limits(Element):
     hinge_force_of_rated_capacity: _Share | None = Field(
         None, description="Force between load and hinge, of its rated capacity; 100 % if not given."
     )
+    chain_hoist_load_of_rated_capacity: _Share | None = Field(
+        None,
+        description="Force of a sling, of the rated capacity of the chain hoist in it; 100 % if not given.",
+    )
     spreader_load_of_rated_capacity: _Share | None = Field(
         None,
         description="Static load of all slings under a spreader, of its rated capacity; 100 % if not given.",

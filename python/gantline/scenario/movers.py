@@ -1,4 +1,4 @@
-"""What steps of the plan can move: hooks, drums, trolleys, cranes, booms, winches of lines."""
+"""What steps of the plan can move: hooks, drums, trolleys, cranes, booms, winches of lines, chain hoists."""
 
 from __future__ import annotations
 
@@ -64,6 +64,7 @@ class Mover:
         emergency: deceleration of an emergency stop [m/s^2, rad/s^2]; None where nobody has said it.
         stops_as_usual: whether that is the usual deceleration, since the lift file says no other.
         start: position at the start, as `to` counts it [m, rad]; None for drums and winches, which have none.
+            Of a sling the change of its length, 0 at the start.
         zero: what `to` counts where the drive is at 0 [m, rad].
         range: least and largest position as `to` counts it [m, rad]; None where there is no limit.
         gear: of a boom in tackles what its drive takes up of them [m] at an angle.
@@ -88,13 +89,16 @@ class Mover:
 
 
 def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
-    """Everything of a kind by its full name; None for a drum or line that nothing drives."""
+    """Everything of a kind by its full name; None for a drum or line that nothing drives.
+
+    Steps that move lines move slings with chain hoists too, which are of the kind `sling`.
+    """
     if kind == "hook":
         return dict(_hooks(scenario))
     if kind == "drum":
         return _drums(scenario)
     if kind == "line":
-        return _winches(scenario)
+        return _winches(scenario) | _chain_hoists(scenario)
     if kind == "boom":
         return dict(_booms(scenario))
     cranes = (scenario.cranes or {}).items()
@@ -263,3 +267,20 @@ def _winches(scenario: Scenario) -> dict[str, Mover | None]:
             emergency=winch.acceleration,
         )
     return found
+
+
+def _chain_hoists(scenario: Scenario) -> dict[str, Mover | None]:
+    slings = (scenario.slings or {}).items()
+    hoists = {f"sling.{name}": one.chain_hoist for name, one in slings if one.chain_hoist is not None}
+    return {
+        name: Mover(
+            name=name,
+            kind="sling",
+            speed=hoist.speed,
+            acceleration=hoist.acceleration,
+            emergency=hoist.acceleration,
+            start=0.0,
+            range=hoist.range_,
+        )
+        for name, hoist in hoists.items()
+    }

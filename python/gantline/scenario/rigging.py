@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
+from gantline.scenario.chain_hoist import ChainHoist
 from gantline.scenario.compensator import rod_of
 from gantline.scenario.crane import (
     Equalizer,
@@ -94,6 +95,7 @@ class SlingRigging:
         length: bearing to bearing, unloaded [m].
         tolerance: what the length may be off, plus and minus [m].
         starts_on: whether it is on at the start, and not put on by a step of the plan.
+        chain_hoist: what changes its length as steps say; None for nothing.
     """
 
     name: str
@@ -112,6 +114,7 @@ class SlingRigging:
     top: tuple[str, Shackle] | None
     bottom: tuple[str, Shackle] | None
     starts_on: bool = True
+    chain_hoist: ChainHoist | None = None
 
     @property
     def upper_body(self) -> str:
@@ -327,7 +330,8 @@ def _sling(findings: Findings, name: str) -> SlingRigging | None:
     if len(findings.problems) > before or upper is None or length is None or rope is None or weight is None:
         return None
     lower = tuple(end for end in ends if end is not None)
-    return SlingRigging(name, *upper, given.over, lower, length, tolerance, rope, weight, top, bottom)
+    found = SlingRigging(name, *upper, given.over, lower, length, tolerance, rope, weight, top, bottom)
+    return replace(found, chain_hoist=given.chain_hoist)
 
 
 def _sling_weight(findings: Findings, name: str, rope: str, kind: RopeMaterial | None) -> RopeWeight | None:

@@ -52,7 +52,7 @@ __all__ = [
     "VeerStep",
 ]
 
-Kind = Literal["hook", "drum", "trolley", "crane", "boom", "upper", "line"]
+Kind = Literal["hook", "drum", "trolley", "crane", "boom", "upper", "line", "sling"]
 
 
 #: Keys by which a step says what it does.
@@ -397,30 +397,38 @@ class PumpStep(_StartingStep):
 
 
 class LineStep(MovingStep):
-    """A step in which winches move mooring lines or tag lines."""
+    """A step in which winches move mooring lines or tag lines, and chain hoists slings."""
 
     kind: ClassVar[Kind] = "line"
 
-    by: PositiveLength | None = Field(None, description="Length of line after which the winches are at rest.")
+    by: PositiveLength | None = Field(
+        None, description="Length of line or chain after which winches or chain hoists are at rest."
+    )
 
 
 class HaulStep(LineStep):
-    """A step in which mooring lines or tag lines are hauled in."""
+    """A step in which mooring lines or tag lines are hauled in, or slings shortened by chain hoists."""
 
     what: ClassVar[str] = "a haul step"
 
-    haul: Names = Field(description="Mooring lines that are hauled in, or tag lines, like 'tag.west'.")
+    haul: Names = Field(
+        description="Mooring lines that are hauled in, tag lines, like 'tag.west', or slings with a "
+        "'chain_hoist', like 'sling.S1', which get shorter."
+    )
 
     verb: ClassVar[str] = "haul"
     direction: ClassVar[float] = -1.0
 
 
 class VeerStep(LineStep):
-    """A step in which mooring lines or tag lines are paid out."""
+    """A step in which mooring lines or tag lines are paid out, or slings lengthened by chain hoists."""
 
     what: ClassVar[str] = "a veer step"
 
-    veer: Names = Field(description="Mooring lines that are paid out, or tag lines, like 'tag.west'.")
+    veer: Names = Field(
+        description="Mooring lines that are paid out, tag lines, like 'tag.west', or slings with a "
+        "'chain_hoist', like 'sling.S1', which get longer."
+    )
 
     verb: ClassVar[str] = "veer"
 

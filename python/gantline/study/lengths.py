@@ -10,7 +10,7 @@ from typing import Any
 
 from gantline.scenario import Scenario, load_scenario
 from gantline.scenario.errors import nearest
-from gantline.scenario.rigging import resolve
+from gantline.scenario.rigging import SlingRigging, resolve
 from gantline.scenario.variants import without_cases
 from gantline.statics import Equilibrium
 from gantline.study.asked import names_of
@@ -31,6 +31,8 @@ class LengthAnswer:
     Attributes:
         lengths: New length of each sling that may change [m].
         given: Its length in the lift file [m].
+        chain_hoists: What the chain hoist of a sling that has one pays out from there to the new length [m],
+            less than 0 where it hauls in; stretched as the chain is meanwhile, in the mean.
         before: The lift as it is given, at rest.
         after: The same with the new lengths.
         residual: What is left of slopes, heading and shares [rad, 1]; the largest.
@@ -40,6 +42,7 @@ class LengthAnswer:
 
     lengths: Mapping[str, float]
     given: Mapping[str, float]
+    chain_hoists: Mapping[str, float]
     before: Equilibrium
     after: Equilibrium
     residual: float
@@ -57,6 +60,7 @@ class LengthAnswer:
             "values": self.values,
             "lengths": dict(self.lengths),
             "given": dict(self.given),
+            "chain_hoists": dict(self.chain_hoists),
             "before": rest_json(self.before),
             "after": rest_json(self.after),
             "residual": self.residual,
@@ -94,7 +98,8 @@ def adjust_lengths(
         ValueError: If nothing is wanted, or a sling is asked for that there is not.
     """
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
-    known = {name: one.length for name, one in resolve(scenario).slings.items()}
+    slung = resolve(scenario).slings
+    known = {name: one.length for name, one in slung.items()}
     chosen = list(known) if slings is None else names_of("slings", slings)
     for names, error in ((chosen, AdjustError), (shares or {}, ValueError)):
         for name in names:
@@ -130,12 +135,24 @@ def adjust_lengths(
     search.refuse_too_far(changes)
     search.refuse_unsound()
     lengths = {name: known[name] + float(more) for name, more in zip(chosen, changes, strict=True)}
+    before, after = search.first.hanging.rest, search.now.hanging.rest
     return LengthAnswer(
         lengths=lengths,
         given={name: known[name] for name in chosen},
-        before=search.first.hanging.rest,
-        after=search.now.hanging.rest,
+        chain_hoists={
+            name: (lengths[name] - known[name]) * (1.0 + _mean_strain(slung[name], before, after))
+            for name in chosen
+            if slung[name].chain_hoist is not None
+        },
+        before=before,
+        after=after,
         residual=search.now.residual,
         steps=search.steps,
         scenario=search.now.scenario,
     )
+
+
+def _mean_strain(sling: SlingRigging, before: Equilibrium, after: Equilibrium) -> float:
+    """Strain of a sling that stretches [1], the mean of that in two equilibria."""
+    pulls = (rest.tension(f"sling.{sling.name}") for rest in (before, after))
+    return sum(0.5 * sling.rope.strain_under(pull) for pull in pulls)

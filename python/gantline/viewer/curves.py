@@ -54,6 +54,7 @@ def curves(recording: Recording) -> Iterator[Curve]:
         ("transferred", "load_transferred", "%", 100.0),
         ("tilt", "load_tilt", "deg", 180.0 / np.pi),
         ("pins", "pin_force", "kN", 1e-3),
+        ("chain", "chain_paid_out", "m", 1.0),
         ("lengthening", "rope_lengthening", "m", 1.0),
         ("wraps", "drum_wraps", "", 1.0),
         ("heave", "heave_compensation", "m", 1.0),

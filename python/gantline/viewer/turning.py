@@ -69,7 +69,8 @@ def natural_lengths(recording: Recording, frames: Sequence[int]) -> list[float |
         frames: Samples that are looked at.
     """
     at = np.array(frames, dtype=np.intp)
-    slings = {sling.rope: sling.length for sling in recording.rig.slings}
+    hoists = {one.name for one in recording.rig.chain_hoists}
+    slings = {sling.rope: sling.length for sling in recording.rig.slings if sling.name not in hoists}
     found: list[float | None] = []
     for name in recording.coordinates.get("rope", ()):
         if slings.get(name):

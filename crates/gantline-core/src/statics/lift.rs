@@ -11,6 +11,7 @@ use super::modes::Mode;
 use super::sensitivity::{Parameter, Sensitivity};
 use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
+use crate::constraint::rope::span::Span;
 use crate::constraint::{AnyConstraint, Law};
 use crate::event::{Event, EventKind, EventLog};
 use crate::force;
@@ -336,10 +337,13 @@ impl StaticLift {
         })
     }
 
-    /// Whether drums, or sheaves with losses or inertia, change the length of a rope.
+    /// Whether sheaves with losses or inertia, or drums that no drive moves, change the length of a rope as it comes to
+    /// rest. What a drive has fed is a given length.
     fn is_fed(&self, rope: usize) -> bool {
         let AnyConstraint::Rope(rope) = &self.system.constraints[rope] else { return false };
-        rope.spans.iter().any(|span| !span.feeds.is_empty())
+        let free = &self.statics.search.matrix.layout.free;
+        let is_given = |span: &Span| span.feeds.iter().all(|feed| !free.contains(&feed.dof));
+        rope.spans.len() > 1 || !rope.spans.iter().all(is_given)
     }
 
     /// Derivatives of the equilibrium that was found last.

@@ -78,8 +78,7 @@ impl Statics {
     /// Derivatives of the equilibrium in which `state` is since the last [`Statics::settle`], for every parameter.
     ///
     /// # Errors
-    /// [`NoEquilibrium`] where none has been found, the tangent is singular, or a rope asked about is fed by a drum or a
-    /// sheave with losses: its length is then no number of the plan.
+    /// [`NoEquilibrium`] where none has been found, or the tangent is singular.
     pub fn sensitivities(
         &mut self,
         system: &System,
@@ -181,12 +180,16 @@ impl Statics {
     }
 
     /// What a parameter does to the tension of its rope [N] while the force of its row stays: a curve that all of a
-    /// rope's stiffness scales.
+    /// rope's stiffness scales, the length of a span that is fed.
     pub(super) fn own_change(&self, system: &System, parameter: Parameter) -> Option<(usize, f64)> {
-        let Parameter::Stiffness(index) = parameter else { return None };
+        let (Parameter::Stiffness(index) | Parameter::Length(index)) = parameter else { return None };
         let AnyConstraint::Rope(rope) = &system.constraints[index] else { return None };
-        let curve = rope.spans[0].curve.as_ref()?;
         let force = self.search.here.tension[system.rows.first[index]];
+        if let Parameter::Length(_) = parameter {
+            let (span, q) = (&rope.spans[0], &self.search.here.q);
+            return (!span.feeds.is_empty()).then(|| (index, span.tension_change(q, force, 0.0, 1.0)));
+        }
+        let curve = rope.spans[0].curve.as_ref()?;
         let still = curve.under(force);
         Some((index, (still.tension - still.growth * force) / curve.axial_stiffness))
     }
@@ -293,6 +296,17 @@ impl Statics {
                         right[row] = still.scale * long;
                         let share =
                             tension * curve.at(still.strain).bend * long / (still.scale * constraint.length);
+                        for (dof, entry) in system.rows.entries(&self.search.here.frame.gradient, row) {
+                            force[dof] += share * entry;
+                        }
+                        return;
+                    }
+                    let (span, q) = (&constraint.spans[0], &self.search.here.q);
+                    if matches!(parameter, Parameter::Length(_)) && !span.feeds.is_empty() {
+                        // g − ε λ with L in g alone, ∂g/∂L = −w (1 + ε/2), and the pull w λ with ∂w/∂L = −w/2L.
+                        let scale = span.scale(q);
+                        right[row] = scale * (1.0 + 0.5 * scale * tension / stiffness);
+                        let share = 0.5 * tension / span.unstretched(q);
                         for (dof, entry) in system.rows.entries(&self.search.here.frame.gradient, row) {
                             force[dof] += share * entry;
                         }
