@@ -9,6 +9,7 @@ from gantline.assembly.parts import Json, Parts
 from gantline.assembly.radiation import add_radiation
 from gantline.assembly.spatial import Array, inertia_list, inertia_matrix
 from gantline.assembly.water_matrix import water_matrix
+from gantline.hydro import Hull
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.tanks import bodies_afloat, pumped_tanks
@@ -98,6 +99,8 @@ def _let_pump(parts: Parts, body: str, name: str, tank: BallastTank, level: floa
 
 
 def _tank(body: str, name: str, tank: BallastTank) -> Json:
-    mesh = box_mesh(tank.box, tank.bottom).document
-    liquid = {"density": tank.density, "volume": min(tank.content, tank.capacity) / tank.density}
-    return {"type": "tank", "name": name, "body": body, **mesh, **liquid}
+    mesh = box_mesh(tank.box, tank.bottom)
+    # The mesh of a box far from the origin encloses less than its sides make, by rounding.
+    room = Hull(name, mesh.vertices, mesh.triangles).closure.volume
+    liquid = {"density": tank.density, "volume": min(tank.content / tank.density, room)}
+    return {"type": "tank", "name": name, "body": body, **mesh.document, **liquid}
