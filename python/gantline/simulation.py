@@ -315,9 +315,9 @@ class Simulation:
 
         Args:
             variable: As in a recording, such as `rope_tension`, `body_position`, `hook_load`, `load_tilt`,
-                `sheave_travel`, `vessel_heel`; not those of cranes and tanks, such as `hook_height`: where
-                hooks are `drive_state` tells. What the core gives as it is, such as the first two, costs
-                least.
+                `sheave_travel`, `vessel_heel`, `tank_content`; not those of cranes, such as `hook_height`:
+                where hooks are `drive_state` tells. What the core gives as it is, such as the first two,
+                costs least.
             name: Name along it, such as `sling.S1`, as for `Recording.column`.
 
         Returns:
@@ -430,10 +430,9 @@ class Simulation:
         return warnings
 
     def _with_resting(self, found: Recording) -> Recording:
-        """The recording of a run that has ended, with how loads rest that hang in ropes of `mechanics`."""
-        if not (self.ended and self.status == "done") or not any(
-            load.other_ropes for load in self._rig.loads
-        ):
+        """The recording of a run that has ended, with how loads rest of which slings alone do not tell."""
+        asked = any(load.other_ropes or load.tanks for load in self._rig.loads)
+        if not (self.ended and self.status == "done" and asked):
             return found
         if self._question is None:
             return found

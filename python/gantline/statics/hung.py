@@ -1,4 +1,7 @@
-"""How loads rest that a run hangs still in ropes of `mechanics`, whose stiffness no recording knows."""
+"""How loads rest that a run hangs still in ropes of `mechanics`, or with liquid in their tanks.
+
+No recording knows the stiffness of these ropes, nor how a free surface takes from what keeps a load upright.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,7 @@ import numpy as np
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Resting
 from gantline.results.rotation import axes
-from gantline.results.upright import borne_by_others
+from gantline.results.upright import left_to_statics
 from gantline.statics.answers import Equilibrium, Mode, NoEquilibriumError
 
 if TYPE_CHECKING:
@@ -25,7 +28,7 @@ _MOVES = 1e-3
 
 
 def resting_loads(question: Statics, recording: Recording, state: bytes | None) -> dict[str, list[Resting]]:
-    """How equilibria have loads that hung still in ropes which are no slings; left out where there is none.
+    """How equilibria have loads whose slings do not tell how stably they hung; left out where there is none.
 
     Where the run ends it is asked from what it has saved, earlier by its plan.
 
@@ -36,7 +39,7 @@ def resting_loads(question: Statics, recording: Recording, state: bytes | None) 
     """
     found: dict[str, list[Resting]] = {}
     loads = {load.name: load for load in recording.rig.loads}
-    for name, samples in borne_by_others(recording).items():
+    for name, samples in left_to_statics(recording).items():
         for sample in samples:
             is_last = sample == len(recording.time) - 1
             try:
