@@ -118,6 +118,24 @@ def test_two_tanks_in_one_place_and_a_load_too_heavy_with_them() -> None:
     ]
 
 
+@pytest.mark.parametrize(("at", "is_told"), [("0 m", True), ("0.667 m", False)])
+def test_a_hook_stands_over_the_load_with_what_is_in_its_tanks(at: str, is_told: bool) -> None:
+    """120 t in the middle and 24 t at 4 m have their centre of gravity at 24 · 4/144 = 0.667 m."""
+    hoist = {"speed": "6 m/min", "acceleration": "0.05 m/s^2"}
+    crane = {"type": "fixed_hook", "at": [at, "0 m", "19.7 m"], "hoist": hoist}
+    scenario = lift(
+        {"end": tank((4, 0, 0.5), 24.0)},
+        [{"step": "up", "hoist": "crane", "speed": "1 m/min", "until": {"supports": "clear"}}],
+        load={"position": ["0 m", "0 m", "0 m"], "stands_on": "ground"},
+        cranes={"crane": crane},
+        **GROUND,
+    )
+    told = [one for one in assemble(scenario).warnings if "beside the centre of gravity of module" in one]
+    assert [one.partition(" where")[0] for one in told] == (
+        ["crane stands 0.67 m beside the centre of gravity of module"] if is_told else []
+    )
+
+
 def test_the_weight_of_a_load_is_told_with_its_tanks() -> None:
     rig = Rig.from_json(assemble(lift(INSIDE)).rig)
     assert weights(rig) == [

@@ -8,9 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gantline.results import Recording
+from gantline.checks import Verdict
+from gantline.checks.forces import hook_force
+from gantline.checks.loads import on_their_tip
+from gantline.results import Recording, series
 from gantline.results.rotation import axes
-from gantline.scenario import Scenario
+from gantline.scenario import Scenario, load_scenario
 from gantline.simulation import Simulation
 from gantline.statics import Statics
 from gantline.study.tilting import tilting_of
@@ -160,12 +163,42 @@ def test_on_its_tip_by_a_free_surface() -> None:
     half = SEA * math.prod(box) / 2
     lugs, middle = 2.2, (OWN * 2.0 + half * (place[2] + box[2] / 4)) / (OWN + half)
     assert (OWN + half) * (lugs - middle) < SEA * box[0] * box[1] ** 3 / 12
-    rest = Statics(lift({"inside": tank(place, half / 1e3, box)}, **changes)).equilibrium()
-    assert not rest.is_stable
+    loose = lift({"inside": tank(place, half / 1e3, box)}, [hold("still", "20 s")], **changes)
+    assert not Statics(loose).equilibrium().is_stable
+    (check,) = on_their_tip(Simulation(loose).run())
+    assert (check.verdict, check.element) == (Verdict.FAILED, "module")
     full = SEA * math.prod(box)
     middle = (OWN * 2.0 + full * (place[2] + box[2] / 2)) / (OWN + full)
     assert lugs > middle
-    assert Statics(lift({"inside": tank(place, full / 1e3, box)}, **changes)).equilibrium().is_stable
+    steady = lift({"inside": tank(place, full / 1e3, box)}, [hold("still", "20 s")], **changes)
+    assert Statics(steady).equilibrium().is_stable
+    assert on_their_tip(Simulation(steady).run()) == []
+
+
+def test_contingency_is_on_the_weight_and_not_on_what_is_in_tanks() -> None:
+    """Two hooks together bear 1.05 × 120 t and 24 t, of which nobody knows who bears how much: alone each has
+    1.05 times all that it bears, 60 t and of a full tank above the western hook all.
+    """
+    changes = two_hooks()
+    changes["load"] |= {"weight": {"calculated": f"{OWN} kg", "contingency": 1.05}}
+    tanks = {"inside": tank((-4.0, 0, 0.5), 18.45, (2.0, 3.0, 3.0))}
+    found = at_rest(lift(tanks, **changes))
+    every = series.everywhere(found)
+    together = hook_force(found, ["east", "west"], "hook_load", every)
+    assert together.static == pytest.approx((1.05 * OWN + 18450.0) * G, rel=1e-9)
+    for hook, part in (("east", 60e3 + 18450.0 * 0.1), ("west", 60e3 + 18450.0 * 0.9)):
+        alone = hook_force(found, [hook], "hook_load", every)
+        # Slings of 17.8 m lean by what the load has gone aside.
+        assert alone.static == pytest.approx(1.05 * part * G, rel=1e-3)
+
+
+def test_a_load_that_swings_is_not_on_its_tip() -> None:
+    """It hangs still as no drive moves, and leans by degrees as the run ends: no equilibrium is elsewhere."""
+    aside = {"position": ["1.2 m", "0 m", "10.4 m"]}
+    plan = [hold("swing", "until_end")]
+    run = Simulation(lift(INSIDE, plan, load=aside, start="as_given", duration="26.5 s")).run()
+    assert np.degrees(run.column("load_tilt", "module").max()) > 3.0
+    assert on_their_tip(run) == []
 
 
 def two_hooks() -> dict[str, Any]:
@@ -200,6 +233,48 @@ def test_flooded_it_is_as_heavy_as_its_steel_in_water() -> None:
     half = at_rest(lift({"end": tank(place, SEA * inside / 2e3, box)}, load={"in_water": stated}, **sea))
     assert hook_load(half) == pytest.approx((OWN - SEA * (steel + inside / 2)) * G, rel=1e-9)
     assert axes(half.column("body_orientation", "module")[-1])[2, 0] > 0.02
+
+
+def test_static_values_are_of_a_load_that_does_not_drain() -> None:
+    """It hung still under water alone, and drains as it is out: static is the time in the air before that, of
+    the full weight, and no mean over what has run out since.
+    """
+    wet = {"added_mass": ["50 t", "80 t", "150 t"], "drag_coefficients": [1.2, 1.2, 1.8]}
+    plan = [
+        hold("below"),
+        {"step": "out", "hoist": "crane", "speed": "6 m/min", "by": "9 m"},
+        pump("drain", ("module.inside", "sea"), "600 t/h", by="49 t"),
+    ]
+    full = 49.2e3
+    changes: dict[str, Any] = {"water": {"level": "16 m"}, "duration": "430 s", "load": {"in_water": wet}}
+    run = Simulation(lift({"inside": tank((0, 0, 0.5), full / 1e3)}, plan, **changes)).run()
+    static, window = series.greatest_static(run, run.column("hook_load", "crane"))
+    assert np.ptp(run.column("tank_content", "module.inside")[window]) == 0.0
+    # It is being hoisted, and brakes: a mean over 20 s is that near to the weight.
+    assert static == pytest.approx((OWN + full) * G, rel=1e-3)
+
+
+def test_full_tanks_hang_as_steel_does() -> None:
+    """A load of 800 t with 200 t in a full tank at its centre of gravity lies as one of 1000 t: heel and trim
+    of the vessel, hook loads, all to the accuracy of equilibria; it is lost as one, too.
+    """
+    steel = load_scenario("floating_crane")
+    deep = 200e3 / SEA / 100.0
+    filled = {"box": ["10 m", "10 m", f"{deep!r} m"], "bottom": ["0 m", "0 m", f"{5.0 - deep / 2!r} m"]}
+    content = {"content": f"{200.0 * (1 - 1e-10)!r} t"}
+    tanked = steel.changed({"load.weight.calculated": "800 t", "load.tanks": {"deep": {**filled, **content}}})
+    found = []
+    for scenario in (steel, tanked):
+        question = Statics(scenario)
+        rest = question.equilibrium(question.when("hold point 3", "ends")).recording
+        found.append(
+            [
+                rest[name].values[-1]
+                for name in ("hook_load", "vessel_heel", "vessel_trim", "load_transferred")
+            ]
+        )
+    for one, other in zip(*found, strict=True):
+        assert other == pytest.approx(one, rel=1e-7, abs=1e-9)
 
 
 def test_stands_with_what_is_in_it() -> None:
@@ -284,6 +359,7 @@ def test_a_run_that_goes_on_amid_pumping() -> None:
     whole, first, again = Simulation(scenario).run(), Simulation(scenario), Simulation(scenario)
     first.run(until=95.0)
     assert 0.0 < first.now("tank_content", "module.end") < 24e3
+    assert first.now("load_transferred", "module") == 1.0
     again.restore(first.save())
     rest = again.run()
     for name in ("hook_load", "tank_content", "body_position", "energy"):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -31,8 +32,9 @@ from gantline.scenario.check_supports import foot_of
 from gantline.scenario.errors import StartError
 from gantline.scenario.load import Load
 from gantline.scenario.structures import dock_of
+from gantline.scenario.water import BallastTank
 
-__all__ = ["LiftedLoad", "add_load", "lifted_load"]
+__all__ = ["LiftedLoad", "add_load", "lifted_load", "shift_by_liquid"]
 
 #: Lugs that a warning names.
 _MOST_NAMED = 5
@@ -104,11 +106,24 @@ def lifted_load(scenario: Scenario, load: Load, rigging: Rigging) -> LiftedLoad:
     around = [(left, back), (right, back), (right, front), (left, front)]
     corners = np.array([(*plan, height) for height in (low, high) for plan in around]) - centre
     lugs = {name: [float(part) for part in np.array(lug.at) - centre] for name, lug in load.lugs.items()}
-    contents = load.contents
+    shift = shift_by_liquid((load.tanks or {}).values(), mass, centre)
+    return LiftedLoad(mass, centre, inertia, corners, lugs, body, load.contents, shift)
+
+
+def shift_by_liquid(tanks: Iterable[BallastTank], mass: float, centre: Array) -> Array:
+    """How far what is in tanks moves a centre of gravity, upright (3,) [m].
+
+    Args:
+        tanks: With their contents.
+        mass: Of the load without them [kg].
+        centre: Its centre of gravity, from its datum (3,) [m].
+    """
+    filled = list(tanks)
+    total = mass + math.fsum(tank.content for tank in filled)
     shift = np.zeros(3)
-    for tank in (load.tanks or {}).values():
-        shift += tank.content / (mass + contents) * (np.array(frozen(tank)[0]) - centre)
-    return LiftedLoad(mass, centre, inertia, corners, lugs, body, contents, shift)
+    for tank in filled:
+        shift += tank.content / total * (np.array(frozen(tank)[0]) - centre)
+    return shift
 
 
 def add_load(

@@ -99,7 +99,8 @@ def _resting(load: Load, meaning: str) -> Iterator[Check]:
         )
         yield replace(check, time=one.time, remark=remark)
         return
-    for one in [one for one in load.resting if one.aside > _ASIDE][:1]:
+    # In slings alone a load that still swings is aside of where it rests, too, and comes back.
+    for one in [one for one in load.resting if one.aside > _ASIDE and load.other_ropes][:1]:
         angle = format_quantity(one.aside, "deg", 1)
         remark = f"by statics it comes to rest {angle} from where the run has it: 'gantline statics' shows it"
         yield replace(check, verdict=Verdict.WARNING, time=one.time, remark=remark)
