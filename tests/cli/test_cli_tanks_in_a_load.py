@@ -160,6 +160,8 @@ def test_table_and_report(tmp_path: Path) -> None:
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert "+ in its tanks, as given" in page
     assert "rigging below the hooks" not in page
+    words = " ".join(page.split())  # no line ends between a number and its unit
+    assert "pump from module.inside to sea at 600 t/h, 24 t in all" in words
 
 
 @pytest.mark.parametrize("has_tank", [True, False])

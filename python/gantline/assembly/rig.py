@@ -40,7 +40,7 @@ from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.steps import AlongStep, HoldStep, MovingStep, PumpStep
 from gantline.scenario.stream import Wind
-from gantline.scenario.tanks import ends_of_pump, load_tanks, tanks_of
+from gantline.scenario.tanks import SEA, ends_of_pump, load_tanks, tanks_of
 
 __all__ = ["rig"]
 
@@ -456,4 +456,7 @@ def _held_until(step: HoldStep) -> str:
 def _pumped(scenario: Scenario, step: Any) -> Json:
     if not isinstance(step, PumpStep):
         return {}
-    return {"tanks": [name for name in ends_of_pump(scenario, step) if name is not None]}
+    ends = ends_of_pump(scenario, step)
+    way = [SEA if name is None else name for name in ends]
+    much = {} if step.by is None else {"pumped": step.by}
+    return {"tanks": [name for name in ends if name is not None], "pumps": way, "rate": step.rate, **much}

@@ -186,6 +186,9 @@ class Step(FromJson):
         require: Limits at its end: `{quantity: {"below": value}}` or `{"above": value}`, SI.
         drives: What it moves.
         tanks: Tanks that it pumps.
+        pumps: From where to where it pumps: tanks, or `sea`; nothing of another step.
+        rate: How much it pumps in a time [kg/s]; None of another step.
+        pumped: How much in all [kg]; None where it ends otherwise.
         cut: Ropes that are cut as it begins.
         detach: Slings and ropes that are taken off then.
         attach: Slings that are put on then.
@@ -218,6 +221,9 @@ class Step(FromJson):
     require: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     drives: Sequence[str] = ()
     tanks: Sequence[str] = ()
+    pumps: Sequence[str] = ()
+    rate: float | None = None
+    pumped: float | None = None
     cut: Sequence[str] = ()
     detach: Sequence[str] = ()
     attach: Sequence[str] = ()
