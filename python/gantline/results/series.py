@@ -10,8 +10,8 @@
   but tuggers and winches that slip at rest, for 5 s or more. In waves it takes three of their longest
   periods in place of 5 s, if that is more, in gusts 20 s. The mean is weighted by sin^2, zero at both
   ends, so that a load that rings to and fro does not lift or lower it. Where the loads hung still in water
-  alone, which bears a part of them, the longest time that they hung in the air counts too, moving or not, but
-  for what is in their tanks.
+  alone, which bears a part of them, the longest time that they hung in the air counts too, moving or not,
+  with as much in their tanks all along.
   The window of an equilibrium is its last sample, whether the loads are clear or not.
 - *quiet windows*: that, and all earlier times that the loads hung still.
 """
