@@ -10,7 +10,7 @@ import numpy as np
 from gantline.checks import LIMITS
 from gantline.report.holds import shares
 from gantline.report.section import Section
-from gantline.report.subject import Subject, show, typeset
+from gantline.report.subject import Subject, as_given, show, typeset
 from gantline.results.moorings import MooringLine
 from gantline.results.rig import Step
 from gantline.results.tag_lines import TagLine
@@ -106,7 +106,7 @@ def _does(step: Step, hooks: set[str], lines: Mapping[str, str]) -> str:
         if names
     ]
     verb = "" if step.kind == "hold" else step.kind.replace("_", " ")
-    moved = f"{verb}{_moved(step, hooks)}{_speed(step)}{_way(step)}"
+    moved = f"{verb}{_moved(step, hooks)}{_speed(step)}{_way(step)}{_pumped(step)}"
     return "; ".join(part for part in (moved, *_still(step), *pins, *gear) if part)
 
 
@@ -131,6 +131,15 @@ def _speed(step: Step) -> str:
     if step.kind in _TURNING:
         return f"{most} {np.rad2deg(60.0 * step.speed):.3g} deg/min"
     return f"{most} {60.0 * step.speed:.3g} m/min" if step.kind in _ALONG else ""
+
+
+def _pumped(step: Step) -> str:
+    """From where to where liquid is pumped, how fast and how much."""
+    if step.rate is None:
+        return ""
+    source, target = step.pumps
+    much = "" if step.pumped is None else f", {as_given(step.pumped)} t in all"
+    return f" from {source} to {target} at {as_given(3600.0 * step.rate)} t/h{much}"
 
 
 def _way(step: Step) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.check_booms import check_luffing
 from gantline.scenario.check_heave import check_heave
-from gantline.scenario.check_pumps import check_contents, check_pump
+from gantline.scenario.check_pumps import check_contents, check_pump, check_shares
 from gantline.scenario.check_travel import check_travel, said
 from gantline.scenario.condition import Condition
 from gantline.scenario.errors import nearest
@@ -72,6 +72,7 @@ def check_plan(findings: Findings) -> None:
     check_luffing(findings)
     if not findings.problems:
         check_contents(findings)
+        check_shares(findings)
     _check_emergency_stop(findings)
 
 
