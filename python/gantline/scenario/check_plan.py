@@ -117,6 +117,8 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
             if step.kind == "line" and sling in (findings.scenario.slings or {}):
                 sentence = f"sling '{sling}' has no 'chain_hoist' that could move it; give it one, such as "
                 sentence += "'chain_hoist: {speed: 1 m/min, rated_capacity: 20 t}'"
+            if step.kind in ("hook", "drum") and full_name(text, movers(findings.scenario, "line")):
+                sentence += "; 'haul' shortens what a chain hoist or winch moves, and 'veer' lets it out"
             findings.add(("plan", place, step.verb), sentence)
             continue
         one = known[name]
