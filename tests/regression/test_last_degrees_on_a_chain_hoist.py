@@ -1,4 +1,4 @@
-"""The last degrees in a hinge were reckoned with the sling as it begins, whatever its chain hoist had paid out.
+"""The last degrees in a hinge went by the sling as it begins, whatever its chain hoist had paid out.
 
 A mast that a step hoists to 89 deg hangs in a sling whose chain hoist has hauled in 30 m before: its pull is
 steeper, and lever and room are those of the short sling. `gantline check` told those of the long one. It did
