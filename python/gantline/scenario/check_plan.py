@@ -129,7 +129,9 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
                 right = "a line with a 'length' or 'pretension' and a 'winch' is moved by steps"
                 findings.add(("plan", place, step.verb), f"{sentence}; {right}")
                 continue
-            sentence = f"{what} '{name}' has no '{drive}' that could {can} it"
+            # Slings that steps can move have a chain hoist.
+            still = "mooring or tag line" if step.kind == "line" else what
+            sentence = f"{still} '{name}' has no '{drive}' that could {can} it"
             right = f"'{drive}: {{speed: 30 m/min, acceleration: 0.1 m/s^2}}'"
             findings.add(("plan", place, step.verb), f"{sentence}; give it one, such as {right}")
             continue
