@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -24,7 +24,7 @@ from gantline.scenario.kept_plumb import is_moved_by
 from gantline.scenario.movers import mover
 from gantline.scenario.rigging import SlingRigging
 from gantline.scenario.slinging import slings_on
-from gantline.scenario.steps import AlongStep, HoistStep, HoldStep
+from gantline.scenario.steps import AlongStep, HoistStep, HoldStep, LineStep, MovingStep
 from gantline.units import format_quantity
 
 __all__ = ["doubtful_hinges"]
@@ -46,8 +46,8 @@ def doubtful_hinges(
 ) -> Iterator[Doubt]:
     """Each step that hoists a load in a hinge to a tilt at which it stops too late, or that it never reaches.
 
-    Of one hook that nothing of the plan takes aside before, to which all slings lead, of known stiffness;
-    hinge and crane stand on the same vessel, or both in the yard.
+    Of one hook that nothing of the plan takes aside before, to which all slings lead, of known stiffness and
+    length; hinge and crane stand on the same vessel, or both in the yard.
 
     Args:
         parts: The system with all its bodies.
@@ -118,12 +118,19 @@ def _hoists(
 ) -> Iterator[tuple[int, HoistStep, Hook, list[SlingRigging]]]:
     """Steps that hoist to a tilt while the hinge holds, with their place in the plan, hook and slings."""
     aside: set[str] = set()
+    longer: dict[str, float] = {}
     for place, (step, on) in enumerate(zip(scenario.plan, slings_on(scenario), strict=True)):
         if name in step.open_hinges:
             return
         if isinstance(step, AlongStep):
             aside |= _taken_along(scenario, step)
-        slings = [one for one in rigging.slings.values() if one.name in on]
+        if isinstance(step, LineStep):
+            _pay_out(scenario, step, longer)
+        slings = [
+            replace(one, length=one.length + longer.get(one.name, 0.0))
+            for one in rigging.slings.values()
+            if one.name in on
+        ]
         hooks = {one.hook for one in slings}
         if not isinstance(step, HoistStep) or step.until is None or step.until.load_tilt is None:
             continue
@@ -132,18 +139,33 @@ def _hoists(
         known = scenario.hooks.get(hook)
         if gear or known is None or hook not in full_names(step.moved, scenario.hooks):
             continue
-        taken = aside.union(*(_taken_along(scenario, one) for one in _beside(scenario, place)))
+        beside = _beside(scenario, place)
+        taken = aside.union(*(_taken_along(scenario, one) for one in beside if isinstance(one, AlongStep)))
+        changing = dict.fromkeys((one.name for one in slings), 0.0)
+        for other in (one for one in beside if isinstance(one, LineStep)):
+            _pay_out(scenario, other, changing)
+        if any(changing.values()) or not all(math.isfinite(one.length) for one in slings):
+            continue
         if hook not in taken and _stand_alike(scenario, hinge, known):
             yield place, step, known, slings
 
 
-def _beside(scenario: Scenario, place: int) -> list[AlongStep]:
-    """Steps after one that go on beside it and take something along."""
-    found: list[AlongStep] = []
+def _pay_out(scenario: Scenario, step: LineStep, longer: dict[str, float]) -> None:
+    """Counts by how much a step makes slings longer [m]; no number where it does not say how much."""
+    for text in step.moved:
+        one = mover(scenario, step.kind, text)
+        if one is not None and one.kind == "sling":
+            name, way = one.name.removeprefix("sling."), math.nan if step.by is None else step.by
+            longer[name] = longer.get(name, 0.0) + step.direction * way
+
+
+def _beside(scenario: Scenario, place: int) -> list[MovingStep]:
+    """Steps after one that go on beside it and move something."""
+    found: list[MovingStep] = []
     for step in scenario.plan[place + 1 :]:
         if isinstance(step, HoldStep) or step.starts != "with_previous":
             break
-        if isinstance(step, AlongStep):
+        if isinstance(step, MovingStep):
             found.append(step)
     return found
 

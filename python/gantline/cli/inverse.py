@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 _WRITTEN = "wanted is written like 'slope_x=0 deg, slope_y=1 deg, heading=90 deg, S1=25 %'"
 _SLOPES = ("slope_x", "slope_y")
+#: Less than this is no step of the plan: 0.0000 m would stand there [m].
+_SHOWN = 5e-5
 
 
 @dataclass(frozen=True)
@@ -180,6 +182,8 @@ def _chain_hoists(answer: LengthAnswer) -> list[str]:
     ranges = {one.name: one.range for one in recording.rig.chain_hoists}
     lines = []
     for name, way in answer.chain_hoists.items():
+        if abs(way) < _SHOWN:
+            continue
         verb = "haul" if way < 0.0 else "veer"
         line = f"  {verb}: sling.{name}, by: {abs(way):.4f} m"
         room, out = ranges[name], float(recording.column("chain_paid_out", name)[-1]) + way

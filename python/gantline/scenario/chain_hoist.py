@@ -26,7 +26,7 @@ __all__ = ["ChainHoist", "chain_flow", "check_chain_hoists"]
 #: Time in which a chain hoist comes to its highest speed where the lift file has no acceleration [s].
 _STARTS_IN: Final = 1.0
 
-_Range = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
+_Range = Annotated[tuple[float, float], ListOf(Quantity("length"), 2, right="[-0.5 m, 1.5 m]")]
 
 
 class ChainHoist(Element):

@@ -120,6 +120,8 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
             if step.kind == "line" and sling in (findings.scenario.slings or {}):
                 sentence = f"sling '{sling}' has no 'chain_hoist' that could move it; give it one, such as "
                 sentence += "'chain_hoist: {speed: 1 m/min, rated_capacity: 20 t}'"
+            if step.kind in ("hook", "drum") and full_name(text, movers(findings.scenario, "line")):
+                sentence += "; 'haul' shortens what a chain hoist or winch moves, and 'veer' lets it out"
             findings.add(("plan", place, step.verb), sentence)
             continue
         one = known[name]
@@ -130,7 +132,9 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
                 right = "a line with a 'length' or 'pretension' and a 'winch' is moved by steps"
                 findings.add(("plan", place, step.verb), f"{sentence}; {right}")
                 continue
-            sentence = f"{what} '{name}' has no '{drive}' that could {can} it"
+            # Slings that steps can move have a chain hoist.
+            still = "mooring or tag line" if step.kind == "line" else what
+            sentence = f"{still} '{name}' has no '{drive}' that could {can} it"
             right = f"'{drive}: {{speed: 30 m/min, acceleration: 0.1 m/s^2}}'"
             findings.add(("plan", place, step.verb), f"{sentence}; give it one, such as {right}")
             continue

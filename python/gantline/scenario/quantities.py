@@ -283,6 +283,7 @@ class ListOf(Reader):
     count: int | None = None
     least: int = 1
     scalar: bool = False  # one value may stand alone, without brackets
+    right: str | None = None  # one that would do, where a value repeated would not
 
     def read(self, value: object) -> tuple[Any, ...]:
         """The values."""
@@ -324,6 +325,8 @@ class ListOf(Reader):
         return isinstance(given, str)
 
     def _example(self, given: object = None) -> str:
+        if self.right is not None:
+            return self.right
         if isinstance(self.item, Quantity) and self._is_item(given):
             one = str(given)
         elif isinstance(self.item, Quantity):

@@ -18,6 +18,7 @@ use super::search::{BALANCED, Stuck};
 use super::{NoEquilibrium, Rest, Statics};
 use crate::constraint::AnyConstraint;
 use crate::rope::coil::Coil;
+use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::coils::span_of;
 use crate::stepper::flows;
@@ -232,7 +233,7 @@ impl Statics {
     fn wind(&mut self, system: &System, state: &mut State, before: &Before) -> f64 {
         let mut most = 0.0_f64;
         self.doubt = 0.0;
-        let parted = |place: &CoilPlace| state.modes[place.row].is_absent();
+        let parted = |place: &CoilPlace| state.modes[place.row] == Mode::Parted;
         for (index, place) in system.coils.iter().enumerate().filter(|(_, place)| !parted(place)) {
             let old = &before.coils[index];
             let strains = [before.strains[index], strain(system, place, &self.search.here.frame, state)];

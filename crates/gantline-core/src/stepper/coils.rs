@@ -80,8 +80,9 @@ impl Frame {
             let outside = if strained { strain.max(0.0) } else { 0.0 };
             let (passing, feeding) = feeding(place, coil, q, outside);
             self.passing[index] = Passing { outside, strain: passing, supply: -scale * (1.0 + 0.5 * strain) };
-            // A drum on which a parted rope ends goes on, and takes nothing from what is left between guides.
-            self.feeding[index] = if mode.is_absent() { 0.0 } else { feeding };
+            // A drum on which a parted rope ends goes on, and takes nothing from what is left between guides. A sling that
+            // is not on gets longer and shorter by its chain hoist as one that is slack.
+            self.feeding[index] = if mode == Mode::Parted { 0.0 } else { feeding };
         }
     }
 
@@ -136,7 +137,7 @@ impl CoilTangent {
         for (index, (place, coil)) in system.coils.iter().zip(&state.coils).enumerate() {
             let Passing { outside, strain, .. } = frame.passing[index];
             // What a rope has that has parted does not change with what its drum turns.
-            let v = if state.modes[place.row].is_absent() { 0.0 } else { state.v[place.dof] };
+            let v = if state.modes[place.row] == Mode::Parted { 0.0 } else { state.v[place.dof] };
             let by_strain =
                 if coil.winds && outside > 0.0 { -frame.feeding[index] * v / (1.0 + strain) } else { 0.0 };
             slopes.push([by_strain, place.rate_slope(&state.q) * v / (1.0 + strain)]);
@@ -258,7 +259,7 @@ pub fn turn(system: &System, state: &mut State) -> bool {
 /// supply a function of how far the drum has turned. Of a rope that has parted nothing comes.
 pub fn place(system: &System, coils: &[Coil], modes: &[Mode], q: &mut [f64]) {
     for (place, coil) in system.coils.iter().zip(coils).filter(|(_, coil)| !coil.winds) {
-        if !modes[place.row].is_absent() {
+        if modes[place.row] != Mode::Parted {
             q[place.supply] = coil.let_go_at(place.wound(q));
         }
     }
@@ -282,7 +283,7 @@ pub fn remember(system: &System, state: &mut State, frame: &Frame) {
     let mut gained = 0.0;
     for (index, (place, coil)) in system.coils.iter().zip(&mut state.coils).enumerate() {
         let wound = place.wound(&state.q);
-        if state.modes[place.row].is_absent() {
+        if state.modes[place.row] == Mode::Parted {
             let held = place.stiffness * coil.bring_to(wound, 0.0);
             state.ledger.wound += held;
             state.ledger.flows.friction -= held;

@@ -44,21 +44,32 @@ pub fn act(system: &System, state: &mut State, frame: &Frame, log: &mut EventLog
 
 fn refuse_short(system: &System, state: &State, frame: &Frame, rope: usize) -> Result<(), StepError> {
     let length = system.ropes().nth(rope).map_or(0.0, |rope| rope.length);
-    too_short(system, frame, rope, ROUNDING * (1.0 + length), "here").map_or(Ok(()), |cause| {
+    too_short(system, frame, &state.q, rope, ROUNDING * (1.0 + length), "here").map_or(Ok(()), |cause| {
         Err(StepError { time: state.time, element: system.rope_name(rope).to_owned(), cause })
     })
 }
 
 /// What is wrong where a sling is to be put on, `when` in words, that is by more than `most` [m] too short for where `frame` has
-/// its ends.
-pub fn too_short(system: &System, frame: &Frame, rope: usize, most: f64, when: &str) -> Option<String> {
-    let short = frame.value[system.rows.first[rope]];
-    let length = system.ropes().nth(rope).map_or(0.0, |rope| rope.length);
-    (short > most).then(|| {
-        format!(
-            "it is to be put on {when}, is {length:.3} m long and {short:.3} m too short: its ends are {:.3} m apart; \
-             bring them nearer to each other in a step before, or make it longer",
-            length + short
-        )
-    })
+/// its ends, which belongs to the configuration `q`. It is as long as its chain hoist has made it.
+pub fn too_short(
+    system: &System,
+    frame: &Frame,
+    q: &[f64],
+    rope: usize,
+    most: f64,
+    when: &str,
+) -> Option<String> {
+    // Of a sling that is fed, or bends by a curve, the value of the row is no length.
+    if frame.value[system.rows.first[rope]] <= most {
+        return None;
+    }
+    let rope = system.ropes().nth(rope)?;
+    let length: f64 = rope.spans.iter().map(|span| span.unstretched(q)).sum();
+    let arcs: f64 = rope.spans.iter().map(|span| span.arcs).sum();
+    let apart = arcs + rope.straights(&frame.kinematics).map(|straight| straight.length).sum::<f64>();
+    Some(format!(
+        "it is to be put on {when}, is {length:.3} m long and {:.3} m too short: its ends are {apart:.3} m apart; \
+         bring them nearer to each other in a step before, or make it longer",
+        apart - length
+    ))
 }

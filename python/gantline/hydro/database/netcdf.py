@@ -196,6 +196,8 @@ def _of_body(found: Tables, body: str, name: str) -> Array | None:
     table = found[name]
     for over in ("body", "body_name"):
         if over in table.dims and body:
+            if over not in found:
+                return None  # which row is whose nothing says
             known = [text_of(one) for one in found[over].values]
             if body not in known:
                 return None

@@ -251,9 +251,10 @@ fn refuse_short(system: &System, state: &State, time: f64) -> Result<(), NoEquil
     frame.update(system, state);
     let when = format!("at {time:.2} s");
     put_on.try_for_each(|sling| {
-        slinging::too_short(system, &frame, sling.constraint, REACH, &when).map_or(Ok(()), |cause| {
-            Err(NoEquilibrium { element: system.rope_name(sling.constraint).to_owned(), cause })
-        })
+        slinging::too_short(system, &frame, &state.q, sling.constraint, REACH, &when)
+            .map_or(Ok(()), |cause| {
+                Err(NoEquilibrium { element: system.rope_name(sling.constraint).to_owned(), cause })
+            })
     })
 }
 
