@@ -457,4 +457,9 @@ def _held_until(step: HoldStep) -> str:
 def _pumped(scenario: Scenario, step: Any) -> Json:
     if not isinstance(step, PumpStep):
         return {}
-    return {"tanks": [name for name in ends_of_pump(scenario, step) if name is not None]}
+    return {
+        "tanks": [name for name in ends_of_pump(scenario, step) if name is not None],
+        "pump": [step.pump.from_, step.pump.to],
+        "pump_rate": step.rate,
+        "pump_by": step.by,
+    }

@@ -106,7 +106,7 @@ def _does(step: Step, hooks: set[str], lines: Mapping[str, str]) -> str:
         if names
     ]
     verb = "" if step.kind == "hold" else step.kind.replace("_", " ")
-    moved = f"{verb}{_moved(step, hooks)}{_speed(step)}{_way(step)}"
+    moved = f"{verb}{_moved(step, hooks)}{_speed(step)}{_way(step)}{_pumped(step)}"
     return "; ".join(part for part in (moved, *_still(step), *pins, *gear) if part)
 
 
@@ -145,11 +145,21 @@ def _way(step: Step) -> str:
     if way is None:
         return ""
     word, value = way
-    return f" {word} {_length(np.rad2deg(value), 'deg') if step.kind in _TURNING else _length(value, 'm')}"
+    return f" {word} {_given(np.rad2deg(value), 'deg') if step.kind in _TURNING else _given(value, 'm')}"
 
 
-def _length(value: float, unit: str) -> str:
-    """As somebody gave it, to the millimetre or the thousandth of a degree."""
+def _pumped(step: Step) -> str:
+    """From where to where it pumps, how fast and how much: a crew at the valves has no other sheet."""
+    if len(step.pump) != 2 or step.pump_rate is None:
+        return ""
+    source, target = step.pump
+    # Four digits, since a rate in t/h has often as many.
+    by = "" if step.pump_by is None else f" by {_given(step.pump_by / 1000.0, 't')}"
+    return f" {source} to {target} {3.6 * step.pump_rate:.4g} t/h{by}"
+
+
+def _given(value: float, unit: str) -> str:
+    """As somebody gave it, to the millimetre, the kilogram or the thousandth of a degree."""
     digits = f"{value:.3f}".rstrip("0").rstrip(".")
     return typeset(f"{'0' if digits == '-0' else digits} {unit}")
 

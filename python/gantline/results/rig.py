@@ -185,6 +185,9 @@ class Step(FromJson):
         require: Limits at its end: `{quantity: {"below": value}}` or `{"above": value}`, SI.
         drives: What it moves.
         tanks: Tanks that it pumps.
+        pump: From where to where it pumps, as the lift file names them; empty of other steps.
+        pump_rate: How much it pumps in a time [kg/s]; None of other steps.
+        pump_by: How much it pumps [kg]; None where a condition ends it.
         cut: Ropes that are cut as it begins.
         detach: Slings and ropes that are taken off then.
         attach: Slings that are put on then.
@@ -217,6 +220,9 @@ class Step(FromJson):
     require: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     drives: Sequence[str] = ()
     tanks: Sequence[str] = ()
+    pump: Sequence[str] = ()
+    pump_rate: float | None = None
+    pump_by: float | None = None
     cut: Sequence[str] = ()
     detach: Sequence[str] = ()
     attach: Sequence[str] = ()
