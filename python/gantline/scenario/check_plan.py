@@ -97,6 +97,20 @@ def _check_names(findings: Findings) -> None:
             findings.add(("plan", place, "step"), f"{sentence}; {right}")
 
 
+def _of_sling(scenario: Scenario, step: MovingStep, text: str) -> str | None:
+    """What is to be said of a sling that this step cannot move; None of anything else."""
+    name = text.removeprefix("sling.")
+    sling = (scenario.slings or {}).get(name)
+    if sling is None:
+        return None
+    if step.kind == "line":
+        sentence = f"sling '{name}' has no 'chain_hoist' that could move it; give it one, such as "
+        return sentence + "'chain_hoist: {speed: 1 m/min, rated_capacity: 20 t}'"
+    if sling.chain_hoist is None:
+        return None
+    return f"'{text}' is a sling; 'haul' shortens it by its chain hoist, and 'veer' lengthens it"
+
+
 def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
     """Each step moves what there is, once, and not faster than its hoist or drive can."""
     what, can, drive = _WORDS[step.kind]
@@ -113,11 +127,7 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
                 missing = "'slewing'" if crane.slewing_axis else "'slewing_axis' and 'slewing'"
                 sentence = f"the boom of '{text}' does not slew: it has no {missing}"
                 sentence += "; 'haul' and 'veer' of mooring lines take its vessel along"
-            sling = text.removeprefix("sling.")
-            if step.kind == "line" and sling in (findings.scenario.slings or {}):
-                sentence = f"sling '{sling}' has no 'chain_hoist' that could move it; give it one, such as "
-                sentence += "'chain_hoist: {speed: 1 m/min, rated_capacity: 20 t}'"
-            findings.add(("plan", place, step.verb), sentence)
+            findings.add(("plan", place, step.verb), _of_sling(findings.scenario, step, text) or sentence)
             continue
         one = known[name]
         moved.append(name if one is None else one.name)
@@ -142,7 +152,10 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
             right = f"its most is {said(step.kind, one.acceleration, 'acceleration')}"
             findings.add(("plan", place, "acceleration"), f"{sentence}; {right}")
     if len(set(moved)) < len(moved):
-        short = "line" if step.kind == "line" else what.partition(" ")[0]
+        short = what.partition(" ")[0]
+        if step.kind == "line":
+            twice = {name for name in moved if moved.count(name) > 1}
+            short = "sling" if all(name.startswith("sling.") for name in twice) else "line"
         findings.add(("plan", place, step.verb), f"names a {short} twice; each {short} stands once")
     return set(moved)
 
