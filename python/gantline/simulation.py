@@ -315,9 +315,9 @@ class Simulation:
 
         Args:
             variable: As in a recording, such as `rope_tension`, `body_position`, `hook_load`, `load_tilt`,
-                `sheave_travel`, `vessel_heel`; not those of cranes and tanks, such as `hook_height`: where
-                hooks are `drive_state` tells. What the core gives as it is, such as the first two, costs
-                least.
+                `sheave_travel`, `vessel_heel`, `tank_content`; not those of cranes, such as `hook_height`:
+                where hooks are `drive_state` tells. What the core gives as it is, such as the first two,
+                costs least.
             name: Name along it, such as `sling.S1`, as for `Recording.column`.
 
         Returns:
@@ -430,9 +430,10 @@ class Simulation:
         return warnings
 
     def _with_resting(self, found: Recording) -> Recording:
-        """The recording of a run that has ended, with how loads rest in ropes of `mechanics` or in water."""
-        is_asked = any(load.other_ropes or load.in_water is not None for load in self._rig.loads)
-        if not (self.ended and self.status == "done") or not is_asked:
+        """The recording of a run that has ended, with how loads rest of which slings alone do not tell."""
+        loads = self._rig.loads
+        asked = any(load.other_ropes or load.tanks or load.in_water is not None for load in loads)
+        if not (self.ended and self.status == "done" and asked):
             return found
         if self._question is None:
             return found

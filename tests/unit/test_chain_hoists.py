@@ -220,7 +220,7 @@ def test_put_on_by_a_step() -> None:
 @pytest.mark.parametrize(
     ("pairs", "message"),
     [
-        ([("[sling.B, C]", "sling.X")], r"haul: 'sling.X' is not a mooring line, tag line or sling with a"),
+        ([("[sling.B, C]", "sling.X")], r"haul: 'sling.X' is not a mooring or tag line, nor a sling with a"),
         ([("[sling.B, C]", "sling.A")], r"haul: sling 'A' has no 'chain_hoist' that could move it; give it"),
         ([("[sling.B, C]", "[sling.B, B]")], r"haul: names a sling twice; each sling stands once"),
         ([("speed: 1 m/min", "speed: 3 m/min")], r"speed: 3 m/min is faster than 'sling.B' can move; its"),

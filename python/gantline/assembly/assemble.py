@@ -36,6 +36,7 @@ from gantline.assembly.doubtful_sheaves import doubtful_sheaves
 from gantline.assembly.doubtful_stops import doubtful_stops
 from gantline.assembly.doubtful_strength import doubtful_strength
 from gantline.assembly.doubtful_supports import check_under_load, doubtful_supports
+from gantline.assembly.doubtful_tanks import doubtful_tanks
 from gantline.assembly.doubtful_turns import doubtful_turns
 from gantline.assembly.doubtful_vessels import doubtful_vessels
 from gantline.assembly.doubtful_waits import doubtful_waits
@@ -62,7 +63,7 @@ from gantline.assembly.supports import removals
 from gantline.assembly.tag_lines import add_tag_lines
 from gantline.assembly.under_load import UnderLoad, cut_to_load, under_load
 from gantline.assembly.vessels import add_vessels, watch_vessels
-from gantline.assembly.water import add_water
+from gantline.assembly.water import add_load_tanks, add_water
 from gantline.assembly.waves import add_waves
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Rigging, Scenario, StartError, resolve
@@ -162,6 +163,8 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
             raise StartError(scenario.source, [*beside, *error.problems]) from None
     add_mechanics(parts, scenario)
     add_water(parts, scenario)
+    if lifted is not None:
+        add_load_tanks(parts, scenario, lifted.centre)
     add_doubts_of_hulls(parts, scenario)
     if scenario.load is not None and lifted is not None:
         add_in_water(parts, scenario, scenario.load, lifted)
@@ -180,8 +183,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     add_touching(parts, scenario)
     kinds = rope_kinds(scenario, rigging)
     add_watches(parts, scenario, {name: kind.diameter for name, (kind, _) in kinds.items()})
-    mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]
-    parts.plan.extend(operations(scenario, rigging, parts, mass * scenario.simulation.gravity))
+    parts.plan.extend(operations(scenario, rigging, parts))
     parts.compensators.extend(compensators(scenario))
     add_compensation(parts, scenario)
     pulled_pins = map(add, pins.pulled, hinge_pins(scenario))
@@ -217,6 +219,7 @@ def _doubts(
         *doubtful_turns(scenario),
         *doubtful_waits(parts, scenario),
         *doubtful_vessels(parts, scenario),
+        *doubtful_tanks(scenario),
         *doubtful_fenders(parts, scenario),
         *doubtful_lee(parts, scenario),
         *doubtful_carried(parts, scenario),

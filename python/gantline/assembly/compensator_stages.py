@@ -47,7 +47,7 @@ def stages(scenario: Scenario, rigging: Rigging) -> Iterator[Stage]:
         gear = _gear_below(scenario, rigging, name)
         if gear is None:
             continue
-        mass = load.weight.simulated + gear + given.rod.mass
+        mass = load.mass_at_start + gear + given.rod.mass
         yield _stage(name, "in air", given, mass * gravity, mass)
         if load.in_water is not None:
             density = (scenario.water or Water()).density

@@ -35,7 +35,7 @@ def condition_of(
         rigging: who carries whom.
         parts: the system, all but its plan.
         condition: as the lift file says it.
-        weight: what the load weighs as it is simulated [N].
+        weight: what the load weighs as it is simulated, with what is in its tanks then [N].
         down: whether the step lowers; shares of the weight then count what is left.
         on: names of the slings that are on in the step: those count where none are named.
     """

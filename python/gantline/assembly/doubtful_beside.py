@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.lifted import LiftedLoad, shift_by_liquid
 from gantline.assembly.parts import Parts
 from gantline.assembly.plain import bodies_in_hook, ropes_ending_at, ropes_over
 from gantline.assembly.spatial import Array, about_axis, rotation_matrix
@@ -26,6 +27,8 @@ from gantline.scenario.movers import mover
 from gantline.scenario.plan import Step
 from gantline.scenario.slinging import slings_on
 from gantline.scenario.steps import AlongStep, HoistStep, HoldStep
+from gantline.scenario.tanks import contents_along, load_tanks
+from gantline.scenario.water import BallastTank
 from gantline.units import format_quantity
 
 __all__ = ["doubtful_beside"]
@@ -48,9 +51,9 @@ def doubtful_beside(
 ) -> Iterator[Doubt]:
     """Hooks that stand beside the centre of gravity of a load as it lifts off, with the way to go.
 
-    Nothing is said where one end alone is lifted, where what bears the hooks goes before that to where only
-    the run knows, of a load in water or in a hinge, which hold a part of its weight elsewhere, or where
-    `mechanics` hang in a hook.
+    What is in its tanks then counts, where that is known before. Nothing is said where one end alone is
+    lifted, where what bears the hooks goes before that to where only the run knows, of a load in water or in
+    a hinge, which hold a part of its weight elsewhere, or where `mechanics` hang in a hook.
 
     Args:
         parts: The system, with all its bodies.
@@ -74,6 +77,13 @@ def doubtful_beside(
     if load.stands_on is None and any(way != (0.0, 0.0) for way in gone.values()):
         return  # it may hang at the start, touch only later, and go along
     centre, turned = parts.pose(load.name)
+    filled = _filled(scenario, before)
+    if filled is None:
+        return
+    shift = shift_by_liquid(filled, lifted.mass, lifted.centre)
+    centre = centre + turned @ shift
+    from_there = {name: (np.array(at) - shift).tolist() for name, at in lifted.lugs.items()}
+    lifted = replace(lifted, corners=lifted.corners - shift, lugs=from_there)
     lugs = [(turned @ np.array(lifted.lugs[lug]))[:2] for lug in _lugs(rigging, on)]
     if not names or not lugs or any(way is None for way in gone.values()):
         return
@@ -91,6 +101,17 @@ def doubtful_beside(
     )
     if least > most:
         yield Doubt(scenario.hooks[names[0]].paths[""], _told(load.name, names, way))
+
+
+def _filled(scenario: Scenario, before: Sequence[Step]) -> list[BallastTank] | None:
+    """Tanks of the load with what is in them after some steps of the plan; None where that is not known."""
+    contents = contents_along(scenario)[len(before)]
+    found = []
+    for name, tank in load_tanks(scenario).items():
+        if contents[name].most > contents[name].least:
+            return None
+        found.append(tank.model_copy(update={"content": contents[name].least}))
+    return found
 
 
 def _told(load: str, names: Sequence[str], way: Array) -> str:

@@ -28,7 +28,7 @@ def doubtful_carried(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
     aside = {tag_rope(name) for name in scenario.tag_lines or {}}
     bearing = _bearing(parts, scenario.load.name, set(scenario.vessels or {}), aside)
     for name in (name for name in vessels if name in bearing):
-        share = scenario.load.weight.simulated / upright_hydrostatics(scenario, name, vessels[name]).mass
+        share = scenario.load.mass_at_start / upright_hydrostatics(scenario, name, vessels[name]).mass
         if share > _LIGHT:
             weighs = f"the load weighs {format_quantity(share, '%', 1)} of what {name} displaces"
             yield Doubt(

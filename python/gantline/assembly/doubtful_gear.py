@@ -134,7 +134,7 @@ def _soft_slings(scenario: Scenario) -> Iterator[Doubt]:
     slings, load = scenario.slings or {}, scenario.load
     if load is None or not slings:
         return
-    part = load.weight.simulated * scenario.simulation.gravity / len(slings)
+    part = load.mass_at_start * scenario.simulation.gravity / len(slings)
     defaults = scenario.sling_defaults
     used = {sling.rope or (None if defaults is None else defaults.rope) for sling in slings.values()}
     for name, rope in (scenario.ropes or {}).items():

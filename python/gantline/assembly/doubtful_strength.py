@@ -153,7 +153,7 @@ def _beside_the_load(scenario: Scenario) -> Iterator[Doubt]:
     for path, _, key, value in _values(scenario, ()):
         is_beside = path[0] in ("supports", "lug_types") or path[:2] == ("load", "lugs")
         if is_beside and key == "capacity" and isinstance(value, float):
-            times = value / load.weight.design
+            times = value / (load.weight.design + load.room)
             if times > _TIMES_THE_LOAD and value > _FROM_THE_SHOP:
                 yield Doubt(path, f"{_mass(value)}: {times:,.0f} times all of the load; {_SLIPPED}")
 

@@ -1,8 +1,7 @@
-"""What cannot well be meant of vessels: inertia out of scale, tanks in one place, damping twice."""
+"""What cannot well be meant of vessels: inertia out of scale, damping twice."""
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Iterator
 
@@ -13,9 +12,7 @@ from gantline.assembly.parts import Parts
 from gantline.assembly.vessels import upright_hydrostatics, vessel_hull
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
-from gantline.scenario.steps import PumpStep
 from gantline.scenario.vessel import Vessel
-from gantline.scenario.water import BallastTank
 from gantline.units import format_by_size, format_quantity
 
 __all__ = ["doubtful_vessels"]
@@ -35,8 +32,6 @@ _ADDED = {
     "pitch": (5e-4, 10.0),
     "yaw": (2e-4, 10.0),
 }
-#: Share of the smaller of two tanks that may be in the other one, by rounding of their places.
-_SHARED = 0.01
 #: Shares of critical damping beside what `radiation` takes of a motion: what hull and lines add to that [1].
 _BESIDE_WAVES = {"heave": 0.1, "pitch": 0.1, "roll": 0.2}
 #: Periods of surge, sway and yaw on moorings, stiff fenders of a quay and slack chains included [s].
@@ -45,12 +40,10 @@ _PERIODS = (3.0, 600.0)
 _SLACK = (2.0, 20.0)
 #: Fairleads and turrets lie so far below a keel at the most [m].
 _UNDER_KEEL = 2.0
-#: The largest ballast systems of crane vessels pump a third of this [kg/s].
-_PUMPED = 6e4 * 1e3 / 3600.0
 
 
 def doubtful_vessels(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
-    """What is doubtful about each vessel, its mooring lines and its pumps.
+    """What is doubtful about each vessel and its mooring lines.
 
     Raises:
         ScenarioError: if the file of a hull cannot be used.
@@ -66,15 +59,8 @@ def doubtful_vessels(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
             *_high_sides(vessel, float(breadth)),
         ):
             yield Doubt((*path, *key), f"{name} {sentence}")
-        for (one, first), (other, second) in itertools.combinations((vessel.tanks or {}).items(), 2):
-            shared = _shared(first, second)
-            if shared > _SHARED * min(math.prod(first.box), math.prod(second.box)):
-                size = format_quantity(shared, "m^3", 0)
-                sentence = f"tanks {one} and {other} of {name} are in one place, {size} of them"
-                yield Doubt((*path, "tanks", other), f"{sentence}: 'bottom' is the middle of a tank's bottom")
         yield from _under_keel(scenario, name, vessel)
     yield from _long_lines(parts, scenario)
-    yield from _fast_pumps(scenario)
 
 
 def _radii(vessel: Vessel, length: float, breadth: float) -> Iterator[tuple[tuple[str, ...], str]]:
@@ -175,20 +161,6 @@ def _under_keel(scenario: Scenario, name: str, vessel: Vessel) -> Iterator[Doubt
                 yield Doubt(("mooring_lines", line, key), sentence)
 
 
-def _shared(one: BallastTank, other: BallastTank) -> float:
-    """Volume that two tanks have in common [m^3]."""
-    sides = []
-    for axis in range(3):
-        (low, high), (under, over) = (_extent(tank, axis) for tank in (one, other))
-        sides.append(max(0.0, min(high, over) - max(low, under)))
-    return math.prod(sides)
-
-
-def _extent(tank: BallastTank, axis: int) -> tuple[float, float]:
-    start = tank.bottom[axis] - (0.0 if axis == 2 else tank.box[axis] / 2)
-    return start, start + tank.box[axis]
-
-
 def _long_lines(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
     """Mooring lines so long that they hold nothing: on a bed they lie in heaps."""
     for name, line in (scenario.mooring_lines or {}).items():
@@ -201,11 +173,3 @@ def _long_lines(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
             yield Doubt(
                 ("mooring_lines", name, "length"), f"{sentence}: it is slack, and holds next to nothing"
             )
-
-
-def _fast_pumps(scenario: Scenario) -> Iterator[Doubt]:
-    """Steps that pump as no vessel does."""
-    for place, step in enumerate(scenario.plan):
-        if isinstance(step, PumpStep) and step.rate > _PUMPED:
-            sentence = f"step '{step.step}' pumps {step.rate * 3.6:,.0f} t in an hour"
-            yield Doubt(("plan", place, "rate"), f"{sentence}, more than any ballast system: see its unit")

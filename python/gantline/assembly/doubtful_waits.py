@@ -67,7 +67,8 @@ def _hangable(parts: Parts, scenario: Scenario, hook: str) -> float:
     def is_fixed(body: str) -> bool:
         return body == hook or any(body == one or body.startswith((f"{one}.", f"{one}/")) for one in fixed)
 
-    return float(sum(body["mass"] for name, body in parts.bodies.items() if not is_fixed(name)))
+    bodies = sum(body["mass"] for name, body in parts.bodies.items() if not is_fixed(name))
+    return float(bodies) + (0.0 if scenario.load is None else scenario.load.room)
 
 
 def _like(said: Weighing, mass: float, gravity: float) -> Weighing:

@@ -29,10 +29,13 @@ def doubtful_weight(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
     if any(not opened_in(scenario, hinge) for hinge in scenario.hinges or {}):
         return
     hooks = {sling.hook for sling in rigging.slings.values()} & set(scenario.hooks)
-    mass = scenario.load.weight.simulated
+    # Under water what is in its tanks weighs nothing.
+    load, is_dry = scenario.load, scenario.load.in_water is None
+    mass = load.mass_at_start if is_dry else load.weight.simulated
     carried = _carried_by(scenario, hooks) / scenario.simulation.gravity
     if hooks and mass > carried:
-        weighs = f"the load weighs {format_by_size(mass, 'mass', 4)}"
+        beside = " with what is in its tanks" if mass > load.weight.simulated else ""
+        weighs = f"the load weighs {format_by_size(mass, 'mass', 4)}{beside}"
         slipped = "; a unit or digit has slipped" if mass > _SLIPPED * carried else ""
         rated = format_by_size(carried, "mass", 4)
         sentence = f"{weighs}, and what its slings hang from may carry {rated} in all{slipped}"

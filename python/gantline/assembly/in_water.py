@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -73,12 +74,15 @@ def add_in_water(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoa
 
 
 def displaced_volume(given: InWater, load: Load) -> float:
-    """What it displaces, wholly wet [m^3]."""
-    return load.weight.simulated / STEEL if given.displaced_volume is None else given.displaced_volume
+    """What it displaces, wholly wet, with the inside of its tanks [m^3]."""
+    of_steel = load.weight.simulated / STEEL + load.room_volume
+    return of_steel if given.displaced_volume is None else given.displaced_volume
 
 
 def _lattices(given: InWater, load: Load, box: Array, centre: Array, density: float) -> Iterator[Json]:
-    """Its cells, from its centre of gravity: layers of four, and where it slams others with what slams.
+    """Its cells, from its centre of gravity: layers of four, of tanks too, and of what slams where it does.
+
+    What a tank displaces is where the tank is: full of the water around it weighs nothing there.
 
     Args:
         given: What water does to it.
@@ -93,7 +97,13 @@ def _lattices(given: InWater, load: Load, box: Array, centre: Array, density: fl
     added = np.array(given.added_mass)
     depth = given.slamming_depth(float(sides[2]), density)
     slamming = np.zeros(3) if depth is None else added * [0.0, 0.0, 1.0]
-    yield _lattice(box - centre, height, displaced_volume(given, load), added - slamming, drag)
+    members = displaced_volume(given, load) - load.room_volume
+    yield _lattice(box - centre, height, members, added - slamming, drag)
+    for tank in (load.tanks or {}).values():
+        (x, y, z), sizes = tank.bottom, np.array(tank.box)
+        least = np.array([x - sizes[0] / 2, y - sizes[1] / 2, z])
+        inside = np.array([least, least + sizes]) - centre
+        yield _lattice(inside, tank.box[2], math.prod(tank.box), np.zeros(3), np.zeros(3))
     if depth is not None:
         yield _lattice(box - centre, depth, 0.0, slamming, np.zeros(3))
 
@@ -123,10 +133,11 @@ def _lattice(box: Array, height: float, volume: float, added: Array, drag: Array
 
 def _floats(given: InWater, load: Load, density: float) -> Iterator[Doubt]:
     """Of a load that water bears."""
-    displaced, weight = density * displaced_volume(given, load), load.weight.simulated
+    displaced, weight = density * displaced_volume(given, load), load.mass_at_start
     if displaced >= weight:
         carried, weighs = (format_by_size(mass, "mass", 4) for mass in (displaced, weight))
-        sentence = f"the load floats: it weighs {weighs} and displaces {carried} of water"
+        beside = " with what is in its tanks at the start" if load.tanks else ""
+        sentence = f"the load floats: it weighs {weighs}{beside} and displaces {carried} of water"
         yield Doubt(("load", "in_water"), f"{sentence}; ropes go slack where it has sunk in so far")
 
 

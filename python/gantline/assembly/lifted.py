@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,7 @@ from gantline.assembly.spatial import (
 )
 from gantline.assembly.under_load import UnderLoad
 from gantline.assembly.underground import under_ground
+from gantline.assembly.water import frozen
 from gantline.assembly.yard import lower_lump
 from gantline.cad.mass_properties import point_inertia
 from gantline.scenario import Rigging, Scenario
@@ -30,8 +32,9 @@ from gantline.scenario.check_supports import foot_of
 from gantline.scenario.errors import StartError
 from gantline.scenario.load import Load
 from gantline.scenario.structures import dock_of
+from gantline.scenario.water import BallastTank
 
-__all__ = ["LiftedLoad", "add_load", "lifted_load"]
+__all__ = ["LiftedLoad", "add_load", "lifted_load", "shift_by_liquid"]
 
 #: Lugs that a warning names.
 _MOST_NAMED = 5
@@ -54,6 +57,8 @@ class LiftedLoad:
         corners: corners of its box from the centre of gravity (8, 3) [m]; the lower four first.
         lugs: position of each lug from the centre of gravity [m].
         body: the load by itself, measured from its datum.
+        contents: mass of the liquid in its tanks at the start [kg]: no part of the mass above.
+        shift: from the centre of gravity to that with this liquid, upright (3,) [m].
     """
 
     mass: float
@@ -62,6 +67,18 @@ class LiftedLoad:
     corners: Array
     lugs: dict[str, list[float]]
     body: LoadBody
+    contents: float = 0.0
+    shift: Array = field(default_factory=lambda: np.zeros(3))
+
+    @property
+    def mass_at_start(self) -> float:
+        """With what is in its tanks [kg]."""
+        return self.mass + self.contents
+
+    @property
+    def centre_at_start(self) -> Array:
+        """Centre of gravity with that, upright, from the datum (3,) [m]."""
+        return self.centre + self.shift
 
 
 def lifted_load(scenario: Scenario, load: Load, rigging: Rigging) -> LiftedLoad:
@@ -89,7 +106,24 @@ def lifted_load(scenario: Scenario, load: Load, rigging: Rigging) -> LiftedLoad:
     around = [(left, back), (right, back), (right, front), (left, front)]
     corners = np.array([(*plan, height) for height in (low, high) for plan in around]) - centre
     lugs = {name: [float(part) for part in np.array(lug.at) - centre] for name, lug in load.lugs.items()}
-    return LiftedLoad(mass, centre, inertia, corners, lugs, body)
+    shift = shift_by_liquid((load.tanks or {}).values(), mass, centre)
+    return LiftedLoad(mass, centre, inertia, corners, lugs, body, load.contents, shift)
+
+
+def shift_by_liquid(tanks: Iterable[BallastTank], mass: float, centre: Array) -> Array:
+    """How far what is in tanks moves a centre of gravity, upright (3,) [m].
+
+    Args:
+        tanks: With their contents.
+        mass: Of the load without them [kg].
+        centre: Its centre of gravity, from its datum (3,) [m].
+    """
+    filled = list(tanks)
+    total = mass + math.fsum(tank.content for tank in filled)
+    shift = np.zeros(3)
+    for tank in filled:
+        shift += tank.content / total * (np.array(frozen(tank)[0]) - centre)
+    return shift
 
 
 def add_load(
@@ -117,8 +151,8 @@ def add_load(
     position = np.array(load.position) + rotation_matrix(orientation) @ lifted.centre
     if scenario.load_has_settled and not scenario.hinges:  # in a hinge statics finds where it comes to rest
         height, turn = _at_rest(parts, scenario, load, lifted, orientation, under)
-        position[2] = height
         orientation = quaternion_product(turn, orientation)
+        position[2] = height - (rotation_matrix(orientation) @ lifted.shift)[2]
     own: dict[str, Any] = {"mass": lifted.mass, "inertia": inertia_list(lifted.inertia)}
     start = [float(part) for part in position], orientation
     if scenario.hinges:
@@ -175,17 +209,17 @@ def _at_rest(
     orientation: list[float],
     under: Sequence[UnderLoad],
 ) -> tuple[float, list[float]]:
-    """Height of the centre of gravity and the turn from the given attitude when the load has settled."""
+    """Height of the centre of gravity, with contents, and the turn from the given attitude once settled."""
     if load.stands_on != "ground":
         own = [one for one in under if one.support.group == load.stands_on]
         return _on_supports(parts, scenario, load, lifted, orientation, own)
     ground = scenario.ground
     assert ground is not None  # a load that stands on the ground has been checked to have one
-    corners = lifted.corners @ rotation_matrix(orientation).T
-    weight = lifted.mass * scenario.simulation.gravity
+    corners = (lifted.corners - lifted.shift) @ rotation_matrix(orientation).T
+    weight = lifted.mass_at_start * scenario.simulation.gravity
     depth = weight / (4 * ground.stiffness)
     if depth > _DEEPEST * float(np.ptp(corners[:, 2])):
-        sentence = f"the load of {lifted.mass / 1e3:.7g} t would sink {depth:.3g} m into this ground"
+        sentence = f"the load of {lifted.mass_at_start / 1e3:.7g} t would sink {depth:.3g} m into this ground"
         right = "a greater stiffness is right, such as 200 MN/m, or a smaller weight"
         raise scenario.start_error(("ground", "stiffness"), f"{sentence}; {right}")
     try:
@@ -213,10 +247,11 @@ def _on_supports(
     foot = foot_of(scenario, under[0].group)
     bottom = _bottom(load, lifted, turned, under)
     stiffness = float(np.mean([one.stiffness for one in supports]))
-    weight = lifted.mass * scenario.simulation.gravity
+    weight = lifted.mass_at_start * scenario.simulation.gravity
     depth = weight / (len(supports) * stiffness)
     if depth > min(highest, _DEEPEST * float(np.ptp((lifted.corners @ turned.T)[:, 2]))):
-        sentence = f"the load of {lifted.mass / 1e3:.7g} t would sink {depth:.3g} m into '{load.stands_on}'"
+        weighs = f"the load of {lifted.mass_at_start / 1e3:.7g} t"
+        sentence = f"{weighs} would sink {depth:.3g} m into '{load.stands_on}'"
         right = "a greater stiffness is right, such as 100 MN/m, or a smaller weight"
         raise scenario.start_error(("supports", load.stands_on, "stiffness"), f"{sentence}; {right}")
     try:
@@ -230,14 +265,14 @@ def _on_supports(
 
 
 def _bottom(load: Load, lifted: LiftedLoad, turned: Array, under: Sequence[UnderLoad]) -> Array:
-    """What of the load is over each support, from its centre of gravity (supports, 3) [m].
+    """What of the load is over each support, from its centre of gravity with contents (supports, 3) [m].
 
     A support that is lower than the highest is one under a point that is higher.
     """
     highest = max(one.support.height for one in under)
     lower = np.array([highest - one.support.height for one in under])
     if lifted.body.surface is not None:
-        centre = np.array(load.position) + turned @ lifted.centre
+        centre = np.array(load.position) + turned @ lifted.centre_at_start
         found = np.array([one.place for one in under]) - centre
         found[:, 2] += lower
         return found
@@ -248,8 +283,8 @@ def _bottom(load: Load, lifted: LiftedLoad, turned: Array, under: Sequence[Under
     else:
         upright = rotation_matrix(about_axis((0.0, 0.0, 1.0), group.heading))
         places = places @ upright.T - np.array(load.position)
-    bottom: Array = places - turned @ lifted.centre
-    bottom[:, 2] = float(lifted.corners[:, 2].min()) + lower
+    bottom: Array = places - turned @ lifted.centre_at_start
+    bottom[:, 2] = float(lifted.corners[:, 2].min()) - lifted.shift[2] + lower
     return bottom
 
 
@@ -267,7 +302,8 @@ def _balances(scenario: Scenario, supports: str) -> StartError:
 
 def _tips_over(scenario: Scenario, lifted: LiftedLoad, what: str, low: str = "") -> StartError:
     # Adding 0 takes the sign off a zero.
-    x, y, _ = np.round(lifted.centre, 3) + 0.0
-    sentence = f"the load would tip over: its centre of gravity, with rigging, is at ({x:g}, {y:g}) m"
+    x, y, _ = np.round(lifted.centre_at_start, 3) + 0.0
+    beside = "rigging and what is in its tanks" if lifted.contents else "rigging"
+    sentence = f"the load would tip over: its centre of gravity, with {beside}, is at ({x:g}, {y:g}) m"
     advice = f"which is not well within the {what} it stands on; move it towards the middle"
     return scenario.start_error(("load", "centre_of_gravity"), f"{sentence}, {advice}{low and f'; {low}'}")

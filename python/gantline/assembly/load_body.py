@@ -20,6 +20,7 @@ from gantline.cad.simplify import HullSides, contact_hull, hull_sides
 from gantline.scenario import Scenario
 from gantline.scenario.check_load import Extent, attached, check_attached, check_centre, check_underside
 from gantline.scenario.check_supports import check_places
+from gantline.scenario.check_tanks import check_load_tanks
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
@@ -339,6 +340,7 @@ def _check(scenario: Scenario, load: Load, box: Array, centre: Array) -> None:
     whose = ", by CAD and outfitting," if load.centre_of_gravity.at == "from_cad" else ""
     check_centre(findings, (x, y, z), (low, high), whose)
     check_attached(findings, load, (low, high))
+    check_load_tanks(findings, load.tanks, (low, high))
     check_places(findings, low, high)
     if load.is_at_origin:
         check_underside(findings, load, load.position[2] + low[2])

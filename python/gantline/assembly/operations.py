@@ -17,7 +17,7 @@ from gantline.scenario.movers import Mover, boom_angles, boom_angles_at_end, mov
 from gantline.scenario.plan import Step
 from gantline.scenario.slinging import slings_on
 from gantline.scenario.steps import AlongStep, HoldStep, LowerStep, MovingStep, PayOutStep, PumpStep
-from gantline.scenario.tanks import ends_of_pump, tanks_of
+from gantline.scenario.tanks import contents_of_load, ends_of_pump, tanks_of
 
 __all__ = [
     "along_drive",
@@ -58,9 +58,11 @@ def turned_drive(upper: str) -> str:
     return f"{upper}/turned.slew"
 
 
-def operations(scenario: Scenario, rigging: Rigging, parts: Parts, weight: float) -> list[Json]:
-    """Steps of the document; `weight` is what the load weighs as it is simulated [N]."""
+def operations(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
+    """Steps of the document."""
     found = []
+    mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]
+    contents = contents_of_load(scenario)
     angles = zip(boom_angles(scenario), boom_angles_at_end(scenario), strict=True)
     each = zip(scenario.plan, angles, slings_on(scenario), strict=True)
     for place, (step, (before, after), on) in enumerate(each):
@@ -73,6 +75,8 @@ def operations(scenario: Scenario, rigging: Rigging, parts: Parts, weight: float
         if isinstance(step, AlongStep) and step.keep_plumb:
             made["until"] = followed(scenario, rigging, parts, step, step.keep_plumb)
         if step.until is not None:
+            # Known where a step waits for a share of it, see `gantline.scenario.check_pumps`.
+            weight = (mass + contents[place].least) * scenario.simulation.gravity
             down = isinstance(step, (LowerStep, PayOutStep))
             made["until"] = condition_of(scenario, rigging, parts, step.until, weight, down=down, on=on)
         if place == 0 and made["start_at"] is None:

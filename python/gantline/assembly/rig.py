@@ -41,7 +41,7 @@ from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.steps import AlongStep, HoldStep, MovingStep, PumpStep
 from gantline.scenario.stream import Wind
-from gantline.scenario.tanks import ends_of_pump, tanks_of
+from gantline.scenario.tanks import SEA, ends_of_pump, load_tanks, tanks_of
 
 __all__ = ["rig"]
 
@@ -166,6 +166,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "other_ropes": _other_ropes(scenario, load.name),
         "contact_group": load.name if contacts else None,
         "in_water": None if load.in_water is None else in_water_name(load.name),
+        **({"tanks": tanks} if (tanks := list(load_tanks(scenario))) else {}),
         "contacts": contacts,
         **({"meets": met} if (met := parts.met_by(load.name)) else {}),
         "lugs": {name: _lug(scenario, lug, lifted.lugs[name]) for name, lug in load.lugs.items()},
@@ -457,9 +458,7 @@ def _held_until(step: HoldStep) -> str:
 def _pumped(scenario: Scenario, step: Any) -> Json:
     if not isinstance(step, PumpStep):
         return {}
-    return {
-        "tanks": [name for name in ends_of_pump(scenario, step) if name is not None],
-        "pump": [step.pump.from_, step.pump.to],
-        "pump_rate": step.rate,
-        "pump_by": step.by,
-    }
+    ends = ends_of_pump(scenario, step)
+    way = [SEA if name is None else name for name in ends]
+    much = {} if step.by is None else {"pumped": step.by}
+    return {"tanks": [name for name in ends if name is not None], "pumps": way, "rate": step.rate, **much}

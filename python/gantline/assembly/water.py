@@ -9,12 +9,13 @@ from gantline.assembly.parts import Json, Parts
 from gantline.assembly.radiation import add_radiation
 from gantline.assembly.spatial import Array, inertia_list, inertia_matrix
 from gantline.assembly.water_matrix import water_matrix
+from gantline.hydro import Hull
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
-from gantline.scenario.tanks import bodies_afloat, pumped_tanks
+from gantline.scenario.tanks import bodies_afloat, load_tanks, pumped_tanks
 from gantline.scenario.water import AddedMass, Afloat, BallastTank, Water, WaterDamping
 
-__all__ = ["add_water", "frozen", "hull_name", "pump_drive"]
+__all__ = ["add_load_tanks", "add_water", "frozen", "hull_name", "pump_drive"]
 
 
 def pump_drive(tank: str) -> str:
@@ -43,6 +44,21 @@ def add_water(parts: Parts, scenario: Scenario) -> None:
             else:
                 _fill(parts, name, full, tank)
         _around(parts, scenario, name, body, water)
+
+
+def add_load_tanks(parts: Parts, scenario: Scenario, centre: Array) -> None:
+    """Add what is in tanks of the load, or will be: a weight of its own, so that the load's stays what it is.
+
+    Args:
+        parts: With the load, whose frame is at its centre of gravity.
+        scenario: The lift.
+        centre: That, from its datum (3,) [m].
+    """
+    load, level, pumped = scenario.load, (scenario.water or Water()).level, pumped_tanks(scenario)
+    for full, tank in load_tanks(scenario).items():
+        if load is not None and (full in pumped or tank.content > 0.0):
+            x, y, z = (float(part) for part in np.array(tank.bottom) - centre)
+            _let_pump(parts, load.name, full, tank.model_copy(update={"bottom": (x, y, z)}), level)
 
 
 def _around(parts: Parts, scenario: Scenario, name: str, body: Afloat, water: Water) -> None:
@@ -98,6 +114,8 @@ def _let_pump(parts: Parts, body: str, name: str, tank: BallastTank, level: floa
 
 
 def _tank(body: str, name: str, tank: BallastTank) -> Json:
-    mesh = box_mesh(tank.box, tank.bottom).document
-    liquid = {"density": tank.density, "volume": min(tank.content, tank.capacity) / tank.density}
-    return {"type": "tank", "name": name, "body": body, **mesh, **liquid}
+    mesh = box_mesh(tank.box, tank.bottom)
+    # The mesh of a box far from the origin encloses less than its sides make, by rounding.
+    room = Hull(name, mesh.vertices, mesh.triangles).closure.volume
+    liquid = {"density": tank.density, "volume": min(tank.content / tank.density, room)}
+    return {"type": "tank", "name": name, "body": body, **mesh.document, **liquid}

@@ -22,6 +22,7 @@ from gantline.results.alike import earliest_peak
 from gantline.results.gear import Compensator, Sling, Spreader
 from gantline.results.pinned import pinned_as_at
 from gantline.results.recording import Recording
+from gantline.results.rig import Load
 from gantline.results.skew import skew_loads
 from gantline.results.upper_end import own_weight, peak_at_upper_end
 from gantline.results.variable import BoolArray, FloatArray
@@ -247,7 +248,9 @@ def hook_force(
     """Static and dynamic hook load or hoist load of one or more hooks together.
 
     Only what hangs in the hook is raised by the rule's factor, not hook block and falls. Spreaders and
-    compensators weigh what they weigh: the design weight is one of loads.
+    compensators weigh what they weigh, and so does what is in tanks of a load that hangs in these hooks
+    alone: the design weight is one of loads. How several hooks share a liquid is not known, and all of it is
+    raised.
 
     Args:
         recording: The recording.
@@ -267,6 +270,8 @@ def hook_force(
         gear = _gear_below(recording, sling, window)
         more += (design_ratio(recording, sling.to_load) - 1.0) * max(share - gear, 0.0)
         by_slings += share
+    for load in rig.loads:
+        more -= (design_ratio(recording, load.name) - 1.0) * _liquid(recording, load, names, window)
     static = series.static_value(recording, hook_load, window)
     if static is not None and any(hook.bears_mechanics for hook in rig.hooks if hook.name in names):
         # What hangs there by other ropes is not known: all of it is raised, gear too.
@@ -274,6 +279,18 @@ def hook_force(
     falls = series.static_value(recording, total - hook_load, window) or 0.0
     force = replace(_hook_force(recording, static, more, falls), window=window)
     return _with_peak_of(recording, force, total, during)
+
+
+def _liquid(recording: Recording, load: Load, hooks: Sequence[str], window: BoolArray | None) -> float:
+    """What weighs in tanks of a load that hangs still in some hooks alone, in air [N]; nothing of others."""
+    rig = recording.rig
+    others = {rig.hook_of(one) for one in rig.slings} & {hook.name for hook in rig.hooks} - set(hooks)
+    if window is None or not load.tanks or others or load.other_ropes or rig.hinges:
+        return 0.0
+    if series.is_wet(recording)[window].any():
+        return 0.0
+    liquid = series.load_weight(recording, load) - load.weight
+    return series.static_value(recording, liquid, window) or 0.0
 
 
 def _gear_below(recording: Recording, sling: Sling, window: BoolArray | None) -> float:

@@ -9,6 +9,7 @@ import numpy as np
 from gantline.checks.check import Check, Verdict
 from gantline.checks.forces import design_ratio, raised_of_capacity
 from gantline.checks.measure import Finding, Missing
+from gantline.results import series
 from gantline.results.hinges import HINGE_OPENED, hinge_force, is_shut
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
@@ -51,7 +52,8 @@ def opened(recording: Recording) -> list[Check]:
         before = np.flatnonzero(is_shut(recording, hinge))
         verdict, remark = Verdict.WARNING, _UNKNOWN
         if before.size:
-            verdict, remark = _let_go(float(hinge_force(recording, hinge)[before[-1]]), load)
+            weight = series.load_weight(recording, load)[before[-1]]
+            verdict, remark = _let_go(float(hinge_force(recording, hinge)[before[-1]]), load, float(weight))
         checks.append(
             Check(
                 "hinge_opens_unloaded",
@@ -66,11 +68,11 @@ def opened(recording: Recording) -> list[Check]:
     return checks
 
 
-def _let_go(force: float, load: Load) -> tuple[Verdict, str]:
-    """What a force is that a hinge lets go [N], and what would be right."""
-    share = f"{100.0 * force / load.weight:.3g} % of what {load.name} weighs"
+def _let_go(force: float, load: Load, weight: float) -> tuple[Verdict, str]:
+    """What a force is that a hinge lets go [N] of a load that weighs so much then [N], and what is right."""
+    share = f"{100.0 * force / weight:.3g} % of what {load.name} weighs"
     borne = f"it bore {format_quantity(force, 'kN', 1)}, {share}"
-    if force <= _LET_GO * load.weight:
+    if force <= _LET_GO * weight:
         return Verdict.OK, borne
     right = "bring its hook over it, and hoist or lower until the hinge bears next to nothing"
     return Verdict.FAILED, f"{borne}; {right}"

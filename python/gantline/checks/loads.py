@@ -69,7 +69,8 @@ def transferred(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 def on_their_tip(recording: Recording) -> list[Check]:
     """A failure for each load or spreader that hung still unstably: nothing in a run need push it.
 
-    Of a load that ropes of `mechanics` bear an equilibrium tells, where the run has found one.
+    Of a load that ropes of `mechanics` bear, or with liquid in its tanks, an equilibrium tells, where the run
+    has found one.
     """
     meaning = "what hangs comes back where something pushes it"
     checks = []
@@ -87,16 +88,16 @@ def on_their_tip(recording: Recording) -> list[Check]:
         )
     for one in recording.rig.loads:
         checks += _resting(one, meaning)
-    unknown = {} if recording.is_equilibrium else unknown_whether_upright(recording)
-    for load, ropes in unknown.items():
-        none = f"no equilibrium was found in which {load} hangs clear in {named(ropes)}"
+    for one in [] if recording.is_equilibrium else unknown_whether_upright(recording):
+        held = f"in {named(one.other_ropes)}" if one.other_ropes else f"with liquid in {named(one.tanks)}"
+        none = f"no equilibrium was found in which {one.name} hangs clear {held}"
         remark = f"{none}: whether a push rolls it over is not known; 'gantline statics' shows where it rests"
-        checks.append(Check("hangs_stably", Verdict.WARNING, meaning, element=load, remark=remark))
+        checks.append(Check("hangs_stably", Verdict.WARNING, meaning, element=one.name, remark=remark))
     return checks
 
 
 def _resting(load: Load, meaning: str) -> Iterator[Check]:
-    """A failure of the first time that a load hung still unstably in ropes of `mechanics`, else a warning."""
+    """A failure of the first time that a load hung still unstably by an equilibrium, else a warning."""
     check = Check("hangs_stably", Verdict.FAILED, meaning, element=load.name)
     for one in [one for one in load.resting if one.leads_away][:1]:
         remark = (
@@ -104,7 +105,8 @@ def _resting(load: Load, meaning: str) -> Iterator[Check]:
         )
         yield replace(check, time=one.time, remark=remark)
         return
-    for one in [one for one in load.resting if one.aside > _ASIDE][:1]:
+    # In slings alone a load that still swings is aside of where it rests, too, and comes back.
+    for one in [one for one in load.resting if one.aside > _ASIDE and load.other_ropes][:1]:
         angle = format_quantity(one.aside, "deg", 1)
         remark = f"by statics it comes to rest {angle} from where the run has it: 'gantline statics' shows it"
         yield replace(check, verdict=Verdict.WARNING, time=one.time, remark=remark)
@@ -118,7 +120,8 @@ def held_by_tag_lines(recording: Recording) -> list[Check]:
             most, time = series.rope_peak(recording, line.rope)
             if most <= BEARS * load.weight:
                 continue
-            share = format_quantity(most / load.weight, "%", 0)
+            weight = series.load_weight(recording, load)
+            share = format_quantity(most / float(np.interp(time, recording.time, weight)), "%", 0)
             remark = (
                 f"it pulls with up to {share} of the weight of {load.name}, which no hook and no lug knows of"
             )

@@ -96,13 +96,25 @@ def weights(rig: Rig) -> list[str]:
         text = f"Load {load.name}: simulated weight {show(own, 't', 1)}"
         # What slings and shackles lump on its lugs, as far as one reads it.
         rigging = show(load.weight / rig.gravity - own, "t", 1)
-        if rigging != show(0.0, "t", 1):
-            text += f", with {rigging} of rigging on it"
+        beside = [] if rigging == show(0.0, "t", 1) else [f"{rigging} of rigging on it"]
+        if load.tanks:
+            liquid = sum(tank.content for tank in rig.tanks if tank.name in load.tanks)
+            beside.append(f"{show(liquid, 't', 1)} in its tanks at the start")
+        text += f", with {' and '.join(beside)}" if beside else ""
         if load.calculated_mass is not None and load.contingency is not None and load.design_mass is not None:
             calculated, design = show(load.calculated_mass, "t", 1), show(load.design_mass, "t", 1)
             text += f"; calculated {calculated} x contingency {load.contingency:.2f} = design {design}"
         lines.append(text)
     return lines
+
+
+def _in_tanks(recording: Recording, load: Load) -> list[tuple[str, str]]:
+    """What is in the tanks of a load, from the start to the end; nothing of one without tanks."""
+    if not load.tanks:
+        return []
+    liquid = (series.load_weight(recording, load) - load.weight) / recording.rig.gravity
+    first, last = (show(float(one), "t", 1) for one in (liquid[0], liquid[-1]))
+    return [("in its tanks", f"{first} at the start, {last} at the end")]
 
 
 def _loads(recording: Recording) -> list[str]:
@@ -114,6 +126,7 @@ def _loads(recording: Recording) -> list[str]:
         rise = float(place[-1, 2] - place[0, 2])
         rows += [
             ("load transferred", f"{show(float(transferred[-1]), '%', 1)} at the end"),
+            *_in_tanks(recording, load),
             ("tilt", f"{show(tilt[0], 'deg', 2)} at most, at {show(tilt[1], 's', 2)}" if tilt else ABSENT),
             *_yaw(recording, load),
             *(

@@ -7,10 +7,20 @@ the vessel's centre of gravity rises by sum(rho i)/displacement (free-surface co
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-__all__ = ["Tank", "free_surface_correction"]
+import numpy as np
+import numpy.typing as npt
+
+from gantline.hydro.shapes import box_hull
+
+__all__ = ["Liquid", "Tank", "free_surface_correction", "liquid_in_box"]
+
+Array = npt.NDArray[np.float64]
+
+#: Halvings of a height: to the rounding of it.
+_HALVINGS = 60
 
 
 @dataclass(frozen=True)
@@ -48,3 +58,38 @@ def free_surface_correction(tanks: Iterable[Tank], mass: float) -> tuple[float, 
     slack = list(tanks)
     transverse = sum(tank.density * tank.transverse for tank in slack) / mass
     return transverse, sum(tank.density * tank.longitudinal for tank in slack) / mass
+
+
+@dataclass(frozen=True)
+class Liquid:
+    """A liquid in a box at rest.
+
+    Attributes:
+        centre: Its centre from the middle of the bottom, axes of the box (3,) [m].
+        spread: Second moments of its surface about its own middle, int (r - r0)(r - r0)^T dA, the same axes
+            (3, 3) [m^4].
+    """
+
+    centre: Array
+    spread: Array
+
+
+def liquid_in_box(size: Sequence[float], up: npt.ArrayLike, volume: float) -> Liquid:
+    """Where a liquid lies in a box that leans.
+
+    Args:
+        size: Length, breadth and depth of the box [m].
+        up: The way up in its axes, a unit vector (3,).
+        volume: Of the liquid, above zero and less than the box has [m^3].
+    """
+    hull, way = box_hull(size), np.asarray(up, dtype=float)
+    heights = hull.mesh[0] @ way
+    low, high = float(heights.min()), float(heights.max())
+    for _ in range(_HALVINGS):
+        level = 0.5 * (low + high)
+        below = hull.below(way, -level)
+        low, high = (level, high) if below["volume"] < volume else (low, level)
+    middle = np.array(below["area_moment"]) / below["area"]
+    spread = np.array(below["area_second"]) - below["area"] * np.outer(middle, middle)
+    to_middle = np.array([size[0] / 2.0, 0.0, 0.0])
+    return Liquid(np.array(below["moment"]) / below["volume"] - to_middle, spread)

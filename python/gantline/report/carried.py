@@ -94,7 +94,8 @@ def _between_crests(subject: Subject, load: FloatArray) -> list[float | None]:
     static, rig = subject.static(load), subject.rig
     if static is None or len(rig.hooks) > 1:
         return [*(None for _ in READINGS[1:]), _mass(subject, static)]
-    weight = sum(one.weight for one in rig.loads)
+    weighs = sum((series.load_weight(subject.recording, one) for one in rig.loads), np.zeros(len(load)))
+    weight = subject.static(weighs) or 0.0
     return [_mass(subject, static - (1.0 - part) * weight) for part in READINGS]
 
 

@@ -30,6 +30,7 @@ from gantline.results.refinement import in_per_cent, refinement_of
 from gantline.results.rig import Load, Rig
 from gantline.results.saved import digest_of
 from gantline.results.status import INCOMPLETE
+from gantline.results.variable import BoolArray
 
 _MOST_SLINGS = 16
 #: Of lifts afloat, whose vessels take room on the sheet.
@@ -235,7 +236,10 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
     hooks = [hook.name for hook in rig.hooks]
     force = hook_force(subject.recording, hooks, "hook_load", subject.counts)
     if force.static is not None:
-        designed = sum(load.design_mass or _simulated_mass(rig, load) for load in rig.loads)
+        liquid = _in_tanks(subject, force.window)
+        if liquid:
+            rows.append(("+ in its tanks, as given", show(liquid, "t", 1)))
+        designed = liquid + sum(load.design_mass or _simulated_mass(rig, load) for load in rig.loads)
         # Contingency raises rigging too that hangs between a load and its slings: so the sum adds up.
         rigging = force.static / rig.gravity - designed
         if rig.loads and rigging > 0.0 and not rig.hinges:
@@ -265,6 +269,15 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
         text += f" of {as_given(of / rig.gravity)} t, {used}"
     rows.append(("largest hoist load, simulated", text))
     return [*rows, *_corner_loads(subject)]
+
+
+def _in_tanks(subject: Subject, window: BoolArray | None) -> float:
+    """What is in tanks of loads while they hang still [kg]: it has no contingency."""
+    recording, liquid = subject.recording, 0.0
+    for load in recording.rig.loads:
+        own = series.load_weight(recording, load) - load.weight
+        liquid += series.static_value(recording, own, window) or 0.0
+    return liquid / recording.rig.gravity
 
 
 def _corner_loads(subject: Subject) -> list[tuple[str, str]]:

@@ -10,7 +10,7 @@ import numpy as np
 from gantline.checks import LIMITS
 from gantline.report.holds import shares
 from gantline.report.section import Section
-from gantline.report.subject import Subject, show, typeset
+from gantline.report.subject import Subject, as_given, show, typeset
 from gantline.results.moorings import MooringLine
 from gantline.results.rig import Step
 from gantline.results.tag_lines import TagLine
@@ -133,6 +133,15 @@ def _speed(step: Step) -> str:
     return f"{most} {60.0 * step.speed:.3g} m/min" if step.kind in _ALONG else ""
 
 
+def _pumped(step: Step) -> str:
+    """From where to where liquid is pumped, how fast and how much."""
+    if step.rate is None:
+        return ""
+    source, target = step.pumps
+    much = "" if step.pumped is None else f", {as_given(step.pumped)} t in all"
+    return f" from {source} to {target} at {as_given(3600.0 * step.rate)} t/h{much}"
+
+
 def _way(step: Step) -> str:
     """How far it goes, to where, which way, or after what."""
     if step.keep_plumb:
@@ -145,21 +154,11 @@ def _way(step: Step) -> str:
     if way is None:
         return ""
     word, value = way
-    return f" {word} {_given(np.rad2deg(value), 'deg') if step.kind in _TURNING else _given(value, 'm')}"
+    return f" {word} {_length(np.rad2deg(value), 'deg') if step.kind in _TURNING else _length(value, 'm')}"
 
 
-def _pumped(step: Step) -> str:
-    """From where to where it pumps, how fast and how much: a crew at the valves has no other sheet."""
-    if len(step.pump) != 2 or step.pump_rate is None:
-        return ""
-    source, target = step.pump
-    # Four digits, since a rate in t/h has often as many.
-    by = "" if step.pump_by is None else f" by {_given(step.pump_by / 1000.0, 't')}"
-    return f" {source} to {target} {3.6 * step.pump_rate:.4g} t/h{by}"
-
-
-def _given(value: float, unit: str) -> str:
-    """As somebody gave it, to the millimetre, the kilogram or the thousandth of a degree."""
+def _length(value: float, unit: str) -> str:
+    """As somebody gave it, to the millimetre or the thousandth of a degree."""
     digits = f"{value:.3f}".rstrip("0").rstrip(".")
     return typeset(f"{'0' if digits == '-0' else digits} {unit}")
 

@@ -29,7 +29,7 @@ from gantline.results.rating import (
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.rotation import tilt
-from gantline.results.tanks import tank_contents
+from gantline.results.tanks import tank_contents, weight_of
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 from gantline.results.vessels import vessel_state
 from gantline.results.wind import wind_at_loads
@@ -91,12 +91,13 @@ def present_of(columns: Columns, names: Names, lift: Rig, wanted: str) -> Record
     """
     columns, names, of_nodes = joined(columns, {**names, "event_kind": (), "event_name": ()}, lift)
     columns, names = hinge_columns(columns, names, lift)
+    columns, names, contents, tanks = tank_contents(columns, names, lift)
     found = only(columns, names, wanted)
     if found is not None:
         return Recording({wanted: found[0]}, found[1], {})
     variables, coordinates = direct(columns, names, of_nodes)
     variables = {name: one for name, one in variables.items() if one.dims[0] == "time" and one.dims[1:]}
-    for derived, labels in _of_each_sample(columns, names, lift):
+    for derived, labels in ((contents, tanks), *_of_each_sample(columns, names, lift)):
         if wanted in derived:
             one = {wanted: derived[wanted]}
             return Recording(one, _used(labels, one), {})
@@ -207,15 +208,20 @@ def _overloads(
 def _load_state(columns: Columns, names: Names, rig: Rig) -> Derived:
     if not rig.loads:
         return {}, {}
-    borne = [_borne(columns, names, rig, load) for load in rig.loads]
-    transferred = 1.0 - np.stack(borne, axis=1) / np.array([load.weight for load in rig.loads])
+    hang = [
+        1.0 - _borne(columns, names, rig, load) / weight_of(columns, names, rig, load) for load in rig.loads
+    ]
+    transferred = np.stack(hang, axis=1)
     if rig.hinges:  # one that holds its load down against its hooks bears nothing of its weight
         transferred = np.minimum(transferred, 1.0)
     bodies = [list(names["body"]).index(load.body) for load in rig.loads]
     dims = ("time", "load")
     return {
         "load_transferred": Variable(
-            dims, transferred, "1", "1 - forces of supports and hinge/weight of a load, 1 at most"
+            dims,
+            transferred,
+            "1",
+            "1 - forces of supports and hinge/weight of a load with its tanks, 1 at most",
         ),
         "load_tilt": Variable(
             dims,

@@ -161,7 +161,8 @@ def never_wet(
 def out_of_water(document: Mapping[str, Any], columns: Columns, names: Names) -> list[str]:
     """A sentence for each load with `in_water` that is out of the water again after it was wholly wet.
 
-    What runs off it then, and what stays in it, is no force of the simulation, and hangs on the hook.
+    What runs off it then, and what stays in it, is no force of the simulation, and hangs on the hook. Of one
+    with tanks these say what is in it.
 
     Args:
         document: What has been assembled of the lift.
@@ -169,7 +170,10 @@ def out_of_water(document: Mapping[str, Any], columns: Columns, names: Names) ->
         names: Names along their dimensions.
     """
     warnings = []
+    told = {one["body"] for one in document.get("forces", ()) if one["type"] == "tank"}
     for force in (one for one in document.get("forces", ()) if one["type"] == "submerged"):
+        if force["body"] in told:
+            continue
         wet = columns["displaced_volume"][:, list(names["hull"]).index(force["name"])]
         whole = sum(4 * one["layers"] * one["volume"] for one in force["lattices"])
         sunk = np.flatnonzero(wet >= _WHOLLY * whole)

@@ -63,7 +63,7 @@ class Load(HasLugs):
     Attributes:
         name: Its name.
         body: Name of its body.
-        weight: As simulated [N], with what slings and shackles lump onto it.
+        weight: As simulated [N], with what slings and shackles lump onto it; without what is in its tanks.
         simulated_mass: Mass of the load alone as simulated [kg].
         contacts: Names of the contact points on which it stands.
         meets: What moves and is met at a contact, by the name of the contact; nothing of ground and supports.
@@ -75,8 +75,9 @@ class Load(HasLugs):
         other_ropes: Ropes that are no slings and end at it or run over it.
         centre_envelope: How far its centre of gravity may be elsewhere, plus and minus along its axes [m].
         in_water: Name of what it displaces among the hulls; None where no water acts on it.
-        resting: How equilibria have it where it hung still in ropes that are no slings, as far as there are
-            any.
+        tanks: Names of its tanks.
+        resting: How equilibria have it where it hung still in ropes that are no slings, or with liquid in its
+            tanks, as far as there are any.
     """
 
     name: str
@@ -93,6 +94,7 @@ class Load(HasLugs):
     other_ropes: Sequence[str] = ()
     centre_envelope: Vector = (0.0, 0.0, 0.0)
     in_water: str | None = None
+    tanks: Sequence[str] = ()
     resting: Sequence[Resting] = ()
 
     @classmethod
@@ -159,10 +161,10 @@ class Watch(FromJson):
 
 @dataclass(frozen=True)
 class Tank(FromJson):
-    """A tank of something that floats.
+    """A tank of something that floats, or of a load.
 
     Attributes:
-        name: Its full name, `<vessel>.<tank>`.
+        name: Its full name, `<vessel>.<tank>` or `<load>.<tank>`.
         content: Mass of the liquid in it at the start [kg].
         capacity: Mass that goes into it [kg].
     """
@@ -185,9 +187,9 @@ class Step(FromJson):
         require: Limits at its end: `{quantity: {"below": value}}` or `{"above": value}`, SI.
         drives: What it moves.
         tanks: Tanks that it pumps.
-        pump: From where to where it pumps, as the lift file names them; empty of other steps.
-        pump_rate: How much it pumps in a time [kg/s]; None of other steps.
-        pump_by: How much it pumps [kg]; None where a condition ends it.
+        pumps: From where to where it pumps: tanks, or `sea`; nothing of another step.
+        rate: How much it pumps in a time [kg/s]; None of another step.
+        pumped: How much in all [kg]; None where it ends otherwise.
         cut: Ropes that are cut as it begins.
         detach: Slings and ropes that are taken off then.
         attach: Slings that are put on then.
@@ -220,9 +222,9 @@ class Step(FromJson):
     require: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     drives: Sequence[str] = ()
     tanks: Sequence[str] = ()
-    pump: Sequence[str] = ()
-    pump_rate: float | None = None
-    pump_by: float | None = None
+    pumps: Sequence[str] = ()
+    rate: float | None = None
+    pumped: float | None = None
     cut: Sequence[str] = ()
     detach: Sequence[str] = ()
     attach: Sequence[str] = ()

@@ -10,7 +10,8 @@
   but tuggers and winches that slip at rest, for 5 s or more. In waves it takes three of their longest
   periods in place of 5 s, if that is more, in gusts 20 s. The mean is weighted by sin^2, zero at both
   ends, so that a load that rings to and fro does not lift or lower it. Where the loads hung still in water
-  alone, which bears a part of them, the longest time that they hung in the air counts too, moving or not.
+  alone, which bears a part of them, the longest time that they hung in the air counts too, moving or not,
+  with as much in their tanks all along.
   The window of an equilibrium is its last sample, whether the loads are clear or not.
 - *quiet windows*: that, and all earlier times that the loads hung still.
 """
@@ -51,6 +52,14 @@ def _sum_of_contacts(recording: Recording, load: Load) -> FloatArray:
     for contact in load.contacts:
         total += recording.column("contact_force", contact)
     return total
+
+
+def load_weight(recording: Recording, load: Load) -> FloatArray:
+    """What a load weighs with what is in its tanks [N], shape (time,)."""
+    weight = np.full(len(recording.time), load.weight)
+    for tank in load.tanks:
+        weight += recording.rig.gravity * recording.column("tank_content", tank)
+    return weight
 
 
 def load_is_clear(recording: Recording, load: Load) -> BoolArray:
@@ -138,7 +147,7 @@ def _found_quiet(recording: Recording) -> list[BoolArray]:
     found, wet = _hung_still(recording, clear), is_wet(recording)
     if any(not (one & wet).any() for one in found) or not wet.any():
         return found
-    in_air = [one for one in stretches(clear & ~wet) if _lasts(recording, one)]
+    in_air = [one for one in stretches(clear & ~wet & _contents_stand(recording)) if _lasts(recording, one)]
     return [max(in_air, key=np.count_nonzero), *found] if in_air else found
 
 
@@ -165,6 +174,15 @@ def is_wet(recording: Recording) -> BoolArray:
         if load.in_water is not None:
             wet |= recording.column("displaced_volume", load.in_water) > 0.0
     return wet
+
+
+def _contents_stand(recording: Recording) -> BoolArray:
+    """Samples since the one before which nothing has been pumped into or out of a load, shape (time,)."""
+    stand = np.ones(len(recording.time), dtype=np.bool_)
+    for load in recording.rig.loads:
+        if load.tanks:
+            stand[1:] &= np.diff(load_weight(recording, load)) == 0.0
+    return stand
 
 
 def _hung_still(recording: Recording, clear: BoolArray) -> list[BoolArray]:

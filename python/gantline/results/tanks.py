@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gantline.results.rig import Rig
+from gantline.results.rig import Load, Rig
 from gantline.results.variable import Columns, FloatArray, Names, Variable
 
-__all__ = ["pump_warnings", "tank_contents"]
+__all__ = ["pump_warnings", "tank_contents", "weight_of"]
 
 #: Share of its capacity within which a tank is empty or full.
 _ROUNDING = 1e-9
@@ -26,8 +26,8 @@ def tank_contents(
         rig: the lift.
 
     Returns:
-        Columns and names without the joints that contents are for the core, `tank_content` where there are
-        tanks, and the names of these.
+        Columns and names without the joints that contents are for the core, and with `tank_content` where
+        there are tanks; this as a variable, and the names of tanks.
     """
     if not rig.tanks:
         return columns, names, {}, {}
@@ -35,9 +35,18 @@ def tank_contents(
     variable = Variable(("time", "tank"), content, "kg", "mass of the liquid in a tank")
     pumped = {_joint(tank.name) for tank in rig.tanks}
     kept = [place for place, joint in enumerate(names["joint"]) if joint not in pumped]
-    columns = {**columns, "joint_position": columns["joint_position"][:, kept]}
-    names = {**names, "joint": [names["joint"][place] for place in kept]}
-    return columns, names, {"tank_content": variable}, {"tank": [tank.name for tank in rig.tanks]}
+    columns = {**columns, "joint_position": columns["joint_position"][:, kept], "tank_content": content}
+    tanks = [tank.name for tank in rig.tanks]
+    names = {**names, "joint": [names["joint"][place] for place in kept], "tank": tanks}
+    return columns, names, {"tank_content": variable}, {"tank": tanks}
+
+
+def weight_of(columns: Columns, names: Names, rig: Rig, load: Load) -> FloatArray:
+    """What a load weighs with what is in its tanks [N], shape (time,); of columns with `tank_content`."""
+    weight = np.full(len(columns["time"]), load.weight)
+    for tank in load.tanks:
+        weight += rig.gravity * columns["tank_content"][:, list(names["tank"]).index(tank)]
+    return weight
 
 
 def pump_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:

@@ -41,6 +41,7 @@ class LooseTilt:
         line: Level direction of the line about which it tilts freely, world x and y; None: about any.
         depth: Of its centre of gravity below the middle of the lugs [m]; negative above.
         since: From when on it hangs so [s]; None of one that does from the first on.
+        has_liquid: Whether there is liquid in its tanks then, of which the depth knows nothing.
     """
 
     load: str
@@ -48,6 +49,7 @@ class LooseTilt:
     line: tuple[float, float] | None
     depth: float
     since: float | None = None
+    has_liquid: bool = False
 
     def __str__(self) -> str:
         # What is left of rounding has no sign.
@@ -58,11 +60,14 @@ class LooseTilt:
         if self.since is not None:
             slings = f"from {self.since:.2f} s on, when it hangs from them alone, {slings}"
         no_stiffness = f"{slings} give {self.load} no tilt stiffness{about}"
+        own = ", without what is in its tanks," if self.has_liquid else ""
         if self.depth <= 0.0:
-            return f"{no_stiffness}, and its centre of gravity is not below the middle of its lugs"
+            return f"{no_stiffness}, and its centre of gravity{own} is not below the middle of its lugs"
         tilt = format_quantity(math.atan2(_OFFSET, self.depth), "deg", 2)
         offset = format_quantity(_OFFSET, "mm", 0)
         by_hand = f"tan(tilt) = e/{self.depth:.2f} m with plumb slings"
+        if self.has_liquid:
+            return f"{no_stiffness}: {by_hand} and empty tanks; 'gantline statics' counts what is in them"
         return f"{no_stiffness}: {by_hand}, {tilt} for {offset} of centre of gravity"
 
 
@@ -140,4 +145,5 @@ def _loose(
     if sizes[0] > 1e-3 * reach:
         way = ways[0] if ways[0][first_peak(np.abs(ways[0]))] > 0 else -ways[0]
         line = (float(way[0]) + 0.0, float(way[1]) + 0.0)
-    return LooseTilt(load.name, tuple(middles), line, float(lugs[:, 2].mean()))
+    liquid = series.load_weight(recording, load)[sample] > load.weight
+    return LooseTilt(load.name, tuple(middles), line, float(lugs[:, 2].mean()), has_liquid=bool(liquid))

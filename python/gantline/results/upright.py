@@ -34,9 +34,9 @@ from gantline.results.variable import BoolArray, FloatArray
 
 __all__ = [
     "TopHeavy",
-    "borne_by_others",
     "borne_by_water",
     "heels_over",
+    "left_to_statics",
     "top_heavy",
     "unknown_whether_upright",
 ]
@@ -104,13 +104,15 @@ def heels_over(recording: Recording) -> list[TopHeavy]:
     return found
 
 
-def borne_by_others(recording: Recording) -> dict[str, list[int]]:
-    """Last samples of the times at which each load hung still in ropes that are no slings.
+def left_to_statics(recording: Recording) -> dict[str, list[int]]:
+    """Last samples of the times at which each load hung still and slings do not tell how stably.
+
+    It hangs in ropes that are no slings, or has liquid in its tanks.
 
     Args:
         recording: Of a run, or of an equilibrium.
     """
-    return _last_samples(recording, _is_borne_by_others)
+    return _last_samples(recording, _is_left_to_statics)
 
 
 def borne_by_water(recording: Recording) -> dict[str, list[int]]:
@@ -136,26 +138,28 @@ def _last_samples(
     return found
 
 
-def unknown_whether_upright(recording: Recording) -> dict[str, list[str]]:
-    """Ropes that are no slings and bear a load that hangs still, of each: nothing is known of its stiffness.
+def unknown_whether_upright(recording: Recording) -> list[Load]:
+    """Loads that hung still so that slings do not tell how stably, and no equilibrium does.
 
     Where an equilibrium has told how it rests there, that is known.
 
     Args:
         recording: Of a run, or of an equilibrium.
     """
-    loads = {load.name: load for load in recording.rig.loads}
-    return {
-        name: list(loads[name].other_ropes)
-        for name, samples in borne_by_others(recording).items()
-        if {float(recording.time[sample]) for sample in samples} - {one.time for one in loads[name].resting}
-    }
+    left = left_to_statics(recording)
+
+    def is_known(load: Load) -> bool:
+        times = {float(recording.time[sample]) for sample in left[load.name]}
+        return times <= {one.time for one in load.resting}
+
+    return [load for load in recording.rig.loads if load.name in left and not is_known(load)]
 
 
-def _is_borne_by_others(recording: Recording, load: Load, sample: int) -> bool:
-    """Whether ropes that are no slings bear more than a little of a load."""
+def _is_left_to_statics(recording: Recording, load: Load, sample: int) -> bool:
+    """Whether ropes that are no slings bear more than a little of a load, or liquid runs about in it."""
     others = (float(recording.column("rope_tension", rope)[sample]) for rope in load.other_ropes)
-    return sum(others) > _BORNE * load.weight
+    weight = float(series.load_weight(recording, load)[sample])
+    return sum(others) > _BORNE * weight or weight > load.weight
 
 
 def _is_borne_by_water(recording: Recording, load: Load, sample: int) -> bool:
@@ -169,14 +173,14 @@ def _is_borne_by_water(recording: Recording, load: Load, sample: int) -> bool:
         if lug_of == load.name
     ]
     pulls += [float(recording.column("rope_tension", rope)[sample]) for rope in load.other_ropes]
-    return sum(pulls) < (1.0 - _BORNE) * load.weight
+    return sum(pulls) < (1.0 - _BORNE) * float(series.load_weight(recording, load)[sample])
 
 
 def _at(recording: Recording, sample: int) -> Iterator[TopHeavy]:
     """Of all that hangs together at a sample."""
     bodies: list[Load | Spreader] = [*recording.rig.loads, *recording.rig.spreaders]
     for load in recording.rig.loads:
-        if _is_borne_by_others(recording, load, sample) or _is_borne_by_water(recording, load, sample):
+        if _is_left_to_statics(recording, load, sample) or _is_borne_by_water(recording, load, sample):
             return
     slings = _pulling(recording, sample)
     stiffness = _stiffness(recording, sample, bodies, slings)

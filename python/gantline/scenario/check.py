@@ -20,6 +20,7 @@ from gantline.scenario.check_reeving import check_reeving
 from gantline.scenario.check_spreaders import check_compensators, check_spreaders
 from gantline.scenario.check_supports import check_supports
 from gantline.scenario.check_tag_lines import check_tag_lines
+from gantline.scenario.check_tanks import check_tank_names
 from gantline.scenario.check_vessels import check_vessels
 from gantline.scenario.check_watch import check_watches
 from gantline.scenario.check_wind import check_wind
@@ -85,6 +86,7 @@ def check(scenario: Scenario) -> None:
     if scenario.mechanics is not None:
         check_mechanics(findings, scenario.mechanics)
     check_vessels(findings)
+    check_tank_names(findings)
     check_wind(findings)
     check_moorings(findings)
     check_tag_lines(findings)

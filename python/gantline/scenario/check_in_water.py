@@ -17,6 +17,11 @@ def check_in_water(findings: Findings) -> None:
     given, path = load.in_water, ("load", "in_water")
     if findings.scenario.water is None:
         findings.add(path, "where is the water? Write 'water: {level: 0 m}' with the height of its surface")
+    least = load.room_volume
+    if given.displaced_volume is not None and given.displaced_volume <= least:
+        sentence = f"{given.displaced_volume:g} m^3 are no more than the inside of its tanks, {least:.4g} m^3"
+        right = "it displaces that and its members, and what is in the tanks weighs as given"
+        findings.add((*path, "displaced_volume"), f"{sentence}; {right}")
     if load.current_areas:
         sentence = "'drag_coefficients' of 'in_water' say already how water resists the load"
         findings.add(("load", "current_areas"), f"{sentence}; leave one out")

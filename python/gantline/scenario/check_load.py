@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from gantline.scenario.check_supports import check_beside, check_places, top_of
+from gantline.scenario.check_tanks import check_load_tanks
 from gantline.scenario.check_wind import check_areas
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
@@ -51,6 +52,7 @@ def check_load(findings: Findings, load: Load) -> None:
         check_lug_type(findings, ("load", "lugs", name), lug)
     if box is not None:
         check_attached(findings, load, _box_of(box))
+        check_load_tanks(findings, load.tanks, _box_of(box))
         check_places(findings, *_box_of(box))
         check_beside(findings, *_box_of(box))
     if isinstance(load.inertia, LoadInertia):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.check_booms import check_luffing
 from gantline.scenario.check_heave import check_heave
-from gantline.scenario.check_pumps import check_contents, check_pump
+from gantline.scenario.check_pumps import check_contents, check_pump, check_shares
 from gantline.scenario.check_travel import check_travel, said
 from gantline.scenario.condition import Condition
 from gantline.scenario.errors import nearest
@@ -29,7 +29,7 @@ _WORDS = {
     "crane": ("crane that travels", "travel", "travel"),
     "boom": ("crane with 'luffing'", "luff", "luffing"),
     "upper": ("crane with 'slewing'", "slew", "slewing"),
-    "line": ("mooring line, tag line or sling with a 'chain_hoist'", "move", "winch"),
+    "line": ("mooring or tag line", "move", "winch"),
 }
 
 
@@ -72,6 +72,7 @@ def check_plan(findings: Findings) -> None:
     check_luffing(findings)
     if not findings.problems:
         check_contents(findings)
+        check_shares(findings)
     _check_emergency_stop(findings)
 
 
@@ -121,7 +122,9 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
     for text in step.moved:
         name = full_name(text, known)
         if name is None:
-            sentence = f"'{text}' is not a {what}; {nearest(text, known)}"
+            has_hoists = any(one is not None and one.kind == "sling" for one in known.values())
+            nor = ", nor a sling with a 'chain_hoist'" if has_hoists else ""
+            sentence = f"'{text}' is not a {what}{nor}; {nearest(text, known)}"
             crane = (findings.scenario.cranes or {}).get(text)
             if step.kind == "upper" and isinstance(crane, FloatingCrane):
                 missing = "'slewing'" if crane.slewing_axis else "'slewing_axis' and 'slewing'"

@@ -3,18 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.hooks import full_name
 from gantline.scenario.steps import PumpStep
-from gantline.scenario.tanks import SEA, bodies_afloat, ends_of_pump, sea_density, tanks_of
+from gantline.scenario.tanks import (
+    SEA,
+    Contents,
+    contents_along,
+    contents_of_load,
+    ends_of_pump,
+    has_sea,
+    load_tanks,
+    sea_density,
+    tanks_of,
+)
 from gantline.scenario.water import BallastTank
 
-__all__ = ["check_contents", "check_pump"]
+__all__ = ["check_contents", "check_pump", "check_shares"]
 
 _ROUNDING = 1 + 1e-9
+#: Share of a content that is rounding [1].
+_ROUNDED = 1e-12
 
 
 def check_pump(findings: Findings, place: int, step: PumpStep) -> set[str]:
@@ -24,8 +35,12 @@ def check_pump(findings: Findings, place: int, step: PumpStep) -> set[str]:
     known = tanks_of(scenario)
     for key, text in (("from", step.pump.from_), ("to", step.pump.to)):
         if text == SEA:
-            if all(body.hull is None for body in bodies_afloat(scenario).values()):
-                findings.add((*path, key), "there is no sea in this file: nothing in it has a hull")
+            # What runs out of a load runs over board, or onto the ground; of no tank it is told below.
+            source = full_name(step.pump.from_, known)
+            needs_none = key == "to" and (source is None or source in load_tanks(scenario))
+            if not has_sea(scenario) and not needs_none:
+                sentence = "there is no sea in this file: nothing in it has a hull, and it has no 'water'"
+                findings.add((*path, key), f"{sentence}; 'water: {{level: 0 m}}' says where it is")
         elif full_name(text, known) is None:
             sentence = f"'{text}' is not a tank, nor 'sea'; {nearest(text, [*known, SEA])}"
             findings.add((*path, key), sentence)
@@ -40,25 +55,25 @@ def check_pump(findings: Findings, place: int, step: PumpStep) -> set[str]:
     return {name for name in (source, target) if name is not None}
 
 
-@dataclass
-class _Content:
-    """What may be in a tank, least and most [kg]."""
-
-    least: float
-    most: float
-
-
 def check_contents(findings: Findings) -> None:
     """Note steps for which a tank has too little in it, or too little room, where that is known before."""
     scenario = findings.scenario
     known = tanks_of(scenario)
-    contents = {name: _Content(tank.content, tank.content) for name, tank in known.items()}
-    for place, step in enumerate(scenario.plan):
-        if isinstance(step, PumpStep):
-            source, target = ends_of_pump(scenario, step)
-            if step.by is not None:
-                _check_amount(findings, place, step.by, known, contents)
-            _pump(step, known, contents, source, target)
+    for place, (step, contents) in enumerate(zip(scenario.plan, contents_along(scenario), strict=False)):
+        if isinstance(step, PumpStep) and step.by is not None:
+            _check_amount(findings, place, step.by, known, contents)
+
+
+def check_shares(findings: Findings) -> None:
+    """Note steps that wait for a share of the load's weight while nobody knows how much is in its tanks."""
+    scenario = findings.scenario
+    for place, (step, contents) in enumerate(zip(scenario.plan, contents_of_load(scenario), strict=True)):
+        waits = step.until is not None and step.until.load_transferred is not None
+        if waits and contents.most - contents.least > _ROUNDED * contents.most:
+            least, most = (f"{one / 1e3:.6g} t" for one in (contents.least, contents.most))
+            sentence = f"this waits for a share of a weight that changes: from {least} to {most} may be in"
+            right = "wait for 'supports' or 'hoist_load', or pump 'by' an amount in a step of its own before"
+            findings.add(("plan", place, "until"), f"{sentence} the tanks of the load by then; {right}")
 
 
 def _check_amount(
@@ -66,7 +81,7 @@ def _check_amount(
     place: int,
     amount: float,
     known: Mapping[str, BallastTank],
-    contents: Mapping[str, _Content],
+    contents: Mapping[str, Contents],
 ) -> None:
     step = findings.scenario.plan[place]
     assert isinstance(step, PumpStep)
@@ -80,20 +95,3 @@ def _check_amount(
         if amount > room * _ROUNDING:
             sentence = f"'{target}' would run over: {amount / 1e3:g} t are pumped into it"
             findings.add(path, f"{sentence}, and there is room for {room / 1e3:.6g} t then")
-
-
-def _pump(
-    step: PumpStep,
-    known: Mapping[str, BallastTank],
-    contents: Mapping[str, _Content],
-    source: str | None,
-    target: str | None,
-) -> None:
-    """Contents after a step; one that waits for something may pump anything or nothing."""
-    least, most = (0.0, float("inf")) if step.by is None else (step.by, step.by)
-    if source is not None:
-        one = contents[source]
-        one.least, one.most = max(one.least - most, 0.0), max(one.most - least, 0.0)
-    if target is not None:
-        one, capacity = contents[target], known[target].capacity
-        one.least, one.most = min(one.least + least, capacity), min(one.most + most, capacity)

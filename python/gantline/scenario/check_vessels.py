@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from gantline.scenario.check_tanks import check_inside_of
 from gantline.scenario.check_wind import check_areas
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.mechanics import BodyInertia
@@ -16,8 +17,6 @@ __all__ = ["check_afloat", "check_inertia", "check_inside", "check_vessels"]
 _ROUNDING = 1 + 1e-9
 #: A fairlead or fender may stand so far off the hull, on a platform or a boom [m].
 _OFF_HULL = 10.0
-#: A tank may reach so far out of the hull by rounding [m].
-_CLOSE = 1e-6
 
 
 def check_vessels(findings: Findings) -> None:
@@ -59,7 +58,7 @@ def check_inertia(findings: Findings, path: Path, inertia: BodyInertia, *, is_fr
 def check_inside(findings: Findings, path: Path, vessel: Vessel, extent: Extent) -> None:
     """Note a draft, tanks and openings that do not fit a hull of this extent."""
     _check_draft(findings, path, vessel, extent)
-    _check_tanks(findings, path, vessel, extent)
+    check_inside_of(findings, path, vessel.tanks, extent, "the hull")
     _check_openings(findings, path, vessel, extent)
     _check_ends(findings, str(path[-1]), extent)
 
@@ -82,20 +81,6 @@ def _check_draft(findings: Findings, path: Path, vessel: Vessel, extent: Extent)
             findings.add(
                 (*path, key), f"{sentence}; beyond {math.degrees(CAPSIZED_BEYOND):g} deg it has capsized"
             )
-
-
-def _check_tanks(findings: Findings, path: Path, vessel: Vessel, extent: Extent) -> None:
-    low, high = extent
-    for name, tank in (vessel.tanks or {}).items():
-        (length, breadth, depth), (x, y, z) = tank.box, tank.bottom
-        least, most = (x - length / 2, y - breadth / 2, z), (x + length / 2, y + breadth / 2, z + depth)
-        for axis, own in zip("xyz", zip(least, most, low, high, strict=True), strict=True):
-            from_, to, start, end = own
-            if from_ < start - _CLOSE or to > end + _CLOSE:
-                sentence = f"it goes from {from_:g} m to {to:g} m along {axis}"
-                right = f"the hull from {start:g} m to {end:g} m"
-                findings.add((*path, "tanks", name), f"{sentence}, {right}; a tank is inside of it")
-                break
 
 
 def _check_openings(findings: Findings, path: Path, vessel: Vessel, extent: Extent) -> None:

@@ -22,12 +22,12 @@ class InWater(Element):
 
     displaced_volume: Annotated[float, Quantity("volume", "positive")] | None = Field(
         None,
-        description="Volume of water that it displaces, wholly wet: of its members, not of its box; that of "
-        "as much steel if not given.",
+        description="Volume of water that it displaces, wholly wet: of its members and the inside of its "
+        "tanks, not of its box; that of as much steel and of its tanks if not given.",
     )
     added_mass: _Masses = Field(
         description="Water that is accelerated along with it, wholly wet, along its x, y, z; what is trapped "
-        "in it included."
+        "in it included, but for what is in its tanks."
     )
     drag_coefficients: _Coefficients = Field(
         description="Of the sides of its box, across x, y, z: force over ½ density × side × speed squared."

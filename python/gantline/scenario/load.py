@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Field, Tag
@@ -30,6 +31,7 @@ from gantline.scenario.quantities import (
 )
 from gantline.scenario.stream import CURRENT_SHOWN, WIND_SHOWN, StreamArea
 from gantline.scenario.tree import MapNode
+from gantline.scenario.water import BallastTank
 
 __all__ = ["CentreOfGravity", "Load", "LoadInertia", "Outfitting", "Shape", "Weight"]
 
@@ -184,8 +186,31 @@ class Load(Element):
     in_water: InWater | None = Field(
         None, description="What water does to it where it is lowered into it; nothing if not given."
     )
+    tanks: Named[BallastTank] | None = Field(
+        None, description="Tanks with liquid in it, by name; it comes on top of the weight."
+    )
 
     @property
     def is_at_origin(self) -> bool:
         """Whether positions are measured from the origin of the CAD file."""
         return self.shape.cad is not None and self.datum != "bottom_centre"
+
+    @property
+    def contents(self) -> float:
+        """Mass of the liquid in its tanks at the start [kg]."""
+        return math.fsum(tank.content for tank in (self.tanks or {}).values())
+
+    @property
+    def room(self) -> float:
+        """Mass of the liquid that goes into all of its tanks [kg]."""
+        return math.fsum(tank.capacity for tank in (self.tanks or {}).values())
+
+    @property
+    def room_volume(self) -> float:
+        """Volume of the inside of all of its tanks [m^3]."""
+        return math.fsum(math.prod(tank.box) for tank in (self.tanks or {}).values())
+
+    @property
+    def mass_at_start(self) -> float:
+        """Simulated weight with what is in its tanks at the start, as a mass [kg]."""
+        return self.weight.simulated + self.contents

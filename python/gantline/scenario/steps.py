@@ -27,6 +27,7 @@ from gantline.scenario.quantities import (
     WordOr,
     refuse,
 )
+from gantline.scenario.tree import MapNode
 
 __all__ = [
     "VERBS",
@@ -370,12 +371,21 @@ class PumpWay(Element):
 
     what: ClassVar[str] = "pump"
 
-    from_: Name = Field(alias="from", description="Tank like 'barge.row1', or 'sea'.")
-    to: Name = Field(description="Tank like 'barge.row2', or 'sea'.")
+    from_: Name = Field(
+        alias="from", description="Tank like 'barge.row1', of a load 'module.inside', or 'sea'."
+    )
+    to: Name = Field(description="Tank like 'barge.row2', of a load 'module.inside', or 'sea': overboard.")
+
+    @classmethod
+    def refuse_early(cls, data: MapNode) -> None:
+        """Both ends are said."""
+        for key, what in (("from", "where it comes from"), ("to", "where it goes")):
+            if key not in data:
+                raise refuse(f"'{key}' is missing, {what}: a tank, or 'sea', which is all outside of tanks")
 
 
 class PumpStep(_StartingStep):
-    """A step that pumps ballast."""
+    """A step that pumps ballast, or lets water run out of a load or into it."""
 
     what: ClassVar[str] = "a pump step"
 

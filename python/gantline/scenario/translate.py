@@ -107,12 +107,29 @@ _MEANT = {
     "wires": ("ropes",),
     # <!-- words: on -->
 }
+_TANKS = (
+    "liquid in it stands under its 'tanks', such as "
+    "'tanks: {inside: {box: [4 m, 4 m, 3 m], bottom: [0 m, 0 m, 0 m], content: 20 t}}'"
+)
 _WET = "what water does to a load that is lowered into it stands under its 'in_water'"
 _JONSWAP = "a sea has the spectrum of JONSWAP; with 'peak_enhancement: 1' it is that of Pierson and Moskowitz"
 _OF_A_ROPE = "it belongs to a kind of rope under 'ropes', which the sling names by 'rope'"
 _MEAN_PERIOD = (
     "a sea goes by its 'peak_period', which is 1.29 times its mean period of zero crossings for the usual "
     "'peak_enhancement' of 3.3, and 1.41 times for 1, a fully developed sea"
+)
+_IN_WATER = (
+    "added_mass",
+    "buoyancy",
+    "displaced_volume",
+    "drag",
+    "drag_coefficient",
+    "drag_coefficients",
+    "hull",
+    "slamming",
+    "slamming_coefficient",
+    "volume",
+    "water_damping",
 )
 #: What people look for and is not there: what there is in its place, by what it is looked for in.
 _INSTEAD = {
@@ -169,25 +186,18 @@ _INSTEAD = {
         ("base_mass", "counterweight", "upper_mass"),
         "what slews with the boom stands under 'upper_masses' by name, each with 'mass' and 'at'",
     ),
-    "the load": dict.fromkeys(
-        (
-            "added_mass",
-            "buoyancy",
-            "displaced_volume",
-            "drag",
-            "drag_coefficient",
-            "drag_coefficients",
-            "hull",
-            "slamming",
-            "slamming_coefficient",
-            "volume",
-            "water_damping",
-        ),
-        _WET,
-    ),
+    "the load": {
+        **dict.fromkeys(("ballast", "content", "contents", "flooded", "liquid", "trapped_water"), _TANKS),
+        **dict.fromkeys(_IN_WATER, _WET),
+    },
 }
 #: What steps do, by other words.
 _VERBS = {
+    "deballast": "pump",
+    "drain": "pump",
+    "empty": "pump",
+    "fill": "pump",
+    "flood": "pump",
     "lengthen": "veer",
     "lift": "hoist",
     "move": "travel",

@@ -262,7 +262,9 @@ class BallastTank(Element):
     what: ClassVar[str] = "a tank"
 
     box: Sizes = Field(description="Length, breadth and depth inside: sizes along x, y, z of the body.")
-    bottom: Position = Field(description="Middle of its bottom in the body's axes.")
+    bottom: Position = Field(
+        description="Middle of its bottom in the body's axes; of a load from its datum, as all on it."
+    )
     content: Mass = Field(description="Mass of the liquid, beside the body's own mass.")
     density: Density = Field(SEA_WATER, description="Density of the liquid; sea water if not given.")
 

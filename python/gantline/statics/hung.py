@@ -1,4 +1,7 @@
-"""How loads rest that a run hangs still in ropes of `mechanics` or in water, as no recording knows."""
+"""How loads rest that a run hangs still in ropes of `mechanics`, in water, or with liquid in their tanks.
+
+No recording knows the stiffness of these ropes, nor how a free surface takes from what keeps a load upright.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,7 @@ import numpy as np
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Resting
 from gantline.results.rotation import axes
-from gantline.results.upright import borne_by_others, borne_by_water
+from gantline.results.upright import borne_by_water, left_to_statics
 from gantline.statics.answers import Equilibrium, Mode, NoEquilibriumError
 
 if TYPE_CHECKING:
@@ -26,7 +29,7 @@ _MOVES = 1e-3
 
 
 def resting_loads(question: Statics, recording: Recording, state: bytes | None) -> dict[str, list[Resting]]:
-    """How equilibria have loads that hung still in ropes that are no slings, or in water, where there is one.
+    """How equilibria have loads whose slings do not tell how stably they hung; left out where there is none.
 
     Where the run ends it is asked from what it has saved, earlier by its plan.
 
@@ -37,15 +40,15 @@ def resting_loads(question: Statics, recording: Recording, state: bytes | None) 
     """
     found: dict[str, list[Resting]] = {}
     loads = {load.name: load for load in recording.rig.loads}
-    in_ropes, in_water = borne_by_others(recording), borne_by_water(recording)
-    for name in {**in_ropes, **in_water}:
-        for sample in sorted({*in_ropes.get(name, ()), *in_water.get(name, ())}):
+    by_plan, in_water = left_to_statics(recording), borne_by_water(recording)
+    for name in {**by_plan, **in_water}:
+        for sample in sorted({*by_plan.get(name, ()), *in_water.get(name, ())}):
             is_last = sample == len(recording.time) - 1
             try:
                 rests = _resting(question, recording, loads[name], sample, state if is_last else None)
             except NoEquilibriumError:
                 continue
-            if rests is not None and sample not in in_ropes.get(name, ()):
+            if rests is not None and sample not in by_plan.get(name, ()):
                 rests = replace(rests, aside=0.0)  # waves that a rest does not know turn it to and fro
             if rests is not None:
                 found.setdefault(name, []).append(rests)

@@ -11,6 +11,7 @@ import numpy.typing as npt
 from gantline.assembly.hulls import hull_mesh
 from gantline.assembly.water import hull_name
 from gantline.hydro import Hull
+from gantline.results import series
 from gantline.results.attitude import Lie
 from gantline.results.rotation import axes
 from gantline.scenario import Scenario
@@ -91,10 +92,9 @@ class Afloat:
         return self._displaced(self.turn[2], float(self._origin()[2] - self._level))
 
     def mass_of_loads(self) -> float:
-        """Mass of all loads of the lift with the rigging on them, whatever bears them [kg]."""
-        bodies = {load.body for load in self.question.rig.loads}
-        document = self.question.assembly.document
-        return math.fsum(body["mass"] for body in document["bodies"] if body["name"] in bodies)
+        """Mass of all loads of the lift with rigging on them and their tanks, whatever bears them [kg]."""
+        rest, gravity = self.rest.recording, self.question.rig.gravity
+        return math.fsum(float(series.load_weight(rest, one)[-1]) for one in rest.rig.loads) / gravity
 
     def displacement_at(self, wanted: VesselAttitude) -> float:
         """Mass of the water that it would displace if it floated otherwise [kg]."""

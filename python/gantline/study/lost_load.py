@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.hydro import CannotFloatError, Heeled, Hull, Righting
+from gantline.results import series
 from gantline.results.attitude import Lie
 from gantline.results.hinges import is_shut
 from gantline.results.recording import Recording
@@ -227,6 +228,7 @@ def _refuse_aboard(question: Statics, rest: Equilibrium, load: str) -> None:
         if hinge.load == load and is_shut(rest.recording, hinge)[-1]:
             sentence = f"at {rest.time:g} s hinge '{hinge.name}' holds '{load}', which stays in it"
             raise ValueError(f"{sentence}; --time says when 'open_hinges' has let it go")
+    weight = float(series.load_weight(rest.recording, lost)[-1])
     borne = dict[str, float]()
     for contact in lost.contacts:
         body = lost.meets.get(contact)
@@ -236,8 +238,8 @@ def _refuse_aboard(question: Statics, rest: Equilibrium, load: str) -> None:
             force = float(rest.recording.column("contact_force", contact)[-1])
             borne[afloat[body]] = borne.get(afloat[body], 0.0) + force
     for vessel, force in borne.items():
-        if force > _TOUCHES * lost.weight:
-            bears = f"at {rest.time:g} s {vessel} bears {100.0 * force / lost.weight:.3g} % of '{load}'"
+        if force > _TOUCHES * weight:
+            bears = f"at {rest.time:g} s {vessel} bears {100.0 * force / weight:.3g} % of '{load}'"
             stays = "which stays aboard where its slings let it go"
             right = f"--time says when it hangs clear of {vessel}, and a run with 'cut_at' on its slings"
             raise ValueError(f"{bears}, {stays}; {right} shows where it comes down")

@@ -11,12 +11,16 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.assembly.spatial import inertia_matrix
+from gantline.assembly.water import frozen
+from gantline.cad.mass_properties import point_inertia
+from gantline.hydro.tank import liquid_in_box
 from gantline.results import series
 from gantline.results.alike import first_peak
 from gantline.results.rig import Load
 from gantline.results.rotation import axes
 from gantline.results.tilting import LooseTilt, loose_tilt
 from gantline.scenario import Scenario, ScenarioError
+from gantline.scenario.tanks import load_tanks
 from gantline.scenario.variants import with_values
 from gantline.statics import Equilibrium, Mode, NoEquilibriumError, Statics
 from gantline.study.hanging import Hanging
@@ -47,8 +51,10 @@ class TiltAxis:
     Attributes:
         direction: Of the axis, world x and y.
         stiffness: Moment over tilt [N m/rad]; negative where it leads away, infinite where nothing gives.
-        height: The same over the weight [m]: tan(tilt) is what the centre of gravity is off over this.
-        rig: What of the height the rig gives [m]; the rest is `Tilting.depth`, the load's own weight.
+        height: The same over the weight, with what is in the load's tanks [m]: tan(tilt) is what their common
+            centre of gravity is off over this.
+        rig: What of the height the rig gives, less what free surfaces in tanks take [m]; the rest is
+            `Tilting.depth`, the weight.
     """
 
     direction: tuple[float, float]
@@ -63,11 +69,12 @@ class Tilting:
 
     Attributes:
         load: Its name.
-        depth: Of its centre of gravity below the point in which its slings pull, the middle of their lower
-            ends weighted by their vertical forces [m].
+        depth: Of its centre of gravity, with what is in its tanks, below the point in which its slings pull,
+            the middle of their lower ends weighted by their vertical forces [m].
         soft: The axis about which it tilts most easily.
         stiff: The axis across.
-        tilt_per_metre: By how much it tilts per metre of centre of gravity along its own x and y [rad/m].
+        tilt_per_metre: By how much it tilts per metre of its own centre of gravity, without tanks, along its
+            own x and y [rad/m].
         period: Of the natural motion that has most part in tilting about the soft axis [s]; None where it
             does not swing so.
         period_on_lugs: The same by hand, as if the point in which its slings pull were held [s]; None where
@@ -126,22 +133,30 @@ def _tilting(question: Statics, rest: Equilibrium, modes: Sequence[Mode], load: 
     by_x, by_y = turned @ own[0], turned @ own[1]
     compliance = np.column_stack([-by_y, by_x]) / load.weight
     values, directions = np.linalg.eigh(0.5 * (compliance + compliance.T))
-    heights = [1.0 / (one * load.weight) if abs(one) * load.weight > _RIGID else math.inf for one in values]
+    liquids = _liquids(question, rest, load)
+    mass = load.weight / question.rig.gravity + math.fsum(one.mass for one in liquids)
+    weight = mass * question.rig.gravity
+    heights = [1.0 / (one * weight) if abs(one) * weight > _RIGID else math.inf for one in values]
     order = np.argsort(heights)
-    depth = _depth(rest, load)
+    middle = np.sum([one.mass / mass * one.at for one in liquids], axis=0) if liquids else np.zeros(3)
+    depth = _depth(rest, load) - float(middle[2])
     found = [
         TiltAxis(
             direction=_named(directions[:, index]),
-            stiffness=heights[index] * load.weight,
+            stiffness=heights[index] * weight,
             height=heights[index],
             rig=heights[index] - depth,
         )
         for index in order
     ]
     inertia = own @ _inertia(question, load) @ own.T
+    inertia = inertia + point_inertia(load.weight / question.rig.gravity, middle)
+    for one in liquids:
+        inertia = inertia + one.inertia + point_inertia(one.mass, one.at - middle)
     soft = directions[:, order[0]]
     about = float(soft @ inertia[:2, :2] @ soft)
-    mass = load.weight / question.rig.gravity
+    across = np.array([-soft[1], soft[0]])
+    lost = question.rig.gravity * sum(float(across @ one.spread[:2, :2] @ across) for one in liquids)
     return Tilting(
         load=load.name,
         depth=depth,
@@ -150,12 +165,53 @@ def _tilting(question: Statics, rest: Equilibrium, modes: Sequence[Mode], load: 
         tilt_per_metre=(float(np.linalg.norm(turned[:, 0])), float(np.linalg.norm(turned[:, 1]))),
         period=_period(question, rest, modes, load, soft, float(values[order[0]])),
         period_on_lugs=(
-            2 * math.pi * math.sqrt((about + mass * depth**2) / (load.weight * depth))
-            if depth > 0.0
+            2 * math.pi * math.sqrt((about + mass * depth**2) / (weight * depth - lost))
+            if weight * depth > lost
             else None
         ),
         loose=loose_tilt(rest.recording, load),
     )
+
+
+@dataclass(frozen=True)
+class _Liquid:
+    """What is in a tank of a load, world axes.
+
+    Attributes:
+        mass: Of the liquid [kg].
+        at: Its centre, from the load's centre of gravity (3,) [m].
+        inertia: About that, frozen upright in the load (3, 3) [kg m^2].
+        spread: Density times the second moments of its surface (3, 3) [kg m].
+    """
+
+    mass: float
+    at: Floats
+    inertia: Floats
+    spread: Floats
+
+
+def _liquids(question: Statics, rest: Equilibrium, load: Load) -> list[_Liquid]:
+    """Liquids in tanks of a load at rest."""
+    own = axes(rest.recording.column("body_orientation", load.body)[-1])
+    (centre,) = [
+        np.array(one["centre_of_gravity_from_datum"])
+        for one in question.assembly.rig["loads"]
+        if one["name"] == load.name
+    ]
+    found = []
+    for name, tank in load_tanks(question.scenario).items():
+        mass = float(rest.recording.column("tank_content", name)[-1])
+        if mass <= 0.0:
+            continue
+        filled = tank.model_copy(update={"content": mass})
+        if filled.is_slack:
+            liquid = liquid_in_box(tank.box, own[2], mass / tank.density)
+            inside, spread = liquid.centre, tank.density * own @ liquid.spread @ own.T
+        else:
+            inside, spread = np.array([0.0, 0.0, tank.box[2] / 2.0]), np.zeros((3, 3))
+        at = own @ (np.array(tank.bottom) + inside - centre)
+        found.append(_Liquid(mass, at, own @ frozen(filled)[1] @ own.T, spread))
+    return found
 
 
 def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FARTHEST) -> list[Margin]:

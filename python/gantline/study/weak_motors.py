@@ -79,7 +79,7 @@ def _lifted(scenario: Scenario) -> float:
     spreaders = (one.mass for one in (scenario.spreaders or {}).values())
     compensators = (one.mass for one in (scenario.compensators or {}).values())
     hung = (one.hook_block_mass for one in scenario.hooks.values())
-    load = 0.0 if scenario.load is None else scenario.load.weight.simulated
+    load = 0.0 if scenario.load is None else scenario.load.weight.simulated + scenario.load.room
     return math.fsum((load, *frames, *spreaders, *compensators, *hung))
 
 
