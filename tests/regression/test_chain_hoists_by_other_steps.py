@@ -1,7 +1,8 @@
 """Steps that would move a chain hoist by other words were answered by what has none.
 
 Of a beam with a turnbuckle in sling E, `hoist: sling.E` was "'sling.E' is not a hook; known here: 'w', 'e'",
-and `until: {sling_tension: …}` was to be `mooring_tension`, which takes no sling. A sling named twice was a line.
+and `until: {sling_tension: …}` was to be `mooring_tension`, which takes no sling. A sling named twice was
+a line.
 """
 
 from __future__ import annotations
