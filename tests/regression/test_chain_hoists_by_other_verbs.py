@@ -31,6 +31,8 @@ def test_a_range_of_one_length() -> None:
 @pytest.mark.parametrize("name", ["sling.B", "B"])
 def test_a_verb_for_drums_or_hooks(verb: str, name: str) -> None:
     said = message(PLAN.replace("haul: sling.B", f"{verb}: {name}"))
-    assert said.endswith("; 'haul' shortens what a chain hoist or winch moves, and 'veer' lets it out")
+    assert said.endswith(
+        f"'{name}' is a sling; 'haul' shortens it by its chain hoist, and 'veer' lengthens it"
+    )
     other = message(PLAN.replace("haul: sling.B", f"{verb}: A"))
     assert "'veer'" not in other

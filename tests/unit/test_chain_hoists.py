@@ -222,7 +222,7 @@ def test_put_on_by_a_step() -> None:
     [
         ([("[sling.B, C]", "sling.X")], r"haul: 'sling.X' is not a mooring or tag line, nor a sling with a"),
         ([("[sling.B, C]", "sling.A")], r"haul: sling 'A' has no 'chain_hoist' that could move it; give it"),
-        ([("[sling.B, C]", "[sling.B, B]")], r"haul: names a line twice; each line stands once"),
+        ([("[sling.B, C]", "[sling.B, B]")], r"haul: names a sling twice; each sling stands once"),
         ([("speed: 1 m/min", "speed: 3 m/min")], r"speed: 3 m/min is faster than 'sling.B' can move; its"),
         ([("by: 0.3 m", "by: 0.3")], r"by: '0.3' has no unit; a length is written like"),
         ([("by: 0.3 m", "by: -0.3 m")], r"by: '-0.3 m' is negative; this length has to be above zero"),

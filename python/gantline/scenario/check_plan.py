@@ -98,6 +98,20 @@ def _check_names(findings: Findings) -> None:
             findings.add(("plan", place, "step"), f"{sentence}; {right}")
 
 
+def _of_sling(scenario: Scenario, step: MovingStep, text: str) -> str | None:
+    """What is to be said of a sling that this step cannot move; None of anything else."""
+    name = text.removeprefix("sling.")
+    sling = (scenario.slings or {}).get(name)
+    if sling is None:
+        return None
+    if step.kind == "line":
+        sentence = f"sling '{name}' has no 'chain_hoist' that could move it; give it one, such as "
+        return sentence + "'chain_hoist: {speed: 1 m/min, rated_capacity: 20 t}'"
+    if sling.chain_hoist is None:
+        return None
+    return f"'{text}' is a sling; 'haul' shortens it by its chain hoist, and 'veer' lengthens it"
+
+
 def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
     """Each step moves what there is, once, and not faster than its hoist or drive can."""
     what, can, drive = _WORDS[step.kind]
@@ -116,13 +130,9 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
                 missing = "'slewing'" if crane.slewing_axis else "'slewing_axis' and 'slewing'"
                 sentence = f"the boom of '{text}' does not slew: it has no {missing}"
                 sentence += "; 'haul' and 'veer' of mooring lines take its vessel along"
-            sling = text.removeprefix("sling.")
-            if step.kind == "line" and sling in (findings.scenario.slings or {}):
-                sentence = f"sling '{sling}' has no 'chain_hoist' that could move it; give it one, such as "
-                sentence += "'chain_hoist: {speed: 1 m/min, rated_capacity: 20 t}'"
             if step.kind in ("hook", "drum") and full_name(text, movers(findings.scenario, "line")):
-                sentence += "; 'haul' shortens what a chain hoist or winch moves, and 'veer' lets it out"
-            findings.add(("plan", place, step.verb), sentence)
+                sentence += "; 'haul' shortens a line by its winch, and 'veer' lets it out"
+            findings.add(("plan", place, step.verb), _of_sling(findings.scenario, step, text) or sentence)
             continue
         one = known[name]
         moved.append(name if one is None else one.name)
@@ -132,9 +142,7 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
                 right = "a line with a 'length' or 'pretension' and a 'winch' is moved by steps"
                 findings.add(("plan", place, step.verb), f"{sentence}; {right}")
                 continue
-            # Slings that steps can move have a chain hoist.
-            still = "mooring or tag line" if step.kind == "line" else what
-            sentence = f"{still} '{name}' has no '{drive}' that could {can} it"
+            sentence = f"{what} '{name}' has no '{drive}' that could {can} it"
             right = f"'{drive}: {{speed: 30 m/min, acceleration: 0.1 m/s^2}}'"
             findings.add(("plan", place, step.verb), f"{sentence}; give it one, such as {right}")
             continue
@@ -149,7 +157,10 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
             right = f"its most is {said(step.kind, one.acceleration, 'acceleration')}"
             findings.add(("plan", place, "acceleration"), f"{sentence}; {right}")
     if len(set(moved)) < len(moved):
-        short = "line" if step.kind == "line" else what.partition(" ")[0]
+        short = what.partition(" ")[0]
+        if step.kind == "line":
+            twice = {name for name in moved if moved.count(name) > 1}
+            short = "sling" if all(name.startswith("sling.") for name in twice) else "line"
         findings.add(("plan", place, step.verb), f"names a {short} twice; each {short} stands once")
     return set(moved)
 

@@ -133,6 +133,11 @@ _IN_WATER = (
 )
 #: What people look for and is not there: what there is in its place, by what it is looked for in.
 _INSTEAD = {
+    "until": dict.fromkeys(
+        ("sling_tension", "tension"),
+        "no step waits for the tension of a sling; end it 'by' the length that 'gantline statics' finds, or "
+        "wait for 'hoist_load' or 'load_tilt'",
+    ),
     "a crane": {
         "vessel": "a fixed hook hangs in the world; a crane of 'type: floating_crane' is on a vessel",
         "winch": "a fixed hook moves by its 'hoist', or hangs in falls from a drum by 'reeving' and 'drum'",
