@@ -33,6 +33,8 @@ __all__ = ["doubtful_hinges"]
 _TOO_MUCH = 1.5
 #: How closely angles are looked at [rad], and as far as a load is turned.
 _ANGLES = np.radians(np.linspace(0.0, 180.0, 18001))
+#: Of an angle that is looked at [rad].
+_ROUNDING = 1e-9
 #: Cosine to plumb beyond which the axis of a hinge is no level one, about which loads are raised.
 _LEVEL = 0.1
 #: Least length of falls at their shortest [m].
@@ -268,7 +270,7 @@ def _said(scenario: Scenario, name: str, step: HoistStep, hook: Hook, turn: _Tur
     """What is wrong with a step that hoists a load to a tilt [rad]; nothing where it stops in time."""
     assert scenario.load is not None  # a hinge without a load was refused
     load, wanted = scenario.load.name, format_quantity(above, "deg", 1)
-    over = np.flatnonzero(turn.tilt > above)
+    over = np.flatnonzero(turn.tilt > above - _ROUNDING)
     if not over.size:
         most = format_quantity(float(turn.tilt.max()), "deg", 1)
         goes = f"'{hook.name}' turns {load} to {most} at most, where its pull goes through hinge '{name}'"
