@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from gantline.checks import Verdict
-from gantline.results import series
+from gantline.results.hung_so import has_hung_so
 from gantline.results.recording import Recording
 from of_recording import check_of
 from sample_lift import WEIGHT, ringing_lift, sample_rig
@@ -61,4 +61,4 @@ def test_what_turning_moves_from_hook_to_hook_is_no_dynamics() -> None:
     found = check_of(recording, "sling_dynamic_factor")
     assert (found.value, found.verdict) == (None, Verdict.WARNING)
     assert "turned by more than 10 deg" in found.remark
-    assert not series.has_hung_so(recording, 35.0) and series.has_hung_so(recording, 25.0)
+    assert not has_hung_so(recording, 35.0) and has_hung_so(recording, 25.0)

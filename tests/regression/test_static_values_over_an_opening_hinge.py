@@ -12,6 +12,7 @@ import pytest
 
 from gantline.results import series
 from gantline.results.hinges import shut_as_at
+from gantline.results.hung_so import has_hung_so
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
@@ -53,8 +54,8 @@ def test_what_hung_in_the_hinge_says_nothing_of_what_is_let_go() -> None:
     )
     recording = dropped(down, "ground: {level: 9.5 m}\n")
     assert not series.is_clear(recording)[-1]
-    assert series.has_hung_so(recording, 10.0) and not series.has_hung_so(recording, 20.1)
-    assert series.has_hung_so(dropped(), 20.1)
+    assert has_hung_so(recording, 10.0) and not has_hung_so(recording, 20.1)
+    assert has_hung_so(dropped(), 20.1)
 
 
 def test_only_times_with_the_hinge_as_then_count() -> None:

@@ -42,6 +42,7 @@ from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 from gantline.scenario.steps import AlongStep, HoldStep, MovingStep, PumpStep
 from gantline.scenario.stream import Wind
 from gantline.scenario.tanks import SEA, ends_of_pump, load_tanks, tanks_of
+from gantline.scenario.water import Water
 
 __all__ = ["rig"]
 
@@ -166,6 +167,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "other_ropes": _other_ropes(scenario, load.name),
         "contact_group": load.name if contacts else None,
         "in_water": None if load.in_water is None else in_water_name(load.name),
+        **({} if load.in_water is None else {"water_density": (scenario.water or Water()).density}),
         **({"tanks": tanks} if (tanks := list(load_tanks(scenario))) else {}),
         "contacts": contacts,
         **({"meets": met} if (met := parts.met_by(load.name)) else {}),

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from gantline.checks.forces import design_ratio, raised_of_capacity
+from gantline.checks.design_weight import largest_ratios
+from gantline.checks.forces import raised_of_capacity
 from gantline.checks.measure import Finding, Missing, extreme
 from gantline.results.clearances import watched_during
 from gantline.results.recording import Recording
@@ -23,9 +24,9 @@ def of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
             yield Missing(support.name, "no capacity")
             continue
         stand = [load.name for load in recording.rig.loads if support.name in load.contacts]
-        ratio = max((design_ratio(recording, load) for load in stand), default=1.0)
+        ratios = largest_ratios(recording, stand)
         force = recording.column("contact_force", support.name)
-        yield from raised_of_capacity(recording, during, support.name, force, ratio, support.capacity)
+        yield from raised_of_capacity(recording, during, support.name, force, ratios, support.capacity)
 
 
 def clearance_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:

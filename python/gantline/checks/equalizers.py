@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
+from gantline.checks.design_weight import largest_ratios
 from gantline.checks.forces import (
     NO_STATIC,
-    design_ratio,
     kilonewton,
     over,
     raised_of_capacity,
@@ -40,11 +40,11 @@ def pin_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding
             yield from (Missing(f"pins of {equalizer.name}", "no capacity") for _ in own[:1])
             continue
         borne = {sling.to_load for sling in recording.rig.slings if sling.rope in equalizer.slings}
-        ratio = max((design_ratio(recording, load) for load in borne), default=1.0)
+        ratios = largest_ratios(recording, borne)
         for sheave in own:
             force = np.abs(recording.column("pin_force", sheave))
             yield from raised_of_capacity(
-                recording, during, f"pin of {sheave}", force, ratio, equalizer.pin_capacity
+                recording, during, f"pin of {sheave}", force, ratios, equalizer.pin_capacity
             )
 
 

@@ -16,10 +16,12 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from gantline.checks.design_weight import design_ratio
 from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
 from gantline.results.alike import earliest_peak
 from gantline.results.gear import Compensator, Sling, Spreader
+from gantline.results.hung_so import has_hung_as_heavy
 from gantline.results.pinned import pinned_as_at
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
@@ -33,13 +35,18 @@ SKEW = "skew_load_factor"
 OWN_WEIGHT = "own weight"
 NO_STATIC = "no static force: the load never hung still, clear of its supports"
 HUNG_OTHERWISE = (
-    "at its peak other slings are on or sheaves pinned than whenever the load hung still, or it is turned by "
-    "more than 10 deg from there, so that nothing tells what of it is static; a hold there does"
+    "at its peak other slings are on or sheaves pinned than whenever the load hung still, it is turned by "
+    "more than 10 deg from there, or water bears less of it or more is in its tanks, so that nothing tells "
+    "what of it is static; a hold there does"
 )
 UNRAISED = "peak of the simulated weight alone: the load never hung still"
 UNRAISED_UNDER_PINS = (
     "peak of the simulated weight alone: the load never hung still with sheaves pinned as they were then, so "
     "that nothing tells what of it is static; a hold there does"
+)
+UNRAISED_IN_WATER = (
+    "peak of the simulated weight alone: more of the load is left to bear then, by the water or with what is "
+    "in its tanks, than whenever it hung still, so that nothing tells what of it is static; a hold there does"
 )
 NO_DYNAMIC = f"an equilibrium has no peak, and the rules no {DYNAMIC}"
 
@@ -62,6 +69,9 @@ class Force:
         lacks_static: Whether contingency or a factor of the rule had to be left out, for want of `static`.
         is_under_other_pins: Whether `static` is of other sheaves pinned than the peak, which governs, and
             nothing is of those, so that contingency and factors are left out of it.
+        is_heavier: Whether more is left to bear of the loads at the peak, by water or with what is in tanks,
+            than in any time that they hung still: `static` is then of less, and the peak without contingency
+            and factors.
     """
 
     static: float | None
@@ -76,12 +86,15 @@ class Force:
     window: BoolArray | None = field(default=None, compare=False, repr=False)
     lacks_static: bool = False
     is_under_other_pins: bool = False
+    is_heavier: bool = False
 
     @property
     def caution(self) -> str:
         """What is left out of the force, in a sentence; empty where nothing is."""
         if self.lacks_static:
             return UNRAISED
+        if self.is_heavier:
+            return UNRAISED_IN_WATER
         return UNRAISED_UNDER_PINS if self.is_under_other_pins else ""
 
     @property
@@ -133,20 +146,6 @@ def factor(recording: Recording, name: str) -> float | None:
     return None if found is None else found.value
 
 
-def design_ratio(recording: Recording, load: str | None = None) -> float:
-    """Design weight of a load over the simulated one [1], at least 1; the largest of all if none is named.
-
-    Recordings that do not tell the weight of the load alone have that with its slings and shackles.
-    """
-    rig = recording.rig
-    ratios = [1.0]
-    for one in rig.loads:
-        simulated = one.simulated_mass or one.weight / rig.gravity
-        if load in (None, one.name) and one.design_mass is not None and simulated > 0.0:
-            ratios.append(one.design_mass / simulated)
-    return max(ratios)
-
-
 def sling_forces(
     recording: Recording, during: BoolArray, window: BoolArray | None = None
 ) -> dict[str, Force]:
@@ -166,12 +165,11 @@ def sling_forces(
     rule = factor(recording, SKEW)
     forces = {}
     for sling in recording.rig.slings:
-        ratio = design_ratio(recording, sling.to_load)
-        force = _force(recording, series.sling_tension(recording, sling), ratio, window)
+        force = _force(recording, series.sling_tension(recording, sling), sling.to_load, window)
         skew = by_length.get(sling.name)
         if skew is not None and rule is not None:
             perfect = skew.force if skew.perfect is None else skew.perfect
-            force = _with_skew(recording, force, perfect, ratio, rule)
+            force = _with_skew(recording, force, perfect, sling.to_load, rule)
         forces[sling.name] = _with_peak(recording, force, sling.rope, during)
     return forces
 
@@ -228,14 +226,42 @@ def _sum(forces: Sequence[Force], share: float) -> Force:
 
 
 def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
-    """Static and dynamic force of a rope that is no sling; of the tightest segment over lossy sheaves."""
+    """Static and dynamic force of a rope that is no sling; of the tightest segment over lossy sheaves.
+
+    What a load weighs more in water than it leaves to be borne comes into hoist ropes as it comes into their
+    hook, with hook block and falls beside it, and into none that hold vessels or keep a heading.
+    """
     sheaves = [sheave for sheave in recording.rig.sheaves if sheave.rope == rope]
     segments = {segment for sheave in sheaves for segment in sheave.segments}
     columns = [recording.column("segment_tension", segment) for segment in sorted(segments)]
     columns = columns or [recording.column("rope_tension", rope)]
-    forces = [_force(recording, column, design_ratio(recording)) for column in columns]
+    hooks = [hook.name for hook in recording.rig.hooks if rope in {_rope_of(fall) for fall in hook.falls}]
+    forces = []
+    for column in columns:
+        _, window = series.greatest_static(recording, column)
+        ratio = design_ratio(recording, window=window)
+        if hooks or rope in recording.rig.outer_ropes:
+            ratio = max(design_ratio(recording), _hoist_ratio(recording, hooks, window))
+        forces.append(_raised(recording, column, ratio, window))
     force = max(forces, key=lambda force: force.static or 0.0)
     return _with_peak(recording, force, rope, during)
+
+
+def _rope_of(segment: str) -> str:
+    return segment.rpartition("/")[0]
+
+
+def _hoist_ratio(recording: Recording, hooks: Sequence[str], window: BoolArray) -> float:
+    """Hoist load of a hook with the design weight over that as simulated, while it hangs still; 1 of none."""
+    loads = [series.static_value(recording, recording.column("hoist_load", hook), window) for hook in hooks]
+    return max(
+        (
+            1.0 + _to_design_weight(recording, [hook], window) / load
+            for hook, load in zip(hooks, loads, strict=True)
+            if load
+        ),
+        default=1.0,
+    )
 
 
 def hook_force(
@@ -260,25 +286,33 @@ def hook_force(
         window: Time that the loads hung still, of which static is asked; that with the most if not given.
     """
     names = list(hooks)
-    rig = recording.rig
     hook_load = np.sum([recording.column("hook_load", name) for name in names], axis=0)
     total = np.sum([recording.column(variable, name) for name in names], axis=0)
     window = series.greatest_static(recording, total)[1] if window is None else window
-    more = by_slings = 0.0
-    for sling in (one for one in rig.slings if rig.hook_of(one) in names):
-        share = series.static_value(recording, series.sling_upright(recording, sling), window) or 0.0
-        gear = _gear_below(recording, sling, window)
-        more += (design_ratio(recording, sling.to_load) - 1.0) * max(share - gear, 0.0)
-        by_slings += share
-    for load in rig.loads:
-        more -= (design_ratio(recording, load.name) - 1.0) * _liquid(recording, load, names, window)
     static = series.static_value(recording, hook_load, window)
-    if static is not None and any(hook.bears_mechanics for hook in rig.hooks if hook.name in names):
-        # What hangs there by other ropes is not known: all of it is raised, gear too.
-        more += (design_ratio(recording) - 1.0) * (static - by_slings)
     falls = series.static_value(recording, total - hook_load, window) or 0.0
+    more = _to_design_weight(recording, names, window)
     force = replace(_hook_force(recording, static, more, falls), window=window)
     return _with_peak_of(recording, force, total, during)
+
+
+def _to_design_weight(recording: Recording, hooks: Sequence[str], window: BoolArray) -> float:
+    """What hooks together bear more with the design weight, while the load hangs still [N]."""
+    rig = recording.rig
+    more = by_slings = 0.0
+    for sling in (one for one in rig.slings if rig.hook_of(one) in hooks):
+        share = series.static_value(recording, series.sling_upright(recording, sling), window) or 0.0
+        gear = _gear_below(recording, sling, window)
+        more += (design_ratio(recording, sling.to_load, window) - 1.0) * max(share - gear, 0.0)
+        by_slings += share
+    for load in rig.loads:
+        more -= (design_ratio(recording, load.name) - 1.0) * _liquid(recording, load, hooks, window)
+    if any(hook.bears_mechanics for hook in rig.hooks if hook.name in hooks):
+        hook_load = np.sum([recording.column("hook_load", name) for name in hooks], axis=0)
+        static = series.static_value(recording, hook_load, window) or 0.0
+        # What hangs there by other ropes is not known: all of it is raised, gear too.
+        more += (design_ratio(recording, window=window) - 1.0) * (static - by_slings)
+    return more
 
 
 def _liquid(recording: Recording, load: Load, hooks: Sequence[str], window: BoolArray | None) -> float:
@@ -312,7 +346,7 @@ def _gear_below(recording: Recording, sling: Sling, window: BoolArray | None) ->
 
 def sum_force(recording: Recording, values: FloatArray, load: str | None, during: BoolArray) -> Force:
     """Static and dynamic force of a series that goes with the weight of a load, shape (time,) [N]."""
-    force = _force(recording, values, design_ratio(recording, load))
+    force = _force(recording, values, load)
     return _with_peak_of(recording, force, values, during)
 
 
@@ -332,11 +366,15 @@ def _hook_force(recording: Recording, static: float | None, more: float, falls: 
     return replace(force, rule=rule, rule_text=text, factors=(DYNAMIC,))
 
 
-def _force(recording: Recording, values: FloatArray, ratio: float, window: BoolArray | None = None) -> Force:
-    if window is None:
-        static, window = series.greatest_static(recording, values)
-    else:
-        static = series.static_value(recording, values, window)
+def _force(
+    recording: Recording, values: FloatArray, load: str | None, window: BoolArray | None = None
+) -> Force:
+    window = series.greatest_static(recording, values)[1] if window is None else window
+    return _raised(recording, values, design_ratio(recording, load, window), window)
+
+
+def _raised(recording: Recording, values: FloatArray, ratio: float, window: BoolArray) -> Force:
+    static = series.static_value(recording, values, window)
     if static is None:
         return _without_static(recording, ratio)
     text = f"static {kilonewton(static)}{_to_design(ratio)}"
@@ -349,10 +387,19 @@ def _without_static(recording: Recording, ratio: float) -> Force:
 
 
 def raised_of_capacity(
-    recording: Recording, during: BoolArray, element: str, force: FloatArray, ratio: float, capacity: float
+    recording: Recording,
+    during: BoolArray,
+    element: str,
+    force: FloatArray,
+    ratios: FloatArray,
+    capacity: float,
 ) -> Iterator[Found]:
-    """Largest force of an element [N], all of it raised to the design weight, over its capacity [N]."""
-    for found in extreme(recording, ratio * force / capacity, during, element):
+    """Largest force of an element [N], all of it raised to the design weight, over its capacity [N].
+
+    `ratios` are those by which it is raised at every sample, shape (time,).
+    """
+    for found in extreme(recording, ratios * force / capacity, during, element):
+        ratio = float(np.interp(found.time or 0.0, recording.time, ratios))
         simulated = kilonewton(found.value / ratio * capacity)
         raised = f"({simulated}{_to_design(ratio)})" if ratio > 1.0 else simulated
         yield replace(found, formula=f"{raised} / {kilonewton(capacity)}")
@@ -395,13 +442,14 @@ def at_upper_end(recording: Recording, rope: str, force: Force, during: BoolArra
     return replace(force, peak=highest.tension, time=highest.time, own_weight=highest.own_weight)
 
 
-def _with_skew(recording: Recording, force: Force, perfect: float, ratio: float, rule: float) -> Force:
+def _with_skew(recording: Recording, force: Force, perfect: float, load: str | None, rule: float) -> Force:
     """With the larger of static force and that with perfect lengths [N] times the rule's skew load factor.
 
     Both are raised to the design weight: `force` is so already, `perfect` is of the simulated one.
     """
     if force.static is None:
         return force
+    ratio = design_ratio(recording, load, force.window)
     by_rule = f"{kilonewton(perfect)} with perfect lengths{_to_design(ratio)} x {rule:.4g}"
     text = f"max({force.static_text}, {by_rule})"
     static = max(force.static, perfect * ratio * rule)
@@ -425,11 +473,16 @@ def _under_pins(recording: Recording, force: Force) -> Force:
     """
     if force.peak is None or force.static is None or force.peak != force.dynamic:
         return force
-    if design_ratio(recording) <= 1.0 and not any(factor(recording, one) for one in (DYNAMIC, SKEW)):
+    if not _raises(recording):
         return force
     still = np.any(series.quiet_windows(recording), axis=0)
     alike = still & pinned_as_at(recording, force.time or 0.0)
     return force if alike.any() else replace(force, is_under_other_pins=True)
+
+
+def _raises(recording: Recording) -> bool:
+    """Whether contingency or a factor of the rule raises static forces."""
+    return design_ratio(recording) > 1.0 or any(factor(recording, one) for one in (DYNAMIC, SKEW))
 
 
 def _with_peak_of(recording: Recording, force: Force, values: FloatArray, during: BoolArray) -> Force:
@@ -437,7 +490,8 @@ def _with_peak_of(recording: Recording, force: Force, values: FloatArray, during
     if highest is None:
         return force
     counts = bool(during.all() or force.window is None or during[force.window].all())
-    return replace(force, peak=highest[0], time=highest[1], counts_static=counts)
+    heavier = force.static is not None and _raises(recording) and not has_hung_as_heavy(recording, highest[1])
+    return replace(force, peak=highest[0], time=highest[1], counts_static=counts, is_heavier=heavier)
 
 
 def as_it_is(force: Force, element: str) -> Iterator[Finding]:

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.forces import design_ratio, raised_of_capacity
+from gantline.checks.design_weight import largest_ratios
+from gantline.checks.forces import raised_of_capacity
 from gantline.checks.measure import Finding, Missing
 from gantline.results import series
 from gantline.results.hinges import HINGE_OPENED, hinge_force, is_shut
@@ -29,9 +30,9 @@ def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Findi
         if hinge.rated_capacity is None:
             yield Missing(hinge.name, "rated capacity not known")
             continue
-        ratio = design_ratio(recording, hinge.load)
+        ratios = largest_ratios(recording, [hinge.load])
         force = hinge_force(recording, hinge)
-        yield from raised_of_capacity(recording, during, hinge.name, force, ratio, hinge.rated_capacity)
+        yield from raised_of_capacity(recording, during, hinge.name, force, ratios, hinge.rated_capacity)
 
 
 def opened(recording: Recording) -> list[Check]:

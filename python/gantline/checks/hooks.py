@@ -13,6 +13,7 @@ from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.checks.ratings import SEVERAL, crane_of, kept_back
 from gantline.results import series
 from gantline.results.gear import Hook
+from gantline.results.hung_so import has_hung_so
 from gantline.results.parting import DETACHED, while_there
 from gantline.results.pulled_aside import hooks_that_stay, pull_aside
 from gantline.results.recording import Recording
@@ -75,7 +76,7 @@ def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fin
             highest = float(force.max())
             text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"
             for found in extreme(recording, force / static, during, hook.name):
-                hung_so = found.time is None or series.has_hung_so(recording, found.time)
+                hung_so = found.time is None or has_hung_so(recording, found.time)
                 yield replace(found, formula=text) if hung_so else Missing(hook.name, HUNG_OTHERWISE)
 
 

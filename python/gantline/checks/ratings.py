@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from gantline.checks.forces import UNRAISED, Force, factor, hook_force, kilonewton
+from gantline.checks.forces import UNRAISED, UNRAISED_IN_WATER, Force, factor, hook_force, kilonewton
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
 from gantline.results.hinges import is_shut
@@ -146,8 +146,11 @@ def _by_rule(
     held = _held(recording)
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
     windows = series.quiet_windows(recording)
-    if not windows and hook_force(recording, hooks, variable, during).lacks_static:
+    highest = hook_force(recording, hooks, variable, during)
+    if not windows and highest.lacks_static:
         yield Caution(UNRAISED)
+    elif highest.is_heavier:
+        yield Caution(UNRAISED_IN_WATER)
     for whole in windows:
         window = _to_its_end(whole) & during
         hangs = all_the_way & ~held[whole].any()

@@ -14,6 +14,7 @@ from gantline.checks.lugs import ropes_that_bear
 from gantline.checks.measure import Caution, Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
+from gantline.results.hung_so import has_hung_so
 from gantline.results.parting import DETACHED, partings
 from gantline.results.recording import Recording
 from gantline.results.skew import Skew, skew_loads
@@ -143,7 +144,7 @@ def sling_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fi
             yield Missing(sling.name, "an equilibrium has no peak")
         elif not static:
             yield Missing(sling.name, NO_STATIC if static is None else "carries nothing at rest")
-        elif not series.has_hung_so(recording, time, pinned=True):
+        elif not has_hung_so(recording, time, pinned=True):
             yield Missing(sling.name, HUNG_OTHERWISE)
         else:
             text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"

@@ -21,6 +21,7 @@ from gantline.cli.vessels import vessels
 from gantline.results import series, upper_end
 from gantline.results.alike import first_peak
 from gantline.results.drift import load_drift
+from gantline.results.hung_so import has_hung_so
 from gantline.results.lift_off import lift_off_in_words
 from gantline.results.metrics import energy_bound
 from gantline.results.parting import ATTACHED, partings
@@ -233,7 +234,7 @@ def _hooks(recording: Recording) -> list[str]:
             force = recording.column(name, hook.name)
             static, _ = series.greatest_static(recording, force)
             highest, time = float(force.max()), float(recording.time[first_peak(force)])
-            is_dynamic = bool(static) and series.has_hung_so(recording, time)
+            is_dynamic = bool(static) and has_hung_so(recording, time)
             is_rated_for = name == ("hoist_load" if hook.rating_includes_hook_block else "hook_load")
             used = shares.get(hook.name) if is_rated_for else None
             rows.append(

@@ -108,6 +108,7 @@ from gantline.results.compensators import borne, range_of
 from gantline.results.drift import load_drift
 from gantline.results.equalising import equalising
 from gantline.results.hinges import axial_force, hinge_force, hinge_moment, radial_force
+from gantline.results.hung_so import has_hung_so
 from gantline.results.lift_off import lift_off_time
 from gantline.results.parting import ATTACHED, DETACHED, PLANNED, partings
 from gantline.results.rating import chart_used
@@ -246,7 +247,7 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
         top, time = series.rope_peak(recording, sling.rope)
         static, _ = series.greatest_static(recording, tension)
         yield f"static_sling_tension.{sling.rope}", static
-        if static and not recording.is_equilibrium and series.has_hung_so(recording, time, pinned=True):
+        if static and not recording.is_equilibrium and has_hung_so(recording, time, pinned=True):
             amplification.append(top / static)
         used = upper_end.utilisation(recording, sling.rope)
         if used:

@@ -75,6 +75,7 @@ class Load(HasLugs):
         other_ropes: Ropes that are no slings and end at it or run over it.
         centre_envelope: How far its centre of gravity may be elsewhere, plus and minus along its axes [m].
         in_water: Name of what it displaces among the hulls; None where no water acts on it.
+        water_density: Of the water that it displaces [kg/m^3].
         tanks: Names of its tanks.
         resting: How equilibria have it where it hung still in ropes that are no slings, or with liquid in its
             tanks, as far as there are any.
@@ -94,6 +95,7 @@ class Load(HasLugs):
     other_ropes: Sequence[str] = ()
     centre_envelope: Vector = (0.0, 0.0, 0.0)
     in_water: str | None = None
+    water_density: float = 1025.0
     tanks: Sequence[str] = ()
     resting: Sequence[Resting] = ()
 

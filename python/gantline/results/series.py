@@ -25,9 +25,9 @@ import numpy as np
 
 from gantline.results.alike import earliest_peak, first_peak
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
-from gantline.results.hinges import HINGE_OPENED, shut_as_at
+from gantline.results.hinges import HINGE_OPENED
 from gantline.results.parting import DETACHED, PARTING, while_there
-from gantline.results.pinned import PIN_PULLED, pinned_as_at
+from gantline.results.pinned import PIN_PULLED
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.rotation import axes, heading, tilt
@@ -38,7 +38,6 @@ _SHORTEST_QUIET = 5.0  # s
 _CARRIED_MORE = 1.001  # from which share of the last static value an earlier one counts in its place
 _CARRYING_FROM = 0.01  # of the largest tension
 _LOADED = 0.05  # of the most that the slings of an equalizer carry together
-_TURNED = math.radians(10.0)  # to or from where a load hung still, from which on hooks carry other shares
 _STEEPEST = math.radians(80.0)  # x axis of a load over level; beyond it no heading means anything
 
 
@@ -234,28 +233,6 @@ def greatest_static(recording: Recording, values: FloatArray) -> tuple[float | N
         if static is not None and before is not None and is_more(before, static):
             static, window = before, earlier
     return static, window
-
-
-def has_hung_so(recording: Recording, time: float, *, pinned: bool = False) -> bool:
-    """Whether the loads ever hung still on the slings that are on at a time [s], turned as they are then.
-
-    Where they did not, a force of that time has no static value to be compared with: what slings that came or
-    went left to the others, or a hinge that opened, or what one hook hands to another as a load is turned,
-    is no dynamics. Nor is how slings share under locking pins: for them the same sheaves count that are
-    `pinned`.
-    """
-    on = while_there(recording, [sling.rope for sling in recording.rig.slings], [DETACHED])
-    still = np.any([_no_sample(recording), *quiet_windows(recording)], axis=0) & shut_as_at(recording, time)
-    if pinned:
-        still &= pinned_as_at(recording, time)
-    # Between two samples either may be right: what comes or goes is slack.
-    last = len(recording.time) - 1
-    after = min(int(np.searchsorted(recording.time, time, side="right")), last)
-    for load in recording.rig.loads:
-        upright = axes(recording.column("body_orientation", load.body))[:, :, 2]
-        still &= upright @ upright[after] >= math.cos(_TURNED)
-    around = (on[:, place, np.newaxis] for place in (max(after - 1, 0), after))
-    return any(bool(((on == then).all(axis=0) & still).any()) for then in around)
 
 
 def is_more(earlier: float, later: float) -> bool:
