@@ -8,7 +8,7 @@ from pydantic import Field
 
 from gantline.scenario.base import Element
 from gantline.scenario.crane import Hoist
-from gantline.scenario.quantities import Name, PositiveLength, PositiveMass
+from gantline.scenario.quantities import Length, Name, PositiveLength, PositiveMass
 from gantline.scenario.reeving import HoistDrum, HookBlock, Reeving
 
 __all__ = ["CarriedHook", "HookParts", "HookType"]
@@ -37,4 +37,4 @@ class CarriedHook(HookParts):
     """A hook under something that takes its upper sheaves along: a trolley or a boom."""
 
     type: Name | None = Field(None, description="A name of 'hook_types' that gives what is not said here.")
-    height: PositiveLength = Field(description="Height of the hook's bearing at the start.")
+    height: Length = Field(description="Height of the hook's bearing at the start, in the world.")
