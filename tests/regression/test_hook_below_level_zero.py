@@ -38,8 +38,8 @@ load:
     C: {at: [-3 m,  2 m, 3 m]}
     D: {at: [-3 m, -2 m, 3 m]}
 supports:
-  stools: {under: hull_block, grid: {x: [-3 m, 3 m], y: [-2 m, 2 m]}, foot: -15 m, height: 1 m, stiffness: 100 MN/m,
-           damping: 1 MN s/m, friction: 0.4}
+  stools: {under: hull_block, grid: {x: [-3 m, 3 m], y: [-2 m, 2 m]}, foot: -15 m, height: 1 m,
+           stiffness: 100 MN/m, damping: 1 MN s/m, friction: 0.4}
 cranes:
   crane:
     type: floating_crane
@@ -50,7 +50,8 @@ cranes:
       H:
         height: -2.95 m
         block: {mass: 4 t, height: 2 m}
-        reeving: {ropes: 1, parts_each: 6, rope: hoist, sheave_diameter: 0.8 m, below_head: 1 m, sheave_block_mass: 2 t}
+        reeving: {ropes: 1, parts_each: 6, rope: hoist, sheave_diameter: 0.8 m, below_head: 1 m,
+                  sheave_block_mass: 2 t}
         drum: {diameter: 1 m, layers: 1, wraps_at_start: 20}
         hoist: {speed: 6 m/min, acceleration: 0.05 m/s^2}
 sling_defaults: {rope: sling, length: 8.9 m}
@@ -72,7 +73,7 @@ def lift() -> Scenario:
 
 
 def test_the_block_hangs_in_the_dock_with_its_weight(lift: Scenario) -> None:
-    """60 t in the hook; its step says -1 m, and 55 m of falls of six parts give W L/(6 EA) = 90 mm, to 1 cm."""
+    """60 t in the hook; -1 m of its step less W L/(6 EA) = 90 mm of 55 m of falls, to 1 cm."""
     recording = simulate(lift)
     assert series.static_value(recording, recording.column("hook_load", "crane.H")) == pytest.approx(
         60e3 * G, rel=1e-4

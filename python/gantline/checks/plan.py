@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -63,13 +63,31 @@ def unfinished(recording: Recording) -> list[Check]:
     ended = INCOMPLETE.get(str(recording.attributes.get("status")), "ends")
     if left is None and ended == "ends":
         return []
-    at = f" in '{left.under_way[0]}'" if left is not None and left.under_way else ""
+    at = f" in '{left.under_way[0]}'{_waiting(recording, left.under_way)}" if left and left.under_way else ""
     not_begun = f"; not begun: {named(left.not_begun)}" if left is not None and left.not_begun else ""
     stopped = [time for time, _, _ in recording.events("emergency_stop")]
     after = f", after the emergency stop at {stopped[0]:.4g} s" if stopped else ""
     end = f"{recording.time[-1]:.4g} s" if len(recording.time) else "its start"
     remark = f"the run {ended} at {end}{at}{after}{not_begun}"
     return [Check(PLAN_FINISHED, Verdict.WARNING, "all steps of the plan within the run", remark=remark)]
+
+
+def _waiting(recording: Recording, under_way: Sequence[str]) -> str:
+    """What the first step that waits for something waits for, and how near that is; empty if none does."""
+    waits = [step for step in recording.rig.plan if step.step in under_way and step.waits_for]
+    if not waits:
+        return ""
+    step = waits[0]
+    which = "which" if step.step == under_way[0] else f"beside '{step.step}', which"
+    said = f", {which} waits for {step.waits_for}"
+    if not step.seen_by:
+        return said
+    variable, element, unit = step.seen_by
+    values = recording.column(variable, element)[recording.time >= progress.spans(recording)[step.step][0]]
+    if not values.size:
+        return said
+    last, least, most = (format_quantity(one, unit, 2) for one in (values[-1], values.min(), values.max()))
+    return f"{said}: {last} then, {least} to {most} since it began"
 
 
 def not_lifted(recording: Recording) -> list[Check]:

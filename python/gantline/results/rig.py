@@ -205,6 +205,8 @@ class Step(FromJson):
         keep_plumb: Hooks whose falls it keeps plumb.
         ends_by: Key of the lift file that says when something that moves stops, such as `until` or
             `brake_from`; empty of a hold.
+        waits_for: Condition of the lift file on which it ends, in words; empty of one that has none.
+        seen_by: Variable, its element, and a unit, by which that is seen; nothing where no single one has it.
         moves: What it moves, as the lift file names it: hooks, trolleys, cranes, drums, lines.
         by: Way after which that is at rest [m or rad], negative back; None where it ends otherwise.
         to: Position in which it is at rest [m or rad], of hooks a height; None where it ends otherwise.
@@ -235,6 +237,8 @@ class Step(FromJson):
     turns: bool = False
     keep_plumb: Sequence[str] = ()
     ends_by: str = ""
+    waits_for: str = ""
+    seen_by: Sequence[str] = ()
     moves: Sequence[str] = ()
     by: float | None = None
     to: float | None = None
