@@ -72,10 +72,27 @@ def _idle(parts: Parts, scenario: Scenario) -> list[Doubt]:
     for kind, speed in speeds.items():
         pushes = any(f".{kind}_areas." in str(force["name"]) for force in parts.forces)
         pushes |= kind == "current" and scenario.load is not None and scenario.load.in_water is not None
+        left = _left_out(scenario, kind)
         if speed > 0.0 and not pushes:
             sentence = f"{_shown(kind, speed)} pushes nothing: no body has '{kind}_areas'"
             found.append(Doubt((kind,), sentence))
+        elif speed > 0.0 and left:
+            sentence = f"{_shown(kind, speed)} does not push {', '.join(left)}, without '{kind}_areas'"
+            right = "give them, or one with a coefficient of 0 where that is meant"
+            found.append(Doubt((kind,), f"{sentence}: {right}"))
     return found
+
+
+def _left_out(scenario: Scenario, kind: str) -> list[str]:
+    """What wind or current would push most, and does not for want of a word: the load, and vessels in water.
+
+    What a vessel that moves as given feels changes nothing.
+    """
+    if kind == "wind":
+        load = scenario.load
+        return [load.name] if load is not None and load.wind_areas is None else []
+    vessels = (scenario.vessels or {}).items()
+    return [name for name, one in vessels if one.current_areas is None and one.wave_motion is None]
 
 
 def _strong(scenario: Scenario) -> list[Doubt]:
