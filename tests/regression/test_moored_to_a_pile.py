@@ -29,6 +29,7 @@ vessels:
     hull: {{box: [60 m, 20 m, 5 m]}}
     masses: {{all: {{mass: 3690 t, at: [30 m, 0 m, 3 m]}}}}
     radii_of_gyration: [7 m, 16 m, 17 m]
+    current_areas: {{none: {{area: 1 m^2, coefficient: 0, along: x}}}}
   tow:
     position: [-160 m, 0 m]
     draft: 2 m

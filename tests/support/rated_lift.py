@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from gantline.results.recording import Recording
-from gantline.results.variable import Variable
+from gantline.results.variable import FloatArray, Variable
 
 G = 9.81
 T = 1e3 * G
@@ -24,12 +24,12 @@ def recording(
     cranes: tuple[str, ...] = ("c1",),
     rated: tuple[float, ...] = RATED,
     shares: dict[str, float] | None = None,
-    lead: float = 0.0,
+    lead: float | FloatArray = 0.0,
     factors: dict[str, Any] | None = None,
     limits: dict[str, float] | None = None,
     plan: Sequence[dict[str, Any]] = (),
 ) -> Recording:
-    """One hook to each crane, or several to one; radius [m] and hoist load [t] are (time, hook).
+    """One hook to each crane, or several to one; radius [m] and hoist load [t] are (time, hook), and so may the off-lead be [rad].
 
     Samples are a second apart; step n of the plan ends with sample n.
     """

@@ -34,6 +34,8 @@ SEVERAL = "several_cranes_factor"
 #: What a chart may be limited to, and the variables that are held against it, by crane or by hook.
 _OF_CRANE = {"heel": "crane_heel", "trim": "crane_trim"}
 _OF_HOOK = {"off_lead": "off_lead", "side_lead": "side_lead"}
+#: Share of its most from which a hook bears so much that its lead pulls at the boom [1].
+_UNDER_LOAD = 0.25
 
 
 def load_of_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -297,7 +299,26 @@ def beyond_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
                 limit = getattr(chart.of(hook), key)
                 if limit is not None:
                     values = np.abs(recording.column(variable, hook))
-                    yield from _over(recording, values, bearing[hook], limit, f"{key} {hook}")
+                    yield from _lead(recording, values, bearing[hook], limit, (key, hook))
+
+
+def _lead(
+    recording: Recording, values: FloatArray, during: BoolArray, limit: float, of: tuple[str, str]
+) -> Iterator[Finding]:
+    """A lead over its limit; past that under little load, also what it comes to under more."""
+    key, hook = of
+    load = recording.column("hook_load", hook)
+    for found in _over(recording, values, during, limit, f"{key} {hook}"):
+        yield found
+        at = int(np.argmax(np.where(during, values, -1.0)))
+        most = float(load[during].max())
+        under_load = during & (load >= _UNDER_LOAD * most)
+        if (found.value or 0.0) > 1.0 and not under_load[at]:
+            left, lead = (math.degrees(float(one)) for one in (values[at], values[under_load].max()))
+            yield Caution(
+                f"{key} of {left:.2f} deg with {kilonewton(load[at])} in {hook}, "
+                f"{100.0 * load[at] / most:.0f} % of its most; with a quarter of that and more {lead:.2f} deg"
+            )
 
 
 def _over(
