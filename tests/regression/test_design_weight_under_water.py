@@ -21,7 +21,7 @@ G = 9.81
 WEIGHT = 900e3 * G  # as simulated [N]
 CONTINGENCY = 1.05
 BUOYANCY = 1025.0 * 780.0 * G  # density of the lift file, displaced volume [N]
-BLOCK = 6e3 * G  # hook block, with nothing of the weight of its falls [N]
+HOOK_BLOCK = 6e3 * G  # with nothing of the weight of its falls [N]
 
 LIFT = """
 format: 1
@@ -108,7 +108,7 @@ def test_a_sling_has_its_quarter_of_it(at_rest: Recording, heavy: Recording) -> 
 def test_a_hoist_rope_has_its_part_of_it_and_of_the_hook_block(at_rest: Recording) -> None:
     """(c W - B + hook block)/8 parts of line without losses; the hook block gets no heavier."""
     force = rope_force(at_rest, "hoist.hook.1", series.everywhere(at_rest))
-    assert _static(force) == pytest.approx((CONTINGENCY * WEIGHT - BUOYANCY + BLOCK) / 8.0, rel=1e-9)
+    assert _static(force) == pytest.approx((CONTINGENCY * WEIGHT - BUOYANCY + HOOK_BLOCK) / 8.0, rel=1e-9)
 
 
 def test_the_verdict_of_an_equilibrium_and_of_a_run_is_no_go(lift: Scenario, at_rest: Recording) -> None:

@@ -18,7 +18,7 @@ G = 9.81
 
 LIFT = """
 format: 1
-lift: {title: A block of 60 t comes off the floor of a dry dock}
+lift: {title: A section of 60 t comes off the floor of a dry dock}
 duration: 90 s
 ground: {level: 0 m, friction: 0.4}
 structures: {dock: {type: dock, x: [10 m, 60 m], y: [-40 m, 40 m], floor: -15 m}}
@@ -26,7 +26,7 @@ ropes:
   sling: {axial_stiffness: 150 MN, damping_time: 20 ms, mass: none}
   hoist: {axial_stiffness: 60 MN, damping_time: 20 ms, mass: none}
 load:
-  name: hull_block
+  name: section
   shape: {box: [8 m, 6 m, 3 m]}
   position: [30 m, 0 m, -14 m]
   weight: {calculated: 60 t}
@@ -38,7 +38,7 @@ load:
     C: {at: [-3 m,  2 m, 3 m]}
     D: {at: [-3 m, -2 m, 3 m]}
 supports:
-  stools: {under: hull_block, grid: {x: [-3 m, 3 m], y: [-2 m, 2 m]}, foot: -15 m, height: 1 m,
+  stools: {under: section, grid: {x: [-3 m, 3 m], y: [-2 m, 2 m]}, foot: -15 m, height: 1 m,
            stiffness: 100 MN/m, damping: 1 MN s/m, friction: 0.4}
 cranes:
   crane:
@@ -56,10 +56,10 @@ cranes:
         hoist: {speed: 6 m/min, acceleration: 0.05 m/s^2}
 sling_defaults: {rope: sling, length: 8.9 m}
 slings:
-  A: {from: crane.H, to: hull_block.A}
-  B: {from: crane.H, to: hull_block.B}
-  C: {from: crane.H, to: hull_block.C}
-  D: {from: crane.H, to: hull_block.D}
+  A: {from: crane.H, to: section.A}
+  B: {from: crane.H, to: section.B}
+  C: {from: crane.H, to: section.C}
+  D: {from: crane.H, to: section.D}
 plan:
   - {step: lift off, hoist: H, speed: 2 m/min, until: {supports: clear}}
   - {step: up, hoist: H, speed: 6 m/min, to: -1 m}
@@ -72,7 +72,7 @@ def lift() -> Scenario:
     return parse_scenario(LIFT)
 
 
-def test_the_block_hangs_in_the_dock_with_its_weight(lift: Scenario) -> None:
+def test_the_section_hangs_in_the_dock_with_its_weight(lift: Scenario) -> None:
     """60 t in the hook; -1 m of its step less W L/(6 EA) = 90 mm of 55 m of falls, to 1 cm."""
     recording = simulate(lift)
     assert series.static_value(recording, recording.column("hook_load", "crane.H")) == pytest.approx(
