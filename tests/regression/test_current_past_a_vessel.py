@@ -1,8 +1,8 @@
 """A carrier that lay across a river of 1 m/s felt nothing of it, beside two crane barges that did.
 
 The lift file gave `current_areas` to the crane barges and forgot the carrier, broadside on; its mooring lines
-came to 4.4 % of their breaking force, and no word said that the current passes it. A stream that pushes nothing
-at all was told. So it was with a load without `wind_areas` beside a vessel that has some.
+came to 4.4 % of their breaking force, and no word said that the current passes it. A stream that pushes
+nothing at all was told. So it was with a load without `wind_areas` beside a vessel that has some.
 """
 
 from __future__ import annotations

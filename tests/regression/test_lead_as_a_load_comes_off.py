@@ -1,8 +1,8 @@
 """A crawler crane on soft ground set a nacelle down, and its off-lead was 372 % of what its chart allows.
 
 It had 2 % of its load in its hook then, and sprang back. The check fails by that as it stands, since charts
-say no load from which on their lead counts, but it did not say how little the hook bore, nor what the lead had
-come to while it bore more: nobody could tell a boom that is pulled aside from one that is let go.
+say no load from which on their lead counts, but it did not say how little the hook bore, nor what the lead
+had come to while it bore more: nobody could tell a boom that is pulled aside from one that is let go.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A section that was to be turned until 80° hung at 77.6° below one hook, and 690 m of rope ran off the other.
+"""A section to be turned until 80° hung at 77.6° below one hook, and 690 m of rope ran off the other.
 
 "The run ends at 2400 s in 'turn'" was all that was said: neither what the step waits for, nor that it had
 been as near to that as it ever comes for half an hour.

@@ -29,7 +29,8 @@ def recording(
     limits: dict[str, float] | None = None,
     plan: Sequence[dict[str, Any]] = (),
 ) -> Recording:
-    """One hook to each crane, or several to one; radius [m] and hoist load [t] are (time, hook), and so may the off-lead be [rad].
+    """One hook to each crane, or several to one; radius [m] and hoist load [t] are (time, hook),
+    and so may the off-lead be [rad].
 
     Samples are a second apart; step n of the plan ends with sample n.
     """

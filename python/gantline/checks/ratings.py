@@ -313,7 +313,7 @@ def _lead(
         at = int(np.argmax(np.where(during, values, -1.0)))
         most = float(load[during].max())
         under_load = during & (load >= _UNDER_LOAD * most)
-        if (found.value or 0.0) > 1.0 and not under_load[at]:
+        if values[at] > limit and not under_load[at]:
             left, lead = (math.degrees(float(one)) for one in (values[at], values[under_load].max()))
             yield Caution(
                 f"{key} of {left:.2f} deg with {kilonewton(load[at])} in {hook}, "
