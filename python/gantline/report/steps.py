@@ -55,8 +55,9 @@ def first_steps(subject: Subject) -> dict[str, Any]:
 
 
 def step_rows(subject: Subject) -> list[dict[str, Any]]:
-    """Each step of the plan: when it begins, what it does, holds and requires, how hooks share at its end."""
+    """Each step of the plan: when it begins, what it does, waits for and requires, how hooks share at its end."""
     times = {name: time for time, _, name in subject.recording.events("step_begin")}
+    ends = {name: time for time, _, name in subject.recording.events("step_end")}
     rig, shared = subject.rig, shares(subject)
     hooks = {hook.name for hook in rig.hooks}
     made_fast: list[MooringLine | TagLine] = [*rig.mooring_lines, *rig.tag_lines]
@@ -66,6 +67,7 @@ def step_rows(subject: Subject) -> list[dict[str, Any]]:
             "name": step.step,
             "begin": show(times.get(step.step), "s", 1),
             "does": _does(step, hooks, lines),
+            "until": _waits(step, ends.get(step.step)),
             "is_hold": _is_hold_point(step, rig.plan[-1]),
             "shares": shared.get(step.step, ""),
             "require": ", ".join(_requirement(key, bounds) for key, bounds in step.require.items()),
@@ -108,6 +110,13 @@ def _does(step: Step, hooks: set[str], lines: Mapping[str, str]) -> str:
     verb = "" if step.kind == "hold" else step.kind.replace("_", " ")
     moved = f"{verb}{_moved(step, hooks)}{_speed(step)}{_way(step)}{_pumped(step)}"
     return "; ".join(part for part in (moved, *_still(step), *pins, *gear) if part)
+
+
+def _waits(step: Step, end: float | None) -> str:
+    """What a step waits for, and when that was; that it never was, of a run that ended before."""
+    if not step.until:
+        return ""
+    return typeset(f"until {step.until}, {'not met' if end is None else show(end, 's', 1)}")
 
 
 def _still(step: Step) -> list[str]:

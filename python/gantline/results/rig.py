@@ -203,6 +203,7 @@ class Step(FromJson):
         keep_plumb: Hooks whose falls it keeps plumb.
         ends_by: Key of the lift file that says when something that moves stops, such as `until` or
             `brake_from`; empty of a hold.
+        until: What it waits for, in words, such as `supports clear`; empty of one that waits for nothing.
         moves: What it moves, as the lift file names it: hooks, trolleys, cranes, drums, lines.
         by: Way after which that is at rest [m or rad], negative back; None where it ends otherwise.
         to: Position in which it is at rest [m or rad], of hooks a height; None where it ends otherwise.
@@ -233,6 +234,7 @@ class Step(FromJson):
     turns: bool = False
     keep_plumb: Sequence[str] = ()
     ends_by: str = ""
+    until: str = ""
     moves: Sequence[str] = ()
     by: float | None = None
     to: float | None = None
