@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from gantline.checks import Check, Verdict, check_recording
-from gantline.scenario import parse_scenario
+from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation
 from hooked_lift import TWO_HOOKS_LUGS, hooked_lift
 
@@ -88,3 +88,30 @@ def test_what_has_no_rise_says_so() -> None:
 def test_no_row_where_no_limit_asks_for_it() -> None:
     """Loads that are turned on purpose take one hook metres higher: without a limit nothing is said."""
     assert "hook_level_difference" not in found(UNLIKE, "load_tilt: 9 deg", above_ground=5.0)
+
+
+def test_hooks_that_are_named() -> None:
+    """A third hook stays behind by 1 m on purpose: of all hooks that is compared, of A and B 0.2 m is."""
+    named = found(UNLIKE, "hook_level_difference: {between: [A, B], largest: 201 mm}", above_ground=5.0)
+    check = named["hook_level_difference"]
+    assert (check.verdict, check.element, check.limit) == (Verdict.OK, "A to B", 0.201)
+    assert check.value == pytest.approx(0.2, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ("[A]", "found a list of 1; at least 2 are needed, such as [U1, U2]"),
+        ("[A, A]", "names a hook twice; hooks are compared with each other"),
+        ("[A, X]", "limits.hook_level_difference.between: 'X' is not a hook; known here: 'A', 'B'"),
+    ],
+)
+def test_names_that_are_no_two_hooks(given: str, said: str) -> None:
+    with pytest.raises(ScenarioError) as refused:
+        found(UNLIKE, f"hook_level_difference: {{between: {given}, largest: 50 mm}}", above_ground=5.0)
+    assert said in str(refused.value)
+
+
+def test_a_mapping_without_a_length() -> None:
+    with pytest.raises(ScenarioError, match="'largest' is missing"):
+        found(UNLIKE, "hook_level_difference: {between: [A, B]}", above_ground=5.0)

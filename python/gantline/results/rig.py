@@ -282,6 +282,7 @@ class Rig(FromJson):
         limits: Limits of the lift by name, SI; `rule` says from where they come.
         assumed_limits: Those of them that the lift file does not name: going past one is a warning.
         limit_sources: Where each limit comes from.
+        level_hooks: Hooks whose levels are compared; all that bear the load if none is named.
         factors: Factors on loads and strengths by name, see `gantline.rule_data.FACTORS`.
         shackle_side_load: Chart of side loads on shackles.
         ratings: Rated capacities of hooks, trolleys and cranes.
@@ -328,6 +329,7 @@ class Rig(FromJson):
     limits: Mapping[str, Any] = field(default_factory=dict)
     assumed_limits: Sequence[str] = ()
     limit_sources: Mapping[str, str] = field(default_factory=dict)
+    level_hooks: Sequence[str] = ()
     factors: Mapping[str, Factor] = field(default_factory=dict)
     shackle_side_load: SideLoad = field(default_factory=SideLoad)
     ratings: Sequence[Rating] = ()
