@@ -316,6 +316,10 @@ def test_a_mooring_line_of_the_same_name() -> None:
             [("by: 0.3 m", "by: 8 m"), (", range: [-0.5 m, 1 m]", "")],
             "by step 'level' 0.2 m more are hauled in than there is of sling.B, which is 7.8 m long at the",
         ),
+        (
+            [("by: 0.3 m", "by: 0.3 m, detach: [sling.B]")],
+            "step 'level' takes sling.B off as it begins, and moves its chain hoist then; it carries nothing: a step for",
+        ),
     ],
 )
 def test_what_cannot_be_meant(pairs: list[tuple[str, str]], doubt: str) -> None:

@@ -102,7 +102,7 @@ def test_the_first_page_says_what_is_taken_off() -> None:
     ]
     # As planned, and not as a rope that breaks.
     assert [(one["gone"].split()[0], one["is_parted"]) for one in content["slings"]] == [
-        ("detached", False)
+        ("off", False)
     ] * 2
 
 

@@ -60,7 +60,7 @@ SECTIONS: tuple[Section, ...] = (
 LIVE_SECTIONS: tuple[Section, ...] = (Player(), Tensions(), HookLoads(), Attitude(), Tanks(), Clearances())
 
 _UNITS = "|".join(re.escape(unit) for units in DIMENSIONS.values() for unit in units if unit)
-_BEFORE_UNIT = re.compile(rf"(?<=[0-9]) (?=(?:{_UNITS})(?![\w/^]))")
+_BEFORE_UNIT = re.compile(rf"(?<=[0-9_]) (?=(?:{_UNITS})(?![\w/^]))")
 
 _STYLES = ("report.css", "first_page.css", "narrow.css", "print.css")
 
@@ -169,7 +169,7 @@ def _environment() -> Environment:
 
 
 def _unbroken(text: str) -> str:
-    """A text in which no line ends between a number and its unit."""
+    """A text in which no line ends between a number, or the room for one, and its unit."""
     return _BEFORE_UNIT.sub("\u00a0", text)
 
 
