@@ -1,7 +1,7 @@
 """The first page told of a step that waits for a condition what it moves and how fast, and not until when.
 
 `lift off, hoist 0.15 m/min` stood there, without that it goes on until the supports are clear and when that
-was; of a step that brakes at a time nothing at all said when. Whoever signs for a plan reads what ends a step.
+was; of a step that brakes at a time nothing at all said when.
 """
 
 from __future__ import annotations

@@ -318,7 +318,7 @@ def test_a_mooring_line_of_the_same_name() -> None:
         ),
         (
             [("by: 0.3 m", "by: 0.3 m, detach: [sling.B]")],
-            "step 'level' takes sling.B off as it begins, and moves its chain hoist then; it carries nothing: a step for",
+            "step 'level' takes sling.B off as it begins, and moves its chain hoist then; it",
         ),
     ],
 )

@@ -102,7 +102,7 @@ def test_a_load_that_floats_is_doubtful() -> None:
 
 
 def test_a_load_that_the_plan_lets_float_is_not() -> None:
-    """Where there is nothing but water to leave it on, and the plan lets it down until its slings are slack."""
+    """There is nothing but water to leave it on, and the plan lets it down until its slings are slack."""
     wet = manifold(displaced_volume="70 m^3")
     steps = [{"step": "float", "lower": "crane", "speed": "3 m/min", "until": {"slings": "slack"}}]
     steps += [{"step": "look", "hold": "until_end"}]

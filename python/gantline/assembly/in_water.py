@@ -145,7 +145,9 @@ def _floats(scenario: Scenario, given: InWater, load: Load, water: Water) -> Ite
 def _is_let_float(scenario: Scenario, water: Water) -> bool:
     """Whether water is all that a load can be left on, and the plan leaves it: no sling on, or all slack."""
     ground = scenario.ground
-    may_stand = scenario.supports or scenario.structures or (scenario.mechanics and scenario.mechanics.body_contacts)
+    may_stand = (
+        scenario.supports or scenario.structures or (scenario.mechanics and scenario.mechanics.body_contacts)
+    )
     if may_stand or (ground is not None and ground.level < water.level):
         return False
     slack = any(step.until is not None and step.until.slings == "slack" for step in scenario.plan)

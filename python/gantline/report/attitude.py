@@ -85,7 +85,7 @@ def _peak(found: tuple[float, float]) -> str:
 
 
 def _hinges(subject: Subject) -> list[tuple[str, str]]:
-    """What hinges bear at most, as the section on them has it, and how much of their rated capacity that is."""
+    """What hinges bear at most, as the section on them has it, and the share of their rated capacity."""
     used = values_of(subject.recording, "hinge_force_of_rated_capacity") if subject.rig.hinges else {}
     rows = []
     for hinge in subject.rig.hinges:

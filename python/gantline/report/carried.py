@@ -124,6 +124,7 @@ def _hangs_whole(subject: Subject) -> BoolArray:
         hangs = hangs & ~is_shut(subject.recording, hinge)
     return hangs
 
+
 def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
     """Slings in the order of the lift file; where there are too many, those that use most of their rope.
 

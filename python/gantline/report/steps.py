@@ -63,7 +63,7 @@ def first_steps(subject: Subject) -> dict[str, Any]:
 
 
 def step_rows(subject: Subject) -> list[dict[str, Any]]:
-    """Each step of the plan: when it begins, what it does, waits for and requires, how hooks share at its end."""
+    """Each step of the plan: when it begins, what it does, waits for and requires, how hooks share then."""
     times = {name: time for time, _, name in subject.recording.events("step_begin")}
     ends = {name: time for time, _, name in subject.recording.events("step_end")}
     rig, shared = subject.rig, shares(subject)
@@ -135,7 +135,7 @@ def _does(step: Step, hooks: set[str], lines: Mapping[str, str]) -> str:
 
 
 def _waits(step: Step, end: float | None) -> str:
-    """What a step waits for and when that was, or that it never was; when one stops that does so at a time."""
+    """What a step waits for and when that was, or that it never was; when one stops that does by time."""
     when = "not met" if end is None else show(end, "s", 1)
     if step.until:
         return typeset(f"until {step.until}, {when}")
