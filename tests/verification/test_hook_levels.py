@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from gantline.checks import Check, Verdict, check_recording
-from gantline.scenario import ScenarioError, parse_scenario
+from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from hooked_lift import TWO_HOOKS_LUGS, hooked_lift
 
@@ -96,22 +96,3 @@ def test_hooks_that_are_named() -> None:
     check = named["hook_level_difference"]
     assert (check.verdict, check.element, check.limit) == (Verdict.OK, "A to B", 0.201)
     assert check.value == pytest.approx(0.2, abs=1e-12)
-
-
-@pytest.mark.parametrize(
-    ("given", "said"),
-    [
-        ("[A]", "found a list of 1; at least 2 are needed, such as [U1, U2]"),
-        ("[A, A]", "names a hook twice; hooks are compared with each other"),
-        ("[A, X]", "limits.hook_level_difference.between: 'X' is not a hook; known here: 'A', 'B'"),
-    ],
-)
-def test_names_that_are_no_two_hooks(given: str, said: str) -> None:
-    with pytest.raises(ScenarioError) as refused:
-        found(UNLIKE, f"hook_level_difference: {{between: {given}, largest: 50 mm}}", above_ground=5.0)
-    assert said in str(refused.value)
-
-
-def test_a_mapping_without_a_length() -> None:
-    with pytest.raises(ScenarioError, match="'largest' is missing"):
-        found(UNLIKE, "hook_level_difference: {between: [A, B]}", above_ground=5.0)
