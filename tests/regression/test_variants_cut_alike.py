@@ -49,3 +49,21 @@ def test_names_that_have_room_have_none(lift: Path) -> None:
     lines = cases(lift, 160)
     assert not any("#" in line for line in lines)
     assert sum("hook_levels (cranes.A.at.z −1 mm) " in line for line in lines) >= 1
+
+
+def test_the_worst_case_of_each_element(lift: Path) -> None:
+    """In its last column variants were cut alike too, with nothing below that told them apart."""
+    assert cases(lift, 80)[-1].startswith("1 case, 3 equilibria")
+    lines = gantline("cases", str(lift), columns=60).stdout.splitlines()
+    start = next(place for place, line in enumerate(lines) if line.startswith("Worst case"))
+    rows, below = lines[start:-1], lines[lines.index("", start) + 1 : -2]
+    assert any(line.endswith("#1 hook_levels …") for line in rows)
+    assert any(line.endswith("#2 hook_levels …") for line in rows)
+    assert sorted(line[5:] for line in below) == [
+        "hook_levels (cranes.A.at.z +1 mm)",
+        "hook_levels (cranes.A.at.z −1 mm)",
+    ]
+    # With lines for variants the first numbers are those of their own.
+    lines = cases(lift, 60)
+    start = next(place for place, line in enumerate(lines) if line.startswith("Worst case"))
+    assert {found[0] for line in lines[start:] if (found := re.search(r"#\d", line))} == {"#4", "#5"}

@@ -56,7 +56,7 @@ def _said(lift: Scenario) -> str:
 def test_a_tilt_that_is_never_met_is_told_with_what_it_comes_to(lift: Scenario) -> None:
     """Below its lug A alone the plate hangs at 90° - atan(1 m/5 m) = 78.69°, and swings about that."""
     said = _said(lift.changed({"duration": "350 s"}))
-    assert said.startswith("the run ends at 350 s in 'turn', which waits for load_tilt above 85.0 deg: ")
+    assert said.startswith("the run ends at 350 s in 'turn', which waits for tilt above 85 deg: ")
     now = float(said.split(": ", 1)[1].split(" deg then, ")[0])
     assert now == pytest.approx(90.0 - math.degrees(math.atan(1.0 / 5.0)), abs=1.0)
     assert said.endswith("deg since it began; not begun: end")

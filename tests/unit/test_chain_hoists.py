@@ -240,6 +240,10 @@ def test_put_on_by_a_step() -> None:
         ),
         ([("[-0.5 m, 1 m]", "[1 m, 0 m]")], r"range: a range goes from the least to the largest change; fou"),
         ([("[-0.5 m, 1 m]", "[0.5 m, 1 m]")], r"range: a range of changes of length has 0 in it, where the"),
+        (
+            [("[-0.5 m, 1 m]", "[-8 m, 1 m]")],
+            r"chain_hoist.range: 8 m to haul in are all of the sling, 7.8 m from end to end; its least",
+        ),
         ([("[-0.5 m, 1 m]", "0.5 m")], r"range: found '0.5 m'; a list of 2 is needed"),
         ([("{speed: 2 m/min, accel", "{accel")], r"chain_hoist: 'speed' is missing; the chain hoist of a"),
         ([("rated_capacity: 80 t", "wll: 80 t")], r"'wll' is not a key .*; did you mean 'rated_capacity'\?"),
@@ -311,6 +315,10 @@ def test_a_mooring_line_of_the_same_name() -> None:
         (
             [("by: 0.3 m", "by: 8 m"), (", range: [-0.5 m, 1 m]", "")],
             "by step 'level' 0.2 m more are hauled in than there is of sling.B, which is 7.8 m long at the",
+        ),
+        (
+            [("by: 0.3 m", "by: 0.3 m, detach: [sling.B]")],
+            "step 'level' takes sling.B off as it begins, and moves its chain hoist then; it",
         ),
     ],
 )

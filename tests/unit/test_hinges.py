@@ -10,6 +10,8 @@ import pytest
 
 from gantline.assembly import assemble
 from gantline.checks import Verdict, check_recording
+from gantline.report.attitude import attitude
+from gantline.report.subject import Subject
 from gantline.results.hinges import in_words, is_shut
 from gantline.results.recording import Recording, open_recording
 from gantline.scenario import ScenarioError, parse_scenario
@@ -83,6 +85,16 @@ def test_its_force_is_held_against_its_capacity(run: Recording) -> None:
     )
     assert raised.verdict is Verdict.FAILED
     assert raised.value == pytest.approx(1.3 * largest / (60e3 * 9.81), rel=1e-6)
+
+
+def test_the_first_page_has_what_it_bears(run: Recording) -> None:
+    """W (1 - a/b) of the 60 t that it is rated for."""
+    facts = dict(attitude(Subject(run)))
+    force = float(run.column("hinge_force", "foot").max())
+    assert force == pytest.approx(BY_FOOT, rel=1e-6)
+    shown = facts["largest force in foot"]
+    assert shown.startswith(f"{force / 1e3:.1f} kN at ")
+    assert shown.endswith(f", {100.0 * force / (60e3 * 9.81):.0f} % of rated")
 
 
 def test_a_hinge_that_bears_is_not_opened(run: Recording) -> None:

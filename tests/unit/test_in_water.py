@@ -101,6 +101,15 @@ def test_a_load_that_floats_is_doubtful() -> None:
     assert any("the load floats: it weighs 60 t and displaces 71.75 t" in doubt for doubt in doubts)
 
 
+def test_a_load_that_the_plan_lets_float_is_not() -> None:
+    """There is nothing but water to leave it on, and the plan lets it down until its slings are slack."""
+    wet = manifold(displaced_volume="70 m^3")
+    steps = [{"step": "float", "lower": "crane", "speed": "3 m/min", "until": {"slings": "slack"}}]
+    steps += [{"step": "look", "hold": "until_end"}]
+    afloat = wet.changed({"plan": steps})
+    assert not any("the load floats" in doubt for doubt in assemble(afloat).warnings)
+
+
 def test_added_mass_that_no_load_of_this_size_has_is_doubtful() -> None:
     """1.025 t/m^3 (8 · 6 · 4 m^3 + (8 · 6 m^2)^1.5) = 538 t along z."""
     sentence = "are more than the water in the load's box and about it, 538 t; a unit has slipped"

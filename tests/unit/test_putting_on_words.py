@@ -133,8 +133,8 @@ def test_summary_first_page_and_sketch() -> None:
     gone = {one["name"]: (one["gone"], one["is_parted"]) for one in content["slings"]}
     again = next(time for time, _, name in recording.events("attached") if time > 10.0)
     off = recording.events("detached")[0][0]
-    assert gone["S1"] == ("attached 1.0 s", False)
-    assert gone["S2"] == (f"attached 1.0 s, detached {off:.1f} s, attached {again:.1f} s", False)
+    assert gone["S1"] == ("on 1.0 s", False)
+    assert gone["S2"] == (f"on 1.0 s, off {off:.1f} s, on {again:.1f} s", False)
     assert any(mark.style == "sk-sling" for mark in sketches(subject)[0].marks)
     # Until they are on there are none to be drawn.
     first = Simulation(parse_scenario(lift()))

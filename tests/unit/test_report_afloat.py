@@ -14,11 +14,13 @@ from crawler_lift import BALLAST, BASE, BOOM, TRACK, WEIGHT, crawler_lift, tippi
 from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.booms import boom_rows
 from gantline.report.first_page import FirstPage
+from gantline.report.plots import Tanks
 from gantline.report.sketch import sketches
 from gantline.report.subject import Subject
 from gantline.results import Recording
 from gantline.results.saved import Beside, SavedCase, SavedCases, SavedLostLoad, SavedSwing
 from gantline.results.surroundings import Ground, Hole, is_cut, water_cut
+from gantline.viewer.curves import curves
 
 TANKS = {"fore": tank((80.0, 0.0, 0.0), 500.0), "aft": tank((20.0, 0.0, 0.0), 500.0)}
 PUMP = [
@@ -52,6 +54,19 @@ def test_a_vessel_has_a_row_for_the_start_and_for_each_step(pumped: Recording) -
     assert (first["ballast"], last["ballast"]) == ("1000", "1000")
     assert table["pumped"] == "fore 500 to 450 t, aft 500 to 550 t"
     assert table["gm"] == ""
+
+
+def test_tanks_that_are_pumped_have_curves(pumped: Recording) -> None:
+    """50 t go from one tank to the other, of those that the barge has."""
+    found = {curve.label: curve for curve in curves(pumped) if curve.group == "tanks"}
+    assert list(found) == ["barge.fore", "barge.aft"]
+    ends = [(one.factor * one.values[0], one.factor * one.values[-1], one.unit) for one in found.values()]
+    assert ends == [(500.0, pytest.approx(450.0), "t"), (500.0, pytest.approx(550.0), "t")]
+    [plot] = Tanks().plots(Subject(pumped))
+    assert (plot["groups"], plot["unit"]) == (["tanks"], "t")
+    rig = {**pumped.attributes["rig"], "plan": []}
+    still = Recording({}, {}, {**pumped.attributes, "rig": rig})
+    assert Tanks().plots(Subject(still)) == []
 
 
 def test_the_largest_mooring_force_is_that_of_the_recording(pumped: Recording) -> None:

@@ -101,9 +101,7 @@ def test_the_first_page_says_what_is_taken_off() -> None:
         "take off S1, S2",
     ]
     # As planned, and not as a rope that breaks.
-    assert [(one["gone"].split()[0], one["is_parted"]) for one in content["slings"]] == [
-        ("detached", False)
-    ] * 2
+    assert [(one["gone"].split()[0], one["is_parted"]) for one in content["slings"]] == [("off", False)] * 2
 
 
 def test_pictures_show_where_a_load_that_hangs_is_set_down() -> None:

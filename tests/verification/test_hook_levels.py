@@ -88,3 +88,11 @@ def test_what_has_no_rise_says_so() -> None:
 def test_no_row_where_no_limit_asks_for_it() -> None:
     """Loads that are turned on purpose take one hook metres higher: without a limit nothing is said."""
     assert "hook_level_difference" not in found(UNLIKE, "load_tilt: 9 deg", above_ground=5.0)
+
+
+def test_hooks_that_are_named() -> None:
+    """A third hook stays behind by 1 m on purpose: of all hooks that is compared, of A and B 0.2 m is."""
+    named = found(UNLIKE, "hook_level_difference: {between: [A, B], largest: 201 mm}", above_ground=5.0)
+    check = named["hook_level_difference"]
+    assert (check.verdict, check.element, check.limit) == (Verdict.OK, "A to B", 0.201)
+    assert check.value == pytest.approx(0.2, abs=1e-12)

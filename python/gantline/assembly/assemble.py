@@ -29,6 +29,7 @@ from gantline.assembly.doubtful_ground import doubtful_ground
 from gantline.assembly.doubtful_heights import doubtful_heights
 from gantline.assembly.doubtful_hinges import doubtful_hinges
 from gantline.assembly.doubtful_lee import doubtful_lee
+from gantline.assembly.doubtful_levels import doubtful_levels
 from gantline.assembly.doubtful_masses import doubtful_masses
 from gantline.assembly.doubtful_rails import doubtful_rails
 from gantline.assembly.doubtful_ratings import doubtful_ratings
@@ -194,7 +195,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     parts.emergency_stop = emergency_stop(scenario)
     add_partings(parts, scenario)
     warn_of_cuts(parts, scenario)
-    doubts = _doubts(parts, scenario, rigging, lifted, pins)
+    doubts = (*_doubts(parts, scenario, rigging, lifted, pins), *doubtful_levels(parts, scenario, under))
     return Assembly(
         document=parts.document(scenario.simulation.gravity),
         settings=_settings(scenario),

@@ -7,7 +7,10 @@ from gantline.assembly.parts import Json, Parts
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.chain_hoist import chain_flow
 from gantline.scenario.errors import Doubt
+from gantline.scenario.hooks import full_name
+from gantline.scenario.movers import movers
 from gantline.scenario.rigging import SlingRigging
+from gantline.scenario.steps import LineStep
 from gantline.units import format_by_size, format_quantity
 
 __all__ = ["add_chain_hoist", "chain_drive", "chain_hoist_rig", "paid_out_by"]
@@ -31,6 +34,7 @@ def add_chain_hoist(parts: Parts, scenario: Scenario, sling: SlingRigging) -> No
     parts.add_drive(chain_drive(sling.name))
     parts.add_flow(chain_flow(sling.name), _INERTIA, drive=chain_drive(sling.name))
     warn_of_hauled(parts, scenario, f"sling.{sling.name}", sling.length)
+    _warn_of_empty(parts, scenario, f"sling.{sling.name}")
     path = ("slings", sling.name, "chain_hoist")
     if hoist.speed > _FASTEST:
         speed = format_quantity(hoist.speed, "m/min", 0)
@@ -40,6 +44,18 @@ def add_chain_hoist(parts: Parts, scenario: Scenario, sling: SlingRigging) -> No
         mass, rated = (format_by_size(one, "mass") for one in (hoist.mass, hoist.rated_capacity))
         sentence = f"the chain hoist of sling {sling.name} weighs {mass}, and may carry {rated}"
         parts.doubts.append(Doubt((*path, "mass"), f"{sentence}; a unit has slipped, t for kg"))
+
+
+def _warn_of_empty(parts: Parts, scenario: Scenario, rope: str) -> None:
+    """Warn of a step that moves the chain hoist of a sling that it takes off as it begins."""
+    slings = movers(scenario, "line")
+    for place, step in enumerate(scenario.plan):
+        if not isinstance(step, LineStep) or rope not in step.detach:
+            continue
+        if rope in {full_name(text, slings) for text in step.moved}:
+            sentence = f"step '{step.step}' takes {rope} off as it begins, and moves its chain hoist then"
+            right = "it carries nothing: a step for each, in the order that is meant, is right"
+            parts.doubt(("plan", place, "detach"), f"{sentence}; {right}")
 
 
 def paid_out_by(sling: SlingRigging, top: Json) -> Json:

@@ -25,6 +25,7 @@ from gantline.scenario.charts import boom_charts
 from gantline.scenario.crane import FixedHook
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import Hook, trolley_name
+from gantline.scenario.levels import HookLevels, levelled_hooks
 from gantline.scenario.limits import Rules
 from gantline.scenario.rating import Rating
 from gantline.scenario.reeving import hoist_drum
@@ -50,6 +51,8 @@ def limits_and_rules(scenario: Scenario, rigging: Rigging, *, has_sheaves: bool)
     given = {}
     if scenario.limits is not None:  # the bound of equalising is no limit, but what a result is counted by
         given = scenario.limits.model_dump(exclude_none=True, exclude={"equalised_below"})
+        if isinstance(level := scenario.limits.hook_level_difference, HookLevels):
+            given["hook_level_difference"] = level.largest
     own = str(given.get("rule", LIFT_FILE))
     sources = {key: own for key in given if key != "rule"}
     of_preset = {key: one for key, one in preset.limits.items() if key not in given}
@@ -63,6 +66,7 @@ def limits_and_rules(scenario: Scenario, rigging: Rigging, *, has_sheaves: bool)
         "limits": {**named, **given, **{key: one.value for key, one in of_preset.items()}, **assumed},
         "assumed_limits": list(assumed),
         "limit_sources": sources,
+        **({"level_hooks": hooks} if (hooks := levelled_hooks(scenario)) else {}),
         "factors": _factors(scenario, rigging, rules, preset, own),
         "shackle_side_load": _side_load(rules, own),
     }

@@ -17,6 +17,7 @@ from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Findings
 from gantline.scenario.in_water import InWater
 from gantline.scenario.load import Load
+from gantline.scenario.slinging import slings_on
 from gantline.scenario.steps import HoistStep
 from gantline.scenario.water import Water
 from gantline.units import format_by_size
@@ -66,7 +67,7 @@ def add_in_water(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoa
             "stream": [0.0, 0.0, 0.0] if current is None else list(current.velocity),
         }
     )
-    parts.doubts += _floats(given, load, water.density)
+    parts.doubts += _floats(scenario, given, load, water)
     parts.doubts += _dense(given, load)
     parts.doubts += _too_much(given, box, water.density)
     parts.doubts += _too_little(given, load, water.density)
@@ -131,14 +132,26 @@ def _lattice(box: Array, height: float, volume: float, added: Array, drag: Array
     }
 
 
-def _floats(given: InWater, load: Load, density: float) -> Iterator[Doubt]:
-    """Of a load that water bears."""
-    displaced, weight = density * displaced_volume(given, load), load.mass_at_start
-    if displaced >= weight:
+def _floats(scenario: Scenario, given: InWater, load: Load, water: Water) -> Iterator[Doubt]:
+    """Of a load that water bears, unless that is what the plan lets it down to or begins with."""
+    displaced, weight = water.density * displaced_volume(given, load), load.mass_at_start
+    if displaced >= weight and not _is_let_float(scenario, water):
         carried, weighs = (format_by_size(mass, "mass", 4) for mass in (displaced, weight))
         beside = " with what is in its tanks at the start" if load.tanks else ""
         sentence = f"the load floats: it weighs {weighs}{beside} and displaces {carried} of water"
         yield Doubt(("load", "in_water"), f"{sentence}; ropes go slack where it has sunk in so far")
+
+
+def _is_let_float(scenario: Scenario, water: Water) -> bool:
+    """Whether water is all that a load can be left on, and the plan leaves it: no sling on, or all slack."""
+    ground = scenario.ground
+    may_stand = (
+        scenario.supports or scenario.structures or (scenario.mechanics and scenario.mechanics.body_contacts)
+    )
+    if may_stand or (ground is not None and ground.level < water.level):
+        return False
+    slack = any(step.until is not None and step.until.slings == "slack" for step in scenario.plan)
+    return slack or not all(slings_on(scenario))
 
 
 def _free_of_the_bed(scenario: Scenario, load: Load) -> Iterator[Doubt]:

@@ -29,7 +29,7 @@ from gantline.assembly.shapes import watch_name
 from gantline.assembly.supports import every_support, support_contact
 from gantline.assembly.tag_lines import tag_rig
 from gantline.assembly.vessels import vessel_rig
-from gantline.assembly.waiting import waited_for
+from gantline.assembly.waits import waited_for
 from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.bounds import Bound

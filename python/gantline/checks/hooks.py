@@ -106,6 +106,7 @@ def falls_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 def level_difference(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """How far of two hooks that bear the load one has gone up more than the other since it came clear.
 
+    Any two, or any two of those that the limit of the lift file names.
     Only while both have slings on: a hook goes where it likes before its slings are put on, and after they
     have been taken off. One that stays behind so far that its slings go slack counts.
     """
@@ -113,7 +114,8 @@ def level_difference(recording: Recording, during: BoolArray) -> Iterator[Findin
     bearing: dict[str, list[BoolArray]] = {}
     for sling in rig.slings:
         bearing.setdefault(rig.hook_of(sling), []).append(series.is_on(recording, sling.rope))
-    on = {hook.name: np.any(bearing[hook.name], axis=0) for hook in rig.hooks if hook.name in bearing}
+    compared = [hook.name for hook in rig.hooks if not rig.level_hooks or hook.name in rig.level_hooks]
+    on = {name: np.any(bearing[name], axis=0) for name in compared if name in bearing}
     clear = series.is_clear(recording)
     if recording.is_equilibrium or not clear.any():
         for name in on:

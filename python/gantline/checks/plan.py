@@ -74,12 +74,12 @@ def unfinished(recording: Recording) -> list[Check]:
 
 def _waiting(recording: Recording, under_way: Sequence[str]) -> str:
     """What the first step that waits for something waits for, and how near that is; empty if none does."""
-    waits = [step for step in recording.rig.plan if step.step in under_way and step.waits_for]
+    waits = [step for step in recording.rig.plan if step.step in under_way and step.until]
     if not waits:
         return ""
     step = waits[0]
     which = "which" if step.step == under_way[0] else f"beside '{step.step}', which"
-    said = f", {which} waits for {step.waits_for}"
+    said = f", {which} waits for {step.until}"
     if not step.seen_by:
         return said
     variable, element, unit = step.seen_by

@@ -57,13 +57,14 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
         *_lines(_cautions(result.states), result.states, in_cases, width),
     ]
     states, governed = _states(groups, width), _governing(groups, width)
+    numbered = _numbered([name for name, _ in groups], [*states, *governed], width)
     parts = [
         [f"{result.title}, at rest"],
         [*states, *why],
         governed,
-        _numbered([name for name, _ in groups], [*states, *governed]),
+        numbered,
         *_tensions(result, width),
-        _worst(result.worst, width),
+        *_worst(result.worst, width, len(groups) if numbered else 0),
         *_bands(result),
         [_verdict(result)],
     ]
@@ -232,7 +233,11 @@ def _tensions(result: CasesResult, width: int) -> list[list[str]]:
     return tables(["Highest tension", *(name for _, name in ropes)], columns, width=width) if ropes else []
 
 
-def _worst(worst: Sequence[Worst], width: int) -> list[str]:
+def _worst(worst: Sequence[Worst], width: int, numbered: int) -> list[list[str]]:
+    """The worst case of each element, and what variants are whose names are cut off alike.
+
+    Those have numbers behind the first few, `numbered`, which others have already.
+    """
     rows = []
     for one in worst:
         unit, digits = QUANTITIES[one.quantity]
@@ -245,11 +250,14 @@ def _worst(worst: Sequence[Worst], width: int) -> list[str]:
         label = AS_GIVEN if value == given else _name(one.state.case, one.state.label)
         rows.append((_LINES[one.quantity].format(one.element), given, value, share, label))
     if not rows:
-        return []
+        return [[]]
     head = ("Worst case", AS_GIVEN, "worst", "of it", "in")
     taken = max(len(line) for line in table(head, [(*row[:4], "") for row in rows], "lrrrl")) + 2
     room = max(_SHORTEST_LABEL, width - taken)
-    return table(head, [(*row[:4], _shortened(row[4], room)) for row in rows], "lrrrl")
+    long = [label for label in dict.fromkeys(row[4] for row in rows) if len(label) > room]
+    names = dict(zip(long, _told_apart(long, room, numbered), strict=True))
+    lines = table(head, [(*row[:4], names.get(row[4], row[4])) for row in rows], "lrrrl")
+    return [lines, _listed(long, width, numbered) if _is_numbered(names.values(), numbered) else []]
 
 
 def _repeats(hoist: Worst, worst: Sequence[Worst]) -> bool:
@@ -324,19 +332,35 @@ def nothing_hangs(states: Sequence[State]) -> str:
     return f"nothing hangs then, {'; '.join(states[0].not_lifted)}"
 
 
-def _told_apart(names: Sequence[str], room: int) -> list[str]:
-    """Names no longer than `room`, with a number each where what is cut off is all that two differ by."""
+def _told_apart(names: Sequence[str], room: int, first: int = 0) -> list[str]:
+    """Names no longer than `room`, with a number each where what is cut off is all that two differ by.
+
+    Numbers begin behind the `first` ones.
+    """
     cut = [_shortened(name, room) for name in names]
     if len(set(cut)) == len(set(names)):
         return cut
-    return [_shortened(f"{_number(place)} {name}", room) for place, name in enumerate(names)]
+    return [_shortened(f"{_number(first + place)} {name}", room) for place, name in enumerate(names)]
 
 
-def _numbered(names: Sequence[str], lines: Sequence[str]) -> list[str]:
+def _numbered(names: Sequence[str], lines: Sequence[str], width: int) -> list[str]:
     """What numbers stand for, where names have them in these lines."""
-    if not any(line.startswith(f"  {_number(0)} ") for line in lines):
-        return []
-    return [f"  {_number(place)} {name}" for place, name in enumerate(names)]
+    return _listed(names, width) if _is_numbered((line.strip() for line in lines), 0) else []
+
+
+def _is_numbered(lines: Iterable[str], first: int) -> bool:
+    return any(line.startswith(f"{_number(first)} ") for line in lines)
+
+
+def _listed(names: Sequence[str], width: int, first: int = 0) -> list[str]:
+    """Each number with the whole name that it stands for."""
+    return [
+        line
+        for place, name in enumerate(names, first)
+        for line in textwrap.wrap(
+            f"{_number(place)} {name}", max(width, 60), initial_indent="  ", subsequent_indent="     "
+        )
+    ]
 
 
 def _number(place: int) -> str:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from gantline.checks import values_of
 from gantline.report.subject import ABSENT, Subject, show, typeset
 from gantline.results import series
 from gantline.results.alike import first_peak
 from gantline.results.clearances import watched_during
 from gantline.results.drift import load_drift
+from gantline.results.hinges import hinge_force
 from gantline.results.lift_off import lift_off_in_words
 from gantline.results.rig import Load
 from gantline.results.upending import is_turned, kept_plumb_in_words, turning_in_words
@@ -27,6 +29,7 @@ def attitude(subject: Subject) -> list[tuple[str, str]]:
     for load in subject.rig.loads:
         rows += _of_load(subject, load, lift_off)
     rows += [(what, typeset(words)) for what, words in kept_plumb_in_words(recording)]
+    rows += _hinges(subject)
     rows += _tag_lines(subject)
     rows += _clearance(subject)
     if recording.attributes.get("status") == "failed":
@@ -79,6 +82,19 @@ def _peak(found: tuple[float, float]) -> str:
     """The largest of an angle and when that was; no time of what rounds to nothing."""
     angle = show(found[0], "deg", 2)
     return angle if angle == show(0.0, "deg", 2) else f"{angle} at {show(found[1], 's', 1)}"
+
+
+def _hinges(subject: Subject) -> list[tuple[str, str]]:
+    """What hinges bear at most, as the section on them has it, and the share of their rated capacity."""
+    used = values_of(subject.recording, "hinge_force_of_rated_capacity") if subject.rig.hinges else {}
+    rows = []
+    for hinge in subject.rig.hinges:
+        found = subject.peak(hinge_force(subject.recording, hinge))
+        if found is not None:
+            of = f", {show(used[hinge.name], '%', 0)} of rated" if hinge.name in used else ""
+            force = f"{show(found[0], 'kN', 1)} at {show(found[1], 's', 1)}"
+            rows.append((f"largest force in {hinge.name}", f"{force}{of}"))
+    return rows
 
 
 def _tag_lines(subject: Subject) -> list[tuple[str, str]]:

@@ -13,7 +13,7 @@ from gantline.results import series, upper_end
 from gantline.results.chain_hoists import sling_lengths
 from gantline.results.gear import Equalizer, Hook, Sling
 from gantline.results.hinges import is_shut
-from gantline.results.parting import ATTACHED, PARTING, PLANNED, partings
+from gantline.results.parting import ATTACHED, DETACHED, PARTING, PLANNED, partings
 from gantline.results.travel import most_used, ways_of
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -21,6 +21,10 @@ from gantline.results.variable import BoolArray, FloatArray
 READINGS = (0.25, 0.5, 0.75, 1.0)
 #: A load cell is read over this time once the load is clear, some swings of the load on its ropes [s].
 READ_OVER = 5.0
+
+
+#: What the plan does to slings, in a word beside their names, for which there is little room.
+_OFF_AND_ON = {DETACHED: "off", ATTACHED: "on"}
 
 
 def hook_row(subject: Subject, hook: Hook) -> dict[str, Any]:
@@ -131,7 +135,7 @@ def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
     told: dict[str, list[str]] = {}
     for time, kind, rope in subject.recording.events():
         if kind in (*PARTING, ATTACHED):
-            told.setdefault(rope, []).append(f"{kind} {show(time, 's', 1)}")
+            told.setdefault(rope, []).append(f"{_OFF_AND_ON.get(kind, kind)} {show(time, 's', 1)}")
 
     def used(sling: Sling) -> tuple[bool, float, float]:
         of_rope = upper_end.utilisation(subject.recording, sling.rope)

@@ -17,7 +17,7 @@ from gantline.report.events import Events
 from gantline.report.first_page import FirstPage
 from gantline.report.hinges import Hinges
 from gantline.report.holds import HoldPoints
-from gantline.report.plots import Attitude, Clearances, HookLoads, Player, Tensions, Vessels
+from gantline.report.plots import Attitude, Clearances, HookLoads, Player, Tanks, Tensions, Vessels
 from gantline.report.rest import Cases, Modes, Rest
 from gantline.report.seas import Seas
 from gantline.report.section import Section
@@ -44,6 +44,7 @@ SECTIONS: tuple[Section, ...] = (
     HoldPoints(),
     Attitude(),
     Vessels(),
+    Tanks(),
     Clearances(),
     Checks(),
     Rest(),
@@ -56,10 +57,10 @@ SECTIONS: tuple[Section, ...] = (
 )
 
 #: Those of a lift that is still running.
-LIVE_SECTIONS: tuple[Section, ...] = (Player(), Tensions(), HookLoads(), Attitude(), Clearances())
+LIVE_SECTIONS: tuple[Section, ...] = (Player(), Tensions(), HookLoads(), Attitude(), Tanks(), Clearances())
 
 _UNITS = "|".join(re.escape(unit) for units in DIMENSIONS.values() for unit in units if unit)
-_BEFORE_UNIT = re.compile(rf"(?<=[0-9]) (?=(?:{_UNITS})(?![\w/^]))")
+_BEFORE_UNIT = re.compile(rf"(?<=[0-9_]) (?=(?:{_UNITS})(?![\w/^]))")
 
 _STYLES = ("report.css", "first_page.css", "narrow.css", "print.css")
 
@@ -168,7 +169,7 @@ def _environment() -> Environment:
 
 
 def _unbroken(text: str) -> str:
-    """A text in which no line ends between a number and its unit."""
+    """A text in which no line ends between a number, or the room for one, and its unit."""
     return _BEFORE_UNIT.sub("\u00a0", text)
 
 

@@ -211,6 +211,20 @@ class Vessels(_Plots):
         return found
 
 
+class Tanks(_Plots):
+    """What is in tanks of loads and vessels."""
+
+    anchor = "tanks"
+    title = "Tanks"
+
+    def plots(self, subject: Subject) -> list[Plot]:
+        """Contents of those that steps of the plan pump."""
+        if "tank_content" not in subject.recording or not any(step.tanks for step in subject.rig.plan):
+            return []
+        title = "Liquid in tanks of loads and vessels"
+        return [_plot(title, "tanks", "t", smallest=0.1, extreme="both")]
+
+
 class Clearances(_Plots):
     """How near watched pairs come to each other."""
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -18,11 +19,16 @@ from gantline.results.tag_lines import TagLine
 _MOST = 16
 #: Of lifts afloat, whose vessels take room on the sheet.
 _MOST_AFLOAT = 10
+#: Lines that they may take together, and letters of one, about.
+_MOST_LINES, _MOST_LINES_AFLOAT = 30, 21
+_WIDE = 38
 #: So few that when to stop has room in their column.
 _FEW = 6
 
 #: Steps whose speed is that of something that goes along a line.
 _ALONG = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out", "haul", "veer")
+#: Keys by which a step stops at a time.
+_AT_A_TIME = ("brake_from", "emergency_stop_at")
 #: Steps whose speed is that of a boom or an upper structure that turns.
 _TURNING = ("luff", "slew")
 
@@ -36,14 +42,16 @@ class StepsContinued(Section):
 
     def content(self, subject: Subject) -> dict[str, Any] | None:
         """What the template is given."""
-        first = _most(subject)
-        rows = step_rows(subject)[first:]
+        every = step_rows(subject)
+        first = _most(subject, every)
+        rows = every[first:]
         return {"rows": rows, "first": first + 1} if rows else None
 
 
 def first_steps(subject: Subject) -> dict[str, Any]:
     """Steps of the first page, in words where the others are, and whether their column has room for more."""
-    rows, most = step_rows(subject), _most(subject)
+    rows = step_rows(subject)
+    most = _most(subject, rows)
     left = len(rows) - most
     joint = "and" if left == 2 else "to"
     numbers = f"Step {len(rows)}" if left == 1 else f"Steps {most + 1} {joint} {len(rows)}"
@@ -55,8 +63,9 @@ def first_steps(subject: Subject) -> dict[str, Any]:
 
 
 def step_rows(subject: Subject) -> list[dict[str, Any]]:
-    """Each step of the plan: when it begins, what it does, holds and requires, how hooks share at its end."""
+    """Each step of the plan: when it begins, what it does, waits for and requires, how hooks share then."""
     times = {name: time for time, _, name in subject.recording.events("step_begin")}
+    ends = {name: time for time, _, name in subject.recording.events("step_end")}
     rig, shared = subject.rig, shares(subject)
     hooks = {hook.name for hook in rig.hooks}
     made_fast: list[MooringLine | TagLine] = [*rig.mooring_lines, *rig.tag_lines]
@@ -66,6 +75,7 @@ def step_rows(subject: Subject) -> list[dict[str, Any]]:
             "name": step.step,
             "begin": show(times.get(step.step), "s", 1),
             "does": _does(step, hooks, lines),
+            "until": _waits(step, ends.get(step.step)),
             "is_hold": _is_hold_point(step, rig.plan[-1]),
             "shares": shared.get(step.step, ""),
             "require": ", ".join(_requirement(key, bounds) for key, bounds in step.require.items()),
@@ -74,8 +84,22 @@ def step_rows(subject: Subject) -> list[dict[str, Any]]:
     ]
 
 
-def _most(subject: Subject) -> int:
-    return _MOST_AFLOAT if subject.rig.vessels else _MOST
+def _most(subject: Subject, rows: Sequence[dict[str, Any]]) -> int:
+    """How many steps the first page has room for: so many, or fewer that take as many lines as it has."""
+    is_afloat = bool(subject.rig.vessels)
+    most, left = (_MOST_AFLOAT, _MOST_LINES_AFLOAT) if is_afloat else (_MOST, _MOST_LINES)
+    for place, row in enumerate(rows[:most]):
+        left -= _lines(row)
+        if left < 0:
+            return max(1, place)
+    return most
+
+
+def _lines(row: Mapping[str, Any]) -> int:
+    """Lines that a step takes in its column, about."""
+    words = [row["name"], "hold point" if row["is_hold"] else "", row["begin"], row["does"], row["until"]]
+    text = "  ".join(part for part in (*words, row["shares"]) if part)
+    return math.ceil(len(text) / _WIDE) + math.ceil(len(row["require"]) / _WIDE)
 
 
 def _is_hold_point(step: Step, last: Step) -> bool:
@@ -108,6 +132,14 @@ def _does(step: Step, hooks: set[str], lines: Mapping[str, str]) -> str:
     verb = "" if step.kind == "hold" else step.kind.replace("_", " ")
     moved = f"{verb}{_moved(step, hooks)}{_speed(step)}{_way(step)}{_pumped(step)}"
     return "; ".join(part for part in (moved, *_still(step), *pins, *gear) if part)
+
+
+def _waits(step: Step, end: float | None) -> str:
+    """What a step waits for and when that was, or that it never was; when one stops that does by time."""
+    when = "not met" if end is None else show(end, "s", 1)
+    if step.until:
+        return typeset(f"until {step.until}, {when}")
+    return f"until {when}" if step.ends_by in _AT_A_TIME and end is not None else ""
 
 
 def _still(step: Step) -> list[str]:

@@ -205,7 +205,7 @@ class Step(FromJson):
         keep_plumb: Hooks whose falls it keeps plumb.
         ends_by: Key of the lift file that says when something that moves stops, such as `until` or
             `brake_from`; empty of a hold.
-        waits_for: Condition of the lift file on which it ends, in words; empty of one that has none.
+        until: What it waits for, in words, such as `supports clear`; empty of one that waits for nothing.
         seen_by: Variable, its element, and a unit, by which that is seen; nothing where no single one has it.
         moves: What it moves, as the lift file names it: hooks, trolleys, cranes, drums, lines.
         by: Way after which that is at rest [m or rad], negative back; None where it ends otherwise.
@@ -237,7 +237,7 @@ class Step(FromJson):
     turns: bool = False
     keep_plumb: Sequence[str] = ()
     ends_by: str = ""
-    waits_for: str = ""
+    until: str = ""
     seen_by: Sequence[str] = ()
     moves: Sequence[str] = ()
     by: float | None = None
@@ -286,6 +286,7 @@ class Rig(FromJson):
         limits: Limits of the lift by name, SI; `rule` says from where they come.
         assumed_limits: Those of them that the lift file does not name: going past one is a warning.
         limit_sources: Where each limit comes from.
+        level_hooks: Hooks whose levels are compared; all that bear the load if none is named.
         factors: Factors on loads and strengths by name, see `gantline.rule_data.FACTORS`.
         shackle_side_load: Chart of side loads on shackles.
         ratings: Rated capacities of hooks, trolleys and cranes.
@@ -332,6 +333,7 @@ class Rig(FromJson):
     limits: Mapping[str, Any] = field(default_factory=dict)
     assumed_limits: Sequence[str] = ()
     limit_sources: Mapping[str, str] = field(default_factory=dict)
+    level_hooks: Sequence[str] = ()
     factors: Mapping[str, Factor] = field(default_factory=dict)
     shackle_side_load: SideLoad = field(default_factory=SideLoad)
     ratings: Sequence[Rating] = ()

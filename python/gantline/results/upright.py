@@ -88,7 +88,8 @@ def heels_over(recording: Recording) -> list[TopHeavy]:
 
     Such a load turns about its last corner on what it stands on as long as it is hoisted, and bounces on
     it. It is looked at where the run ends, with most of its weight in its slings; where steps lower hooks
-    it may have been set down.
+    it may have been set down, and where the last that hoists stops short of lifting it, as to weigh it, it
+    was never meant to hang.
 
     Args:
         recording: Of a run.
@@ -99,9 +100,21 @@ def heels_over(recording: Recording) -> list[TopHeavy]:
     found = []
     for load in recording.rig.loads if not series.quiet_windows(recording) else ():
         hung = recording.column("load_transferred", load.name)[-1]
+        if _stops_short(recording, load):
+            continue
         if hung > _MOSTLY and not series.load_is_clear(recording, load)[-1]:
             found += [one for one in _at(recording, len(recording.time) - 1) if one.name == load.name]
     return found
+
+
+def _stops_short(recording: Recording, load: Load) -> bool:
+    """Whether the last step that hoists ends by its condition with a load on its supports, as wanted then."""
+    ends = {name: time for time, _, name in recording.events("step_end")}
+    last = [step for step in recording.rig.plan if step.kind == "hoist"][-1]
+    if last.ends_by != "until" or last.step not in ends:
+        return False
+    at = min(int(np.searchsorted(recording.time, ends[last.step])), len(recording.time) - 1)
+    return not series.load_is_clear(recording, load)[at]
 
 
 def left_to_statics(recording: Recording) -> dict[str, list[int]]:

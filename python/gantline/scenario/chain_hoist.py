@@ -84,6 +84,13 @@ def check_chain_hoists(findings: Findings, rigging: Rigging) -> None:
         why = _why_not(findings, rigging, sling)
         if why is not None:
             findings.add(("slings", name, "chain_hoist"), why)
+        range_ = sling.chain_hoist.range_
+        if range_ is not None and sling.length + range_[0] <= 0.0:
+            sentence = (
+                f"{-range_[0]:g} m to haul in are all of the sling, {sling.length:.4g} m from end to end"
+            )
+            right = "its least change is less than that, such as [-0.5 m, 1.5 m]"
+            findings.add(("slings", name, "chain_hoist", "range"), f"{sentence}; {right}")
         if f"sling.{name}" in (findings.scenario.mooring_lines or {}):
             sentence = f"steps would not know the mooring line 'sling.{name}' from this sling"
             findings.add(("mooring_lines", f"sling.{name}"), f"{sentence}; it needs another name")

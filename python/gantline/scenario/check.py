@@ -29,6 +29,7 @@ from gantline.scenario.crane_parts import crane_parts
 from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
+from gantline.scenario.levels import check_levels
 from gantline.scenario.luffing import luffing_drum
 from gantline.scenario.mechanics import HalfTurn, HingeJoint, Mechanics, Slider
 from gantline.scenario.model import Scenario
@@ -91,6 +92,7 @@ def check(scenario: Scenario) -> None:
     check_moorings(findings)
     check_tag_lines(findings)
     check_hinges(findings)
+    check_levels(findings)
     _check_hook_groups(findings)
     check_plan(findings)
     check_partings(findings)

@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 
 from gantline.rule_data import PRESETS, SEVERAL_CRANES
 from gantline.scenario.base import Element
+from gantline.scenario.levels import LevelLimit
 from gantline.scenario.quantities import (
     NotNegativeAngle,
     NotNegativeLength,
@@ -181,10 +182,10 @@ class Limits(Element):
     hook_distance_margin: NotNegativeLength | None = Field(
         None, description="Least distance of hooks of two trolleys beyond that of the crane; 0 if not given."
     )
-    hook_level_difference: PositiveLength | None = Field(
+    hook_level_difference: LevelLimit | None = Field(
         None,
         description="How far of two hooks that bear the load one goes up more than the other once it is "
-        "clear.",
+        "clear: a length, of any two; or of some alone '{between: [U1, U2], largest: 50 mm}'.",
     )
     hoist_load_of_rating: _Share | None = Field(
         None,

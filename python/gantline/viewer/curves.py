@@ -74,6 +74,7 @@ def curves(recording: Recording) -> Iterator[Curve]:
                 label = f"{name} (≥ {least:g} m)" if least > 0.0 else name
                 yield Curve(group, name, label, unit, factor, values, equalizer_of.get(name, ""))
     yield from _loads(recording)
+    yield from _tanks(recording)
     if "energy" in recording:
         for at, kind in enumerate(recording.coordinates["energy_kind"]):
             label = kind.replace("_", " ")
@@ -91,6 +92,13 @@ def _ropes(recording: Recording) -> Iterator[Curve]:
         tension = recording.column("rope_tension", name)
         peak = series.rope_peak(recording, name)
         yield Curve("tension", name, label, "kN", 1e-3, tension, family[name], peak)
+
+
+def _tanks(recording: Recording) -> Iterator[Curve]:
+    """What is in the tanks that steps of the plan pump: what is in others stays as it is."""
+    pumped = dict.fromkeys(tank for step in recording.rig.plan for tank in step.tanks)
+    for name in pumped if "tank_content" in recording else ():
+        yield Curve("tanks", name, name, "t", 1e-3, recording.column("tank_content", name))
 
 
 def _loads(recording: Recording) -> Iterator[Curve]:
