@@ -1,0 +1,63 @@
+"""What a rope holds is lost once, and it pulls no more from the moment on at which it goes.
+
+A weight hangs on two ropes of the stiffness k each, which both hold T²/2k, T = m g/2; one is taken off, the weight
+sinks past where that had its length, and then it is cut as well.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from mechanics import G, Json, Run, adaptive, body, document, end, rope, simulate, slider
+
+MASS, EA, LENGTH = 1000.0, 1e6, 5.0
+STIFFNESS = EA / LENGTH
+STRETCH = MASS * G / (2 * STIFFNESS)
+METHODS: dict[str, Any] = {"adaptive": adaptive, "del": simulate}
+
+
+def until(time: float) -> Json:
+    return {"type": "duration", "duration": time}
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_rope_that_is_off_and_cut_loses_nothing_more(method: str) -> None:
+    """`parting` is T²/2k from when it is taken off, though its ends are farther apart as it is cut."""
+    bodies = [body("weight", slider(position=-STRETCH), MASS)]
+    ropes = [rope(name, LENGTH, [end(None, (0, 0, LENGTH)), end("weight")], EA) for name in ("one", "other")]
+    plan = [
+        {"name": "wait", "until": until(0.1)},
+        {"name": "off", "detaches": ["other"], "until": until(0.15)},
+        {"name": "cut", "cuts": ["other"], "until": until(0.1)},
+    ]
+    run: Run = METHODS[method](document(bodies, ropes=ropes, plan=plan), 0.5)
+    off, cut = (run.time > at + 0.01 for at in (0.1, 0.25))
+    assert run.joint("weight")[cut][0] < -1.5 * STRETCH
+    assert [name for _, name in run.events("detached")] == ["other"]
+    held = (MASS * G / 2) ** 2 / (2 * STIFFNESS)
+    # By `del` the rope has rung by rounding until then.
+    assert run.energy("parting")[off] == pytest.approx(held, rel=1e-9)
+    assert run.tension("other")[off].max() == 0.0
+
+
+def test_a_mooring_line_that_is_cut_pulls_no_more_in_that_step() -> None:
+    """By steps of one length: between two lines of the pull F, one cut, the speed after a step h is F h/m.
+
+    In eight steps it moves by 18 µm, which with EA/L are 15 N less of 100 kN.
+    """
+    mass, pull, step = 2e5, 1e5, 1e-3
+    line = {"type": "mooring", "body": "barge", "at": [0, 0, 0], "weight": 1.0, "axial_stiffness": 5e7}
+    forces = [
+        {**line, "name": name, "to": [x, 0, 0], "pretension": pull}
+        for name, x in (("ahead", 60.0), ("astern", -60.0))
+    ]
+    forces[1]["cut_at"] = 0.1
+    run = simulate(document([body("barge", slider((1, 0, 0)), mass)], forces=forces), 0.11, step=step)
+    at = int(abs(run.time - 0.1).argmin())
+    gone = run.joint("barge") - run.joint("barge")[at]
+    # Speeds F h/m, 2 F h/m, … of the steps after it.
+    for steps in (1, 2, 3, 8):
+        way = pull / mass * step**2 * steps * (steps + 1) / 2
+        assert gone[at + steps] == pytest.approx(way, rel=1e-3)
