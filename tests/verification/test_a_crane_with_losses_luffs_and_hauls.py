@@ -1,9 +1,9 @@
 """Two cranes hold one load: one luffs and hauls over a sheave with losses, one of the other's ropes is cut.
 
 In the x-z plane, with every rope as docs/concepts/flows.md, rope.md and winch.md have it: a boom that turns
-as its drive says; from its tip a rope over half a turn on a hook block, which may slip there by (F5) and (F6),
-back to a drum at the tip, which takes rope in by (WI2); two slings from the block to a beam; at the beam's
-other end a rope with a curve, (R5), and one of one stiffness that is cut. scipy's DOP853 integrates block,
+as its drive says; from its tip a rope over half a turn on a hook block, which may slip there by (F5) and
+(F6), back to a drum at the tip, which takes rope in by (WI2); two slings from the block to a beam; at its other
+end a rope with a curve, (R5), and one of one stiffness that is cut. scipy's DOP853 integrates block,
 beam, rope that passes the sheave and rope on the drum, from one stop of the sheave to the next.
 """
 

@@ -1,7 +1,7 @@
 """What a rope holds is lost once, and it pulls no more from the moment on at which it goes.
 
-A weight hangs on two ropes of the stiffness k each, which both hold T²/2k, T = m g/2; one is taken off, the weight
-sinks past where that had its length, and then it is cut as well.
+A weight hangs on two ropes of the stiffness k each, which both hold T²/2k, T = m g/2; one is taken off, the
+weight sinks past where that had its length, and then it is cut as well.
 """
 
 from __future__ import annotations
