@@ -2,8 +2,8 @@
 
 In the x-z plane, with every rope as docs/concepts/flows.md, rope.md and winch.md have it: a boom that turns
 as its drive says; from its tip a rope over half a turn on a hook block, which may slip there by (F5) and
-(F6), back to a drum at the tip, which takes rope in by (WI2); two slings from the block to a beam; at its other
-end a rope with a curve, (R5), and one of one stiffness that is cut. scipy's DOP853 integrates block,
+(F6), back to a drum at the tip, which takes rope in by (WI2); two slings from the block to a beam; at its
+other end a rope with a curve, (R5), and one of one stiffness that is cut. scipy's DOP853 integrates block,
 beam, rope that passes the sheave and rope on the drum, from one stop of the sheave to the next.
 """
 
@@ -102,7 +102,7 @@ def tail(stretch: float, rate: float) -> float:
     pull = PULLS[index] + slope * over
     stored = STORED[index] + (PULLS[index] + 0.5 * slope * over) * over
     w = pull / math.sqrt(2 * stored * ROW_EA)
-    return max(0.0, pull + w**2 * ROW_EA * TAIL_TAU * rate / TAIL)
+    return float(max(0.0, pull + w**2 * ROW_EA * TAIL_TAU * rate / TAIL))
 
 
 def plain(ea: float, length: float, tau: float, stretch: float, rate: float) -> float:
@@ -201,7 +201,7 @@ SLING = tuple(
 def own(times: Floats) -> tuple[Floats, dict[str, Floats], int]:
     """States (13, times) and tensions at times [s], and how often the sheave stood."""
     y = np.zeros(13)
-    y[0:2], y[2:4] = (HOOK[0], HOOK[2]), (PLACE[0], PLACE[2])
+    y[0:4] = np.array([HOOK[0], HOOK[2], PLACE[0], PLACE[2]])
     y[11] = FIRST[1]
     now, stuck, side, stops_count = 0.0, True, 0.0, 0
     places = np.empty((13, len(times)))
@@ -223,8 +223,8 @@ def own(times: Floats) -> tuple[Floats, dict[str, Floats], int]:
         ) -> float:
             if stuck:
                 look = model.at(t, s, True, 0.0)
-                return abs(look["unheld"]) - look["bound"]
-            return s[12] * side
+                return float(abs(look["unheld"]) - look["bound"])
+            return float(s[12] * side)
 
         event.terminal, event.direction = True, 1 if stuck else -1  # type: ignore[attr-defined]
         stop = next(one for one in breaks if one > now + 1e-12)
