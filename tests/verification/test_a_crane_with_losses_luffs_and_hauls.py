@@ -177,10 +177,10 @@ class Model:
             force, load = force - t * along, load + t * along
             moment += t * (arm[1] * along[0] - arm[0] * along[1])
         arm = turned(angle, TAIL_LUG)
-        for name, top in (("tail", TAIL_TOP), ("aid", AID_TOP)):
+        for name, high in (("tail", TAIL_TOP), ("aid", AID_TOP)):
             if name == "aid" and self.cut:
                 continue
-            way = np.array([top[0], top[2]]) - beam - arm
+            way = np.array([high[0], high[2]]) - beam - arm
             span = float(np.linalg.norm(way))
             along = way / span
             rate = -float(along @ (vl + spun(arm, turn)))
