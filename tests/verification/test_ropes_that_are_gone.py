@@ -6,10 +6,12 @@ weight sinks past where that had its length, and then it is cut as well.
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import pytest
 
+from gantline._core import Statics
 from mechanics import G, Json, Run, adaptive, body, document, end, rope, simulate, slider
 
 MASS, EA, LENGTH = 1000.0, 1e6, 5.0
@@ -61,3 +63,20 @@ def test_a_mooring_line_that_is_cut_pulls_no_more_in_that_step() -> None:
     for steps in (1, 2, 3, 8):
         way = pull / mass * step**2 * steps * (steps + 1) / 2
         assert gone[at + steps] == pytest.approx(way, rel=1e-3)
+
+
+@pytest.mark.parametrize("time", [0.15, 0.3, 0.5])
+def test_a_rope_that_is_cut_and_taken_off_carries_nothing_at_rest(time: float) -> None:
+    """The other rope bears the whole weight from the cut on, whatever steps say of the one that is gone."""
+    bodies = [body("weight", slider(position=-STRETCH), MASS)]
+    ropes = [rope(name, LENGTH, [end(None, (0, 0, LENGTH)), end("weight")], EA) for name in ("one", "other")]
+    plan = [
+        {"name": "wait", "until": until(0.1)},
+        {"name": "cut", "cuts": ["other"], "until": until(0.1)},
+        {"name": "off", "detaches": ["other"], "until": until(0.2)},
+    ]
+    statics = Statics(json.dumps(document(bodies, ropes=ropes, plan=plan)))
+    statics.settle(time)
+    one, other = statics.columns()["rope_tension"][-1]
+    assert one == pytest.approx(MASS * G, rel=1e-9)
+    assert other == 0.0
