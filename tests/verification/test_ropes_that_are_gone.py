@@ -80,3 +80,20 @@ def test_a_rope_that_is_cut_and_taken_off_carries_nothing_at_rest(time: float) -
     one, other = statics.columns()["rope_tension"][-1]
     assert one == pytest.approx(MASS * G, rel=1e-9)
     assert other == 0.0
+
+
+def test_mooring_lines_of_a_body_that_is_lost_carry_nothing() -> None:
+    """Those of another body pull as they did, at their pretension."""
+    pulls = {"lost": 1e5, "other": 2e5}
+    line = {"type": "mooring", "at": [0, 0, 0], "weight": 1.0, "axial_stiffness": 5e7}
+    forces = [
+        {**line, "name": f"{name}.{way}", "body": name, "to": [x, 0, 0], "pretension": pull}
+        for name, pull in pulls.items()
+        for way, x in (("ahead", 60.0), ("astern", -60.0))
+    ]
+    bodies = [body(name, slider((1, 0, 0)), 2e5) for name in pulls]
+    statics = Statics(json.dumps(document(bodies, forces=forces)))
+    statics.settle()
+    statics.lose("lost", "none")
+    # Lines of 1 N/m sag by 5 mm, which is 3e-9 of their force along.
+    assert statics.columns()["rope_tension"][-1] == pytest.approx([0.0, 0.0, 2e5, 2e5], rel=1e-6)
