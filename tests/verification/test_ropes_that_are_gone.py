@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 
 from gantline._core import Statics
+from in_water import lattice, submerged
 from mechanics import G, Json, Run, adaptive, body, document, end, rope, simulate, slider
 
 MASS, EA, LENGTH = 1000.0, 1e6, 5.0
@@ -97,3 +98,18 @@ def test_mooring_lines_of_a_body_that_is_lost_carry_nothing() -> None:
     statics.lose("lost", "none")
     # Lines of 1 N/m sag by 5 mm, which is 3e-9 of their force along.
     assert statics.columns()["rope_tension"][-1] == pytest.approx([0.0, 0.0, 2e5, 2e5], rel=1e-6)
+
+
+def test_a_load_that_is_lost_in_the_water_stays_where_it_was() -> None:
+    """Nothing weighs on it or lifts it any more, and its rope carries nothing."""
+    bodies = [body("load", slider(), 1000.0)]
+    water = submerged("load", lattice((0, 0, -2.0), half=(0.5, 0.5), height=0.5, layers=2, volume=0.6))
+    ropes = [rope("fall", 5.0, [end(None, (0, 0, 5.0)), end("load")], EA)]
+    statics = Statics(json.dumps(document(bodies, ropes=ropes, forces=[water])))
+    statics.settle()
+    hung = statics.columns()
+    assert hung["rope_tension"][-1] == pytest.approx(1000 * G - 1025 * G * 0.6, rel=1e-9)
+    statics.lose("load", "none")
+    lost = statics.columns()
+    assert lost["joint_position"][-1] == pytest.approx(hung["joint_position"][-1], abs=1e-12)
+    assert lost["rope_tension"][-1] == 0.0
