@@ -2,8 +2,8 @@
 
 In the x-z plane, with every rope as docs/concepts/flows.md, rope.md and winch.md have it: a boom that turns
 as its drive says; from its tip a rope over half a turn on a hook block, which may slip there by (F5) and
-(F6), back to a drum at the tip, which takes rope in by (WI2); two slings from the block to a beam; at its
-other end a rope with a curve, (R5), and one of one stiffness that is cut. scipy's DOP853 integrates block,
+(F6), back to a drum at the tip, which takes rope in by (WI2); two slings from the hook to a beam; at its
+other end a rope with a curve, (R5), and one of one stiffness that is cut. scipy's DOP853 integrates hook,
 beam, rope that passes the sheave and rope on the drum, from one stop of the sheave to the next.
 """
 
@@ -36,8 +36,8 @@ from mechanics import (
 DURATION, CUT = 8.0, 5.0
 #: The boom's length and where it stands at first [m, rad]; by the right hand about y it goes up with less.
 BOOM, UP = 20.0, -1.05
-BLOCK, BEAM, SPIN = 900.0, 9e3, 3e4
-#: The half turn on the block [m]; I/r² [kg]; the ratio of tensions at which it slips.
+HOOK_MASS, BEAM, SPIN = 900.0, 9e3, 3e4
+#: The half turn on the hook [m]; I/r² [kg]; the ratio of tensions at which it slips.
 RADIUS, INERTIA, RATIO = 0.3, 70.0, 1.10
 SIGMA = (RATIO - 1) / (RATIO + 1)
 #: Where rope hangs from the boom, in its frame: its end and its drum.
@@ -125,24 +125,24 @@ FIRST = [FALL * one / sum(SPANS) for one in SPANS]
 
 
 class Model:
-    """Of the state: x, z of block; x, z, angle of beam; their speeds; s; L of the second span; ṡ."""
+    """Of the state: x, z of hook; x, z, angle of beam; their speeds; s; L of the second span; ṡ."""
 
     def __init__(self, cut: bool) -> None:
         self.cut = cut
 
     def at(self, time: float, y: Floats, stuck: bool, side: float) -> dict[str, Any]:
         """Tensions, the friction of the sheave and rates; `side` is the way in which rope passes it."""
-        block, beam, angle = y[0:2], y[2:4], y[4]
+        hook, beam, angle = y[0:2], y[2:4], y[4]
         vb, vl, turn = y[5:7], y[7:9], y[9]
         passed, let, pace = y[10], y[11], (0.0 if stuck else y[12])
-        force, load, moment = np.array([0.0, -BLOCK * G]), np.array([0.0, -BEAM * G]), 0.0
+        force, load, moment = np.array([0.0, -HOOK_MASS * G]), np.array([0.0, -BEAM * G]), 0.0
         tops = moving(time)
         haul = ramped(time, HAUL)[1]
         lengths = [FIRST[0] - passed, let + passed]
         out: dict[str, Any] = {}
         fed, pull = [], []
         for index, ((top, speed), sign) in enumerate(zip(tops, (-1, 1), strict=True)):
-            way = top - (block + np.array([sign * RADIUS, 0.0]))
+            way = top - (hook + np.array([sign * RADIUS, 0.0]))
             span = float(np.linalg.norm(way))
             along = way / span
             length, ell = lengths[index], span + ARC
@@ -168,7 +168,7 @@ class Model:
         out["slings"] = []
         for index, lug in enumerate(LUGS):
             arm = turned(angle, lug)
-            way = block - (beam + arm)
+            way = hook - (beam + arm)
             span = float(np.linalg.norm(way))
             along = way / span
             rate = float(along @ (vb - vl - spun(arm, turn)))
@@ -188,7 +188,7 @@ class Model:
             out[name] = t
             load, moment = load + t * along, moment + t * (arm[1] * along[0] - arm[0] * along[1])
         out["rates"] = np.concatenate(
-            [vb, vl, [turn], force / BLOCK, load / BEAM, [moment / SPIN, pace, out["let"], out["pace"]]]
+            [vb, vl, [turn], force / HOOK_MASS, load / BEAM, [moment / SPIN, pace, out["let"], out["pace"]]]
         )
         return out
 
@@ -254,16 +254,16 @@ def lift() -> Json:
     """The same as a document of the core."""
     bodies = [
         body("boom", hinge(position=UP, drive="luff"), 0.0, inertia=(0, 0, 0)),
-        body("block", point(HOOK), BLOCK),
+        body("hook", point(HOOK), HOOK_MASS),
         body("beam", free(PLACE), BEAM, inertia=(1e3, SPIN, 3e4)),
         flow("sheave", INERTIA),
         flow("winch", 50.0, drive="haul"),
     ]
-    turn = half_turn("block", (0, 0, 0), RADIUS, over=False, flow="sheave", ratio=RATIO)
+    turn = half_turn("hook", (0, 0, 0), RADIUS, over=False, flow="sheave", ratio=RATIO)
     ropes = [
         rope("fall", FALL, [end("boom", TOPS[0]), turn, drum("boom", TOPS[1], "winch")], FALL_EA, FALL_TAU),
         *(
-            rope(f"sling{k}", SLING[k], [end("block"), end("beam", lug)], SLING_EA, SLING_TAU)
+            rope(f"sling{k}", SLING[k], [end("hook"), end("beam", lug)], SLING_EA, SLING_TAU)
             for k, lug in enumerate(LUGS)
         ),
         {
@@ -290,7 +290,7 @@ def lift() -> Json:
 
 
 def test_it_luffs_and_hauls_and_one_rope_is_cut() -> None:
-    """Hook block, beam, what passes the sheave and all tensions by `adaptive`, told 0.5 N and 1 nm.
+    """Hook hook, beam, what passes the sheave and all tensions by `adaptive`, told 0.5 N and 1 nm.
 
     Over a thousand steps that adds up to 30 nm, which in the slings are 0.15 N. The sheave stands, slips, and
     stands again, each within its switching tolerance, a fraction of a newton beside it.
@@ -298,7 +298,7 @@ def test_it_luffs_and_hauls_and_one_rope_is_cut() -> None:
     run = adaptive(lift(), DURATION, tension_tolerance=0.5, position_tolerance=1e-9, sample_interval=0.05)
     places, tensions, stood = own(run.time)
     assert stood >= 2
-    for name, at in (("block", slice(0, 2)), ("beam", slice(2, 4))):
+    for name, at in (("hook", slice(0, 2)), ("beam", slice(2, 4))):
         assert pytest.approx(places[at], abs=3e-7) == run.body(name)[:, [0, 2]].T
     assert run.joint("sheave") == pytest.approx(places[10], abs=3e-7)
     assert places[10].max() > 0.5, "rope must pass the sheave"
