@@ -33,6 +33,7 @@ from gantline.assembly.doubtful_masses import doubtful_masses
 from gantline.assembly.doubtful_rails import doubtful_rails
 from gantline.assembly.doubtful_ratings import doubtful_ratings
 from gantline.assembly.doubtful_sheaves import doubtful_sheaves
+from gantline.assembly.doubtful_lead import doubtful_lead
 from gantline.assembly.doubtful_stops import doubtful_stops
 from gantline.assembly.doubtful_strength import doubtful_strength
 from gantline.assembly.doubtful_supports import check_under_load, doubtful_supports
@@ -225,6 +226,7 @@ def _doubts(
         *doubtful_carried(parts, scenario),
         *doubtful_heights(scenario),
         *doubtful_stops(scenario),
+        *doubtful_lead(scenario),
         *doubtful_rails(scenario),
         *doubtful_cranes(scenario),
         *doubtful_booms(scenario),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -22,7 +22,7 @@ _MOST_AFLOAT = 10
 _FEW = 6
 
 #: Steps whose speed is that of something that goes along a line.
-_ALONG = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out", "haul", "veer")
+_ALONG = ("hoist", "lower", "traverse", "travel", "lead", "haul_in", "pay_out", "haul", "veer")
 #: Steps whose speed is that of a boom or an upper structure that turns.
 _TURNING = ("luff", "slew")
 
@@ -148,6 +148,8 @@ def _way(step: Step) -> str:
         return f", keeps {', '.join(step.keep_plumb)} plumb"
     if step.towards:
         return f" towards {step.towards}"
+    if step.way is not None:
+        return _led(step.way, step.turn)
     way = next(
         ((word, value) for word, value in (("by", step.by), ("to", step.to)) if value is not None), None
     )
@@ -155,6 +157,13 @@ def _way(step: Step) -> str:
         return ""
     word, value = way
     return f" {word} {_length(np.rad2deg(value), 'deg') if step.kind in _TURNING else _length(value, 'm')}"
+
+
+def _led(way: Sequence[float], turn: float) -> str:
+    """How far a load is led, along which axes, and by how much it turns."""
+    parts = [f"{_length(part, 'm')} along {axis}" for part, axis in zip(way, "xyz", strict=True) if part]
+    level = f" by {', '.join(parts)}" if parts else ""
+    return f"{level}, turned by {_length(np.rad2deg(turn), 'deg')}" if turn else level
 
 
 def _length(value: float, unit: str) -> str:
