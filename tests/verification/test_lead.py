@@ -113,18 +113,20 @@ def test_velocities_and_accelerations_are_those_of_the_way() -> None:
 
 
 def test_the_load_swings_no_more_than_a_pendulum() -> None:
-    """(LD8): 2 a/g as it accelerates and cruises, 4 a/g in all; hook blocks are 4 % of the mass.
+    """(LD8): 2 a/g as it accelerates and cruises, 4 a/g in all, on a way along the beam, which stays level.
 
-    The way up shares in the acceleration: level it has 5.83/6.16 of it.
+    It comes to 2 a/g within half a percent, as a pendulum does whose ramp lasts more than half of its period
+    of 8.4 s; hook blocks are 4 % of the mass. Across the beam rocks about its lugs as well, as three pendulums.
     """
-    recording = run(led_text())
-    lean = 0.02 / G * math.hypot(3.0, 5.0) / math.hypot(3.0, 5.0, 2.0)
-    end = spans(recording)["over"][1]
-    for crane in "ab":
-        falls = recording.column("falls_out_of_plumb", f"{crane}.H")
+    lean = 0.02 / G
+    for by, most in (("[8 m, 0 m, 0 m]", 2.0), ("[0 m, 6 m, 0 m]", 2.0 * 1.2)):
+        recording = run(led_text(LED.replace("[3 m, 5 m, 2 m]", by)))
+        end = spans(recording)["over"][1]
         cruises = recording.time < end - 5.0
-        assert lean < falls[cruises].max() < 2.0 * lean * 1.1
-        assert falls.max() < 4.0 * lean * 1.1
+        for crane in "ab":
+            falls = recording.column("falls_out_of_plumb", f"{crane}.H")
+            assert 1.99 * lean < falls[cruises].max() < most * lean
+            assert falls.max() < 4.0 * lean
 
 
 @pytest.mark.parametrize("aside", [0.0, 3.0])
@@ -158,15 +160,16 @@ def test_ways_follow_one_another() -> None:
         assert height[-1] == pytest.approx(height[0], abs=1e-9)
 
 
-def test_a_way_begins_where_conditions_have_left_the_hoists() -> None:
-    """A hoist that ends on a time leaves hooks where only the run knows: they go 2 m up from there."""
+def test_a_way_begins_where_the_run_has_left_the_hoists() -> None:
+    """A hoist at 0.05 m/s that brakes from 7.3 s goes 0.05 m/s times 7.3 s, and the way 2 m up from there.
+
+    Falls of 13 m that lean by 4 a/g are 0.4 mm shorter.
+    """
     hoist = "{step: up, hoist: [a.H, b.H], speed: 3 m/min, brake_from: 7.3 s}"
     recording = run(led_text(hoist, LED, duration=120.0))
-    begin, end = spans(recording)["over"]
     for crane in "ab":
-        height = np.interp((begin, end), recording.time, recording.column("hook_height", f"{crane}.H"))
-        assert height[0] > 14.3
-        assert height[1] - height[0] == pytest.approx(2.0, abs=1e-4)
+        height = recording.column("hook_height", f"{crane}.H")
+        assert height[-1] - height[0] == pytest.approx(0.365 + 2.0, abs=13.0 * (4 * 0.02 / G) ** 2 / 2)
 
 
 @pytest.mark.parametrize("settings", METHODS, ids=["adaptive", "del"])
