@@ -8,11 +8,9 @@ from __future__ import annotations
 
 from gantline.scenario import Scenario, parse_scenario
 
-#: Slewing axes, where the heel pins are from those [m], length of a boom [m], of a sling [m], mass of the beam [kg].
+#: Slewing axes, how far ahead of them heel pins are, length of a boom [m], mass of the beam [kg].
 AXES = ((-12.0, 0.0), (12.0, 0.0))
-AHEAD, UP, BOOM, SLING, BEAM = 2.0, 3.0, 30.0, 6.0, 100e3
-#: Height of the hooks at the start [m].
-HIGH = 14.0
+AHEAD, BOOM, BEAM = 2.0, 30.0, 100e3
 
 _CRANE = """\
   {name}:
@@ -45,7 +43,7 @@ load:
   name: beam
   shape: {{box: [26 m, 3 m, 3 m]}}
   datum: bottom_centre
-  position: [{shift} m, 17 m, 5 m]
+  position: [0 m, 17 m, 5 m]
   weight: {{calculated: 100 t, contingency: 1.00}}
   inertia: homogeneous
   centre_of_gravity: {{at: [{aside} m, 0 m, 1 m]}}
@@ -75,15 +73,20 @@ def led_text(
 ) -> str:
     """The lift file; `aside` is how far the centre of gravity is towards crane b [m], `rope` EA [MN].
 
-    `settings` of the simulation, what `slewing`, `luffing` and `hook` have besides, each after a comma; `rest`
-    are further keys of the file.
+    Settings, and what slewing, luffing and hooks have besides, stand after a comma; `rest` is of the file.
     """
     given = {"slewing": slewing, "luffing": luffing, "hook": hook}
     cranes = "".join(_CRANE.format(name=name, x=x, **given) for name, (x, _) in zip("ab", AXES, strict=True))
     hold = "{step: hold, hold: until_end}"
     plan = "\n".join(f"  - {step}" for step in (*(steps or (LED,)), hold))
     return _LIFT.format(
-        duration=duration, rope=rope, shift=0, aside=aside, cranes=cranes, plan=plan, rest=rest, settings=settings
+        duration=duration,
+        rope=rope,
+        aside=aside,
+        cranes=cranes,
+        plan=plan,
+        rest=rest,
+        settings=settings,
     )
 
 

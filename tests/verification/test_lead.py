@@ -1,4 +1,4 @@
-"""Steps that lead a load: hooks on their line or circle to rounding, what drives do, what swings, shares, stops."""
+"""Steps that lead a load: hooks on line and circle to rounding, what drives do, what swings, shares."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def test_the_load_swings_no_more_than_a_pendulum() -> None:
     """(LD8): 2 a/g as it accelerates and cruises, 4 a/g in all, on a way along the beam, which stays level.
 
     It comes to 2 a/g within half a percent, as a pendulum does whose ramp lasts more than half of its period
-    of 8.4 s; hook blocks are 4 % of the mass. Across the beam rocks about its lugs as well, as three pendulums.
+    of 8.4 s; hook blocks are 4 % of the mass. Across it rocks about its lugs as well, as three pendulums.
     """
     lean = 0.02 / G
     for by, most in (("[8 m, 0 m, 0 m]", 2.0), ("[0 m, 6 m, 0 m]", 2.0 * 1.2)):

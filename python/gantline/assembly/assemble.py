@@ -28,12 +28,12 @@ from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_ground import doubtful_ground
 from gantline.assembly.doubtful_heights import doubtful_heights
 from gantline.assembly.doubtful_hinges import doubtful_hinges
+from gantline.assembly.doubtful_lead import doubtful_lead
 from gantline.assembly.doubtful_lee import doubtful_lee
 from gantline.assembly.doubtful_masses import doubtful_masses
 from gantline.assembly.doubtful_rails import doubtful_rails
 from gantline.assembly.doubtful_ratings import doubtful_ratings
 from gantline.assembly.doubtful_sheaves import doubtful_sheaves
-from gantline.assembly.doubtful_lead import doubtful_lead
 from gantline.assembly.doubtful_stops import doubtful_stops
 from gantline.assembly.doubtful_strength import doubtful_strength
 from gantline.assembly.doubtful_supports import check_under_load, doubtful_supports

@@ -57,4 +57,4 @@ def doubtful_lead(scenario: Scenario) -> Iterator[Doubt]:
                 what = "radius" if over_radius else "angle of the boom"
                 share = f"{math.floor(100.0 * shares[worst]):.0f} % of the way"
                 sentence = f"at {share} '{led.name}' is at a {what} of {there}, and its chart has {ends}"
-                yield ("plan", place, "lead"), f"{sentence}: outside of it nothing may hang"
+                yield Doubt(("plan", place, "lead"), f"{sentence}: outside of it nothing may hang")

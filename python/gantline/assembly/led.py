@@ -1,13 +1,15 @@
 """What each drive does as cranes lead a load: a Chebyshev series over the share of the way, to rounding.
 
-The core knows no crane. Inverse kinematics is analytic along a way, so that its Chebyshev series converges faster
-than any power of the number of terms (Trefethen, Approximation Theory and Approximation Practice, chapter 8).
+The core knows no crane. Inverse kinematics is analytic along a way, so that its Chebyshev series converges
+faster than any power of the number of terms (Trefethen, Approximation Theory and Approximation Practice,
+chapter 8).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -56,7 +58,7 @@ def leading(scenario: Scenario, step: LeadStep, before: Places) -> Leading:
     movers, series = [], []
     for index, led in enumerate(hooks):
         movers += led.movers
-        series += _series(lambda shares, at=(index, led): _drives(way, *at, before, shares))
+        series += _series(partial(_drives, way, index, led, before))
     return Leading(step.speed / way.length, step.acceleration / way.length, movers, series)
 
 
@@ -86,7 +88,11 @@ def _series(drives: Callable[[Sequence[float]], np.ndarray]) -> list[list[float]
     while True:
         nodes = chebyshev.chebpts1(terms)  # rising
         # Polynomials are orthogonal over these nodes.
-        found = 2.0 / terms * (drives((nodes + 1.0) / 2.0).T @ chebyshev.chebvander(nodes, terms - 1))
+        found = (
+            2.0
+            / terms
+            * (drives([float(one) for one in (nodes + 1.0) / 2.0]).T @ chebyshev.chebvander(nodes, terms - 1))
+        )
         found[:, 0] /= 2.0
         tail = np.abs(found[:, 3 * terms // 4 :]).max()
         if tail <= _ROUNDING or terms >= _MOST:
@@ -95,7 +101,7 @@ def _series(drives: Callable[[Sequence[float]], np.ndarray]) -> list[list[float]
 
 
 def _without_noise(coefficients: np.ndarray) -> list[float]:
-    """The coefficients up to the last that is more than rounding: derivatives have that times its number squared."""
+    """The coefficients up to the last that is more than rounding, which derivatives have many times over."""
     told = np.flatnonzero(np.abs(coefficients) > _ROUNDING / 4)
     last = int(told[-1]) + 1 if len(told) else 1
     return [float(one) for one in coefficients[:last]]

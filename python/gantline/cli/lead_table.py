@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def lead_table(scenario: Scenario) -> list[str]:
-    """For each hook that leads its way by radius, slew and boom, what is rated at its worst, the fastest drive."""
+    """For each hook that leads its way by radius, slew and boom, the least rated there, the fastest drive."""
     from gantline.assembly.doubtful_lead import row_of
     from gantline.scenario.check_lead import drives_along, fastest
     from gantline.scenario.lead import LeadStep

@@ -95,7 +95,7 @@ _TAKES = ("traverse", "travel", "lead")
 
 
 def _swing_after_travel(subject: Subject, load: Load) -> tuple[str, float] | None:
-    """Kind of the last step that traverses, travels or leads, and the largest swing after it [m]; None without."""
+    """Kind of the last step that takes a load along, and the largest swing after it [m]; None without."""
     recording = subject.recording
     swings = "load_swing" in recording and not recording.is_equilibrium
     if not swings or load.name not in recording.coordinates.get("load", ()):

@@ -248,7 +248,7 @@ class Step(FromJson):
 
     @property
     def acts_as(self) -> str:
-        """What it does to a load: one that leads it downwards lowers it, one that leads it straight up hoists."""
+        """What it does to a load: leading it downwards lowers it, leading it straight up hoists it."""
         if self.way is None or self.way[2] == 0.0:
             return self.kind
         if self.way[2] < 0.0:

@@ -1,10 +1,11 @@
-"""Whether cranes can lead the load as steps say: who can, how far they reach, and how fast they would have to be."""
+"""Whether cranes can lead the load as steps say: who can, how far they reach, how fast they have to be."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from gantline.scenario.check_travel import said
 from gantline.scenario.crawler import Crawler
@@ -22,9 +23,9 @@ __all__ = ["Drive", "check_lead", "drives_along", "fastest"]
 _ROUNDING = 1 + 1e-9
 #: So many parts of a way are looked at, each for the speed of every drive.
 _PARTS = 200
-#: By more than this between two looks an upper structure turns only as its hook passes the slewing axis [rad].
+#: An upper structure turns by more than this between two looks only as its hook passes the axis [rad].
 _LARGEST_TURN = 0.2
-#: Words of a drive in messages: its noun, and what 'acceleration' of the lift file is called.
+#: What drives do, in messages.
 _NOUNS = {"boom": "luffing", "upper": "slewing", "hook": "hoisting", "crane": "travelling"}
 
 
@@ -99,7 +100,8 @@ def _check_travelling(findings: Findings, path: Path, step: LeadStep) -> None:
             findings.add(path, f"'{text}' is not a crane whose hook leads here; {nearest(text, leads)}")
         elif not isinstance(cranes[name], Crawler) or mover(findings.scenario, "crane", name) is None:
             sentence = f"'{name}' has no 'travel'; give it one, such as "
-            findings.add(path, f"{sentence}'travel: {{speed: 1 km/h, acceleration: 0.02 m/s^2, range: [0 m, 50 m]}}'")
+            right = "'travel: {speed: 1 km/h, acceleration: 0.02 m/s^2, range: [0 m, 50 m]}'"
+            findings.add(path, sentence + right)
 
 
 def _names(findings: Findings, step: LeadStep) -> Iterator[str]:
@@ -110,12 +112,14 @@ def _names(findings: Findings, step: LeadStep) -> Iterator[str]:
 def _check_way(
     findings: Findings, path: Path, step: LeadStep, hooks: Sequence[LedHook], before: Places
 ) -> None:
-    """Every crane reaches, within its ranges, and is no faster than it can be; the first that does not is told."""
+    """Every crane reaches, within its ranges, and no drive is faster than it can be; what fails first is told."""
     for led in hooks:
         tracks = [led.track.name] if led.track is not None else []
         for name in (led.boom.name, led.upper.name, *tracks):
             if not before[name][1]:
-                sentence = f"where '{name}' is by then only the run can tell, and with it what this asks of it"
+                sentence = (
+                    f"where '{name}' is by then only the run can tell, and with it what this asks of it"
+                )
                 right = "let a step before it end by 'to'"
                 findings.add((*path, "lead"), f"{sentence}; {right}")
                 return
@@ -146,19 +150,19 @@ def drives_along(step: LeadStep, way: Way, index: int, led: LedHook, begin: Pose
     except Beyond as error:
         at = next(share for share in shares if not _reaches(way, index, led, begin, share))
         raise Beyond(f"{error}, at {100 * at:.3g} % of the way") from error
-    turns = max(abs(b.slew - a.slew) for a, b in zip(poses, poses[1:], strict=False))
+    turns = max(abs(after.slew - before.slew) for before, after in pairwise(poses))
     if turns > _LARGEST_TURN:
         nearest_ = min(math.dist(way.place(index, share), led.base) for share in shares)
-        sentence = f"{nearest_:.2f} m from the slewing axis of '{led.crane}', about which it cannot slew so fast"
+        sentence = (
+            f"{nearest_:.2f} m from the slewing axis of '{led.crane}', about which it cannot slew so fast"
+        )
         raise Beyond(f"{sentence}; a way that leaves it aside is right")
     places = {
         led.upper: [pose.slew for pose in poses],
         (led.track if led.travels and led.track else led.boom): [
             pose.travel if led.travels else pose.angle for pose in poses
         ],
-        led.hoist: [
-            way.hoisted(led, begin, pose, share) for pose, share in zip(poses, shares, strict=True)
-        ],
+        led.hoist: [way.hoisted(led, begin, pose, share) for pose, share in zip(poses, shares, strict=True)],
     }
     return [_drive(step, way.length, one, at) for one, at in places.items()]
 
@@ -215,7 +219,10 @@ def _wrong(step: LeadStep, drive: Drive) -> Iterator[tuple[str, str]]:
         at = drive.accelerations.index(max(drive.accelerations))
         needed = _rounded(one, drive.accelerations[at], "acceleration")
         sentence = f"{noun} of '{one.name}' would need {needed} at {_percent(at)} of the way"
-        most, right = said(one.kind, one.acceleration, "acceleration"), _down(step.acceleration / acceleration)
+        most, right = (
+            said(one.kind, one.acceleration, "acceleration"),
+            _down(step.acceleration / acceleration),
+        )
         yield "acceleration", f"{sentence}; its most is {most}: '{right:g} m/s^2' is right, or a lower speed"
 
 

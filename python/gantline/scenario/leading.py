@@ -20,7 +20,7 @@ from gantline.scenario.slewing import upper_body
 
 __all__ = ["Beyond", "LedHook", "Pose", "Way", "led_hooks", "movers_of_lead", "pose_before", "way_of"]
 
-#: Where things are before a step: the last place that the plan says, as `to` counts it, and whether it is there.
+#: Where things are before a step: the last place that the plan says, as `to` counts it, and whether they are.
 Places = Mapping[str, tuple[float, bool]]
 
 
@@ -126,7 +126,7 @@ class LedHook:
         return Pose(math.acos(cosine) - raised, _next_to(before.slew, turn), before.travel)
 
     def _travel_to(self, place: tuple[float, float], before: Pose) -> Pose:
-        """(LD5): the radius stays; how far aside of its tracks the place is gives the slew, and the rest the travel."""
+        """(LD5): the radius stays; how far aside of its way the place is gives the slew, and that the travel."""
         ahead = self.radius(before.angle)
         distance, lead = math.hypot(ahead, self.aside), math.atan2(self.aside, ahead)
         cosine, sine = math.cos(self.heading), math.sin(self.heading)

@@ -45,7 +45,7 @@ def _earliest(plan: Sequence[MovingStep | LeadStep | PumpStep | HoldStep]) -> It
 
 
 def _least(step: MovingStep | LeadStep | PumpStep) -> float:
-    """How long the way of a step takes at full speed [s]; of hooks that turn about something nobody knows yet."""
+    """How long the way of a step takes at full speed [s]; 0 of a load that is turned."""
     if isinstance(step, LeadStep):
         return 0.0 if step.turn else math.hypot(*step.by) / step.speed
     return abs(step.by or 0.0) / (step.rate if isinstance(step, PumpStep) else step.speed)

@@ -21,7 +21,7 @@ _OF_CRANES = ("boom", "upper", "crane")
 
 
 def boom_angles(scenario: Scenario) -> list[Places]:
-    """Where booms are before each step of the plan, as their drives count it, by the name of the boom [rad]."""
+    """Where booms are before each step of the plan, as their drives count it, by name [rad]."""
     return _of_booms(scenario, places_of_cranes(scenario)[:-1])
 
 
@@ -43,7 +43,9 @@ def places_of_cranes(scenario: Scenario) -> list[Places]:
     """
     where: Places = {placed.name: (placed.boom.angle, True) for placed in scenario.booms.values()}
     for name, crane in (scenario.cranes or {}).items():
-        if isinstance(crane, Crawler) or (isinstance(crane, FloatingCrane) and crane.slewing_axis is not None):
+        if isinstance(crane, Crawler) or (
+            isinstance(crane, FloatingCrane) and crane.slewing_axis is not None
+        ):
             where[upper_body(name)] = crane.slew, True
     where |= {name: (one.start or 0.0, True) for name, one in movers(scenario, "crane").items() if one}
     before = []
@@ -72,9 +74,10 @@ def _of_booms(scenario: Scenario, before: list[Places]) -> list[Places]:
 
 def _led_to(scenario: Scenario, step: LeadStep, before: Places) -> Places:
     """Where a step that leads leaves cranes."""
-    hooks, found = led_hooks(scenario, step), {}
+    found: Places = {}
+    hooks = led_hooks(scenario, step)
     if not hooks:
-        return {}
+        return found
     way = way_of(step, hooks, before)
     shares = [place / 64 for place in range(65)]  # so near that none turns by more than half round between
     for index, led in enumerate(hooks):
