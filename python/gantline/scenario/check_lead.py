@@ -112,7 +112,7 @@ def _names(findings: Findings, step: LeadStep) -> Iterator[str]:
 def _check_way(
     findings: Findings, path: Path, step: LeadStep, hooks: Sequence[LedHook], before: Places
 ) -> None:
-    """Every crane reaches, within its ranges, and no drive is faster than it can be; what fails first is told."""
+    """Every crane reaches, within its ranges, and no drive is too fast; what fails first is told."""
     for led in hooks:
         tracks = [led.track.name] if led.track is not None else []
         for name in (led.boom.name, led.upper.name, *tracks):
@@ -210,13 +210,13 @@ def _wrong(step: LeadStep, drive: Drive) -> Iterator[tuple[str, str]]:
             return
     speed, acceleration = fastest(drive)
     if speed > _ROUNDING:
-        at = drive.speeds.index(max(drive.speeds))
+        at = _first(drive.speeds)
         needed = _rounded(one, drive.speeds[at], "speed")
         sentence = f"{noun} of '{one.name}' would need {needed} at {_percent(at)} of the way"
         most, right = said(one.kind, one.speed, "speed"), _down(60 * step.speed / speed)
         yield "speed", f"{sentence}; its highest speed is {most}, and '{right:g} m/min' is right here"
     elif acceleration > _ROUNDING:
-        at = drive.accelerations.index(max(drive.accelerations))
+        at = _first(drive.accelerations)
         needed = _rounded(one, drive.accelerations[at], "acceleration")
         sentence = f"{noun} of '{one.name}' would need {needed} at {_percent(at)} of the way"
         most, right = (
@@ -224,6 +224,12 @@ def _wrong(step: LeadStep, drive: Drive) -> Iterator[tuple[str, str]]:
             _down(step.acceleration / acceleration),
         )
         yield "acceleration", f"{sentence}; its most is {most}: '{right:g} m/s^2' is right, or a lower speed"
+
+
+def _first(values: Sequence[float]) -> int:
+    """Where the largest of some values stands first, but for rounding."""
+    most = max(values)
+    return next(index for index, value in enumerate(values) if value >= most * (1 - 1e-6))
 
 
 def _is_within(at: float, bounds: tuple[float, float]) -> bool:

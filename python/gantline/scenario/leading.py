@@ -126,7 +126,7 @@ class LedHook:
         return Pose(math.acos(cosine) - raised, _next_to(before.slew, turn), before.travel)
 
     def _travel_to(self, place: tuple[float, float], before: Pose) -> Pose:
-        """(LD5): the radius stays; how far aside of its way the place is gives the slew, and that the travel."""
+        """(LD5): the radius stays; how far aside of its way the place is gives slew and travel."""
         ahead = self.radius(before.angle)
         distance, lead = math.hypot(ahead, self.aside), math.atan2(self.aside, ahead)
         cosine, sine = math.cos(self.heading), math.sin(self.heading)

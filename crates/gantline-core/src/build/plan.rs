@@ -8,8 +8,8 @@ use super::conditions::{build_condition, build_follow, build_way};
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
 use crate::plan::{
-    Cut, DriveStop, Due, Emergency, EmergencyStop, Leading, Move, Plan, Reel, Series, Step, StopAt, Switching,
-    Until,
+    Cut, DriveStop, Due, Emergency, EmergencyStop, Leading, Move, Plan, Reel, Series, Step, StopAt,
+    Switching, Until,
 };
 use crate::spec::{
     AxisJointSpec, BodySpec, EmergencySpec, JointSpec, ReelSpec, StepSpec, StopAtSpec, SystemSpec, UntilSpec,

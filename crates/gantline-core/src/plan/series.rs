@@ -93,7 +93,8 @@ mod tests {
     /// cos(2x) = J₀(2) + 2 Σ (−1)ᵏ J₂ₖ(2) T₂ₖ(x), Abramowitz and Stegun 9.1.46: values of the Bessel functions there.
     #[test]
     fn a_series_has_its_function_and_derivatives() {
-        let bessel = [0.223_890_779_141, 0.352_834_028_616, 0.033_995_719_807, 0.001_202_428_972, 0.000_022_179_553];
+        let bessel =
+            [0.223_890_779_141, 0.352_834_028_616, 0.033_995_719_807, 0.001_202_428_972, 0.000_022_179_553];
         let mut coefficients = vec![bessel[0]];
         for (k, value) in bessel.iter().enumerate().skip(1) {
             coefficients.extend([0.0, if k % 2 == 0 { 2.0 } else { -2.0 } * value]);
