@@ -98,7 +98,10 @@ def test_what_no_crane_reaches_is_told() -> None:
         (f"{{step: s, lead: [a.H, a.H], by: [1 m, 0 m, 0 m], {_RAMPS}}}", "names two hooks of 'a'"),
         (f"{{step: s, lead: [a.H, b.H], {_RAMPS}}}", "goes nowhere; 'by: [0 m, 12 m, 0 m]', say"),
         (f"{{step: s, lead: a.H, turn: 5 deg, {_RAMPS}}}", "one hook does not turn a load about itself"),
-        (f"{{step: s, lead: a.H, by: [1 m, 0 m, 0 m], about: [0 m, 0 m], {_RAMPS}}}", "an axis without 'turn'"),
+        (
+            f"{{step: s, lead: a.H, by: [1 m, 0 m, 0 m], about: [0 m, 0 m], {_RAMPS}}}",
+            "an axis without 'turn'",
+        ),
         (
             f"{{step: s, lead: [a.H, b.H], by: [1 m, 0 m, 0 m], travelling: a, {_RAMPS}}}",
             "'a' has no 'travel'; give it one",
@@ -146,7 +149,11 @@ def test_what_a_plan_cannot_lead_is_told(step: str, message: str) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("    slewing: {speed: 60 deg/min, acceleration: 0.5 deg/s^2}\n", "", "'a' does not slew, so that its hook"),
+        (
+            "    slewing: {speed: 60 deg/min, acceleration: 0.5 deg/s^2}\n",
+            "",
+            "'a' does not slew, so that its hook",
+        ),
         (
             "    luffing: {speed: 40 deg/min, acceleration: 0.5 deg/s^2, range: [20 deg, 80 deg]}\n",
             "",
@@ -198,6 +205,14 @@ def test_a_chart_that_ends_on_the_way_is_a_warning() -> None:
         f"at 100 % of the way '{crane}.H' is at a radius of 22.2 m, and its chart has 10.0 m to 18.0 m: outside of "
         "it nothing may hang"
         for crane in "ab"
+    ]
+
+
+def test_a_hook_that_stays_behind_is_a_warning() -> None:
+    alone = LED.replace("[a.H, b.H]", "a.H")
+    doubts = [str(one.sentence) for one in Simulation(led(alone)).assembly.doubts]
+    assert [one for one in doubts if "stays behind" in one] == [
+        "the load hangs in 'b.H' as well, which stays behind and pulls at it; lead all hooks that have slings on"
     ]
 
 

@@ -108,5 +108,7 @@ def test_one_travels_and_the_other_luffs() -> None:
 def test_a_crane_that_stands_abeam_does_not_travel_and_slew() -> None:
     """With its boom square to its way the root of (LD5) is at its end: the load would go off it at once."""
     text = lift("[c1, c2]").replace("slew: -60 deg", "slew: -90 deg")
-    with pytest.raises(gantline.ScenarioError, match="aside of the way of 'c1'; at its radius, which it keeps"):
+    with pytest.raises(
+        gantline.ScenarioError, match="aside of the way of 'c1'; at its radius, which it keeps"
+    ):
         parse_scenario(text)

@@ -226,7 +226,7 @@ def _doubts(
         *doubtful_carried(parts, scenario),
         *doubtful_heights(scenario),
         *doubtful_stops(scenario),
-        *doubtful_lead(scenario),
+        *doubtful_lead(scenario, rigging),
         *doubtful_rails(scenario),
         *doubtful_cranes(scenario),
         *doubtful_booms(scenario),

@@ -1,16 +1,20 @@
-"""Loads that are led past the rows of a rating chart, where no crane may carry anything."""
+"""Loads that are led past the rows of a rating chart, or hang in a hook that stays behind."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
 
-from gantline.scenario import Scenario
+from gantline.scenario import Rigging, Scenario
 from gantline.scenario.charts import Chart, boom_charts
 from gantline.scenario.errors import Doubt
+from gantline.scenario.findings import Path
+from gantline.scenario.hooks import full_names
+from gantline.scenario.kept_plumb import slings_under
 from gantline.scenario.lead import LeadStep
 from gantline.scenario.leading import LedHook, led_hooks, pose_before, way_of
 from gantline.scenario.positions import places_of_cranes
+from gantline.scenario.slinging import slings_on
 from gantline.units import format_quantity
 
 __all__ = ["doubtful_lead", "row_of"]
@@ -31,12 +35,13 @@ def row_of(scenario: Scenario, led: LedHook) -> Chart | None:
     return None if found is None or found.rating.outreach is not None else found
 
 
-def doubtful_lead(scenario: Scenario) -> Iterator[Doubt]:
-    """Each hook that a step takes out of its chart, level as its crane is in the lift file."""
+def doubtful_lead(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
+    """Each hook that a step takes out of its chart, level as its crane is in the lift file, or leaves behind."""
     before = places_of_cranes(scenario)
-    for place, step in enumerate(scenario.plan):
+    for place, (step, on) in enumerate(zip(scenario.plan, slings_on(scenario), strict=True)):
         if not isinstance(step, LeadStep):
             continue
+        yield from _left_behind(scenario, rigging, ("plan", place, "lead"), step, on)
         hooks = led_hooks(scenario, step)
         way = way_of(step, hooks, before[place])
         for index, led in enumerate(hooks):
@@ -58,3 +63,15 @@ def doubtful_lead(scenario: Scenario) -> Iterator[Doubt]:
                 share = f"{math.floor(100.0 * shares[worst]):.0f} % of the way"
                 sentence = f"at {share} '{led.name}' is at a {what} of {there}, and its chart has {ends}"
                 yield Doubt(("plan", place, "lead"), f"{sentence}: outside of it nothing may hang")
+
+
+def _left_behind(
+    scenario: Scenario, rigging: Rigging, path: Path, step: LeadStep, on: frozenset[str]
+) -> Iterator[Doubt]:
+    """Hooks in which the load hangs as well, and which the step does not name."""
+    named = full_names(step.lead, scenario.hooks)
+    holds = [name for name in scenario.hooks if any(one.name in on for one in slings_under(rigging, name))]
+    left = [f"'{name}'" for name in holds if name not in named]
+    if left and set(holds) & set(named):
+        hangs = f"the load hangs in {' and '.join(left)} as well, which stays behind and pulls at it"
+        yield Doubt(path, f"{hangs}; lead all hooks that have slings on")

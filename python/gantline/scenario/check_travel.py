@@ -47,7 +47,8 @@ def check_travel(findings: Findings) -> None:
     plan, before_step = findings.scenario.plan, places_of_cranes(findings.scenario)
     for place, (step, angles) in enumerate(zip(plan, boom_angles_at_end(findings.scenario), strict=True)):
         if isinstance(step, LeadStep):
-            _lead(findings, ("plan", place, "by"), step, before_step[place], where)
+            key = "by" if any(step.by) else "turn"
+            _lead(findings, ("plan", place, key), step, before_step[place], where)
         if not isinstance(step, MovingStep):
             continue
         for text in dict.fromkeys(step.moved):
