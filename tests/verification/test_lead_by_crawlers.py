@@ -1,4 +1,4 @@
-"""Two crawler cranes lead a beam while they travel at the radius that they have: (LD5), and what ground bears."""
+"""Two crawler cranes lead a beam while they travel at the radius that they have: (LD5)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from crawler_pair import GEAR, MASSES
 from gantline.results.variable import FloatArray
 from gantline.scenario import parse_scenario
 
-#: Steps of `adaptive` end on the way; between their ends it has a polynomial, which misses it by so much [rad].
+#: Steps of `adaptive` end on the way; between their ends a polynomial misses it by less [rad].
 BETWEEN = 1e-9
 
 _CRANE = """\
@@ -74,7 +74,7 @@ def share_at(time: FloatArray) -> FloatArray:
 
 @pytest.mark.parametrize("settings", ["", ", integrator: del, step: 10 ms"], ids=["adaptive", "del"])
 def test_cranes_travel_and_slew_at_their_radius(settings: str) -> None:
-    """(LD5): 16 m all along; aside of its way a hook is at 16 sin 60 - 3 sigma, ahead at the root of the rest.
+    """(LD5): 16 m all along; aside of its way a hook is at 16 sin 60 - 3 sigma, ahead at what is left.
 
     The tracks go by 10 sigma less what the hook has gone ahead of the axis; drives, which no ground moves.
     """

@@ -1,4 +1,4 @@
-"""The ship of `heavy_lift_ship` leads its reactor over the deck: at rest amid the way, beside figures by hand."""
+"""The ship of `heavy_lift_ship` leads its reactor over the deck: at rest on the way, by hand."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_tackles_that_stretch_let_the_boom_down() -> None:
     """(LD10) against the angle that the winch asks for, at the beginning, amid the way and at its end.
 
     The ropes have the length with which they hold boom and hook block at the start, without a load: of that S
-    is less. What the winch takes up is wound with the stretch that it has, by trapezoids over three places. 3 %
+    is less. What the winch takes up is wound with its stretch, by trapezoids over three places. 3 %
     for these and for the curve of the arc.
     """
     place = [step.step for step in SCENARIO.plan].index("over the deck")

@@ -36,7 +36,7 @@ def row_of(scenario: Scenario, led: LedHook) -> Chart | None:
 
 
 def doubtful_lead(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
-    """Each hook that a step takes out of its chart, level as its crane is in the lift file, or leaves behind."""
+    """Each hook that a step leaves behind, or takes out of its chart, on a level crane."""
     before = places_of_cranes(scenario)
     for place, (step, on) in enumerate(zip(scenario.plan, slings_on(scenario), strict=True)):
         if not isinstance(step, LeadStep):
