@@ -120,7 +120,8 @@ def _still(step: Step) -> list[str]:
 def _moved(step: Step, hooks: set[str]) -> str:
     """What moves, unless that is every hook of the lift."""
     drives = {drive.removesuffix(".hoist") for drive in step.drives}
-    return "" if not step.moves or drives == hooks else f" {', '.join(step.moves)}"
+    all_lead = step.way is not None and len(step.moves) == len(hooks)
+    return "" if not step.moves or drives == hooks or all_lead else f" {', '.join(step.moves)}"
 
 
 def _speed(step: Step) -> str:
