@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,8 @@ from gantline.cli.lead_table import lead_table
 from gantline.report.steps import step_rows
 from gantline.report.subject import Subject
 from gantline.scenario import ScenarioError, parse_scenario
+from gantline.scenario.check_lead import drives_along
+from gantline.scenario.lead import LeadStep
 from gantline.scenario.leading import Beyond, LedHook, Pose, Way, led_hooks, pose_before, way_of
 from gantline.scenario.movers import Mover
 from gantline.scenario.positions import boom_angles, places_of_cranes
@@ -89,6 +92,19 @@ def test_what_no_crane_reaches_is_told() -> None:
         crane().follow((3.1, -2.0), Pose(1.0, 0.0, 0.0))
     with pytest.raises(Beyond, match="aside of the way of 'c'; at its radius, which it keeps"):
         crane(travels=True).follow((3.0, 60.0), Pose(1.0, 0.0, 0.0))
+
+
+def test_a_way_past_the_slewing_axis_is_told() -> None:
+    """From 20 m before the axis to 20 m behind it, 50 mm aside: half round within a hundredth of the way."""
+    given = {"step": "s", "lead": "c.H", "by": ["-40 m", "0 m", "0 m"], "speed": "1 m/min"}
+    step = LeadStep.model_validate({**given, "acceleration": "0.01 m/s^2"})
+    led = replace(crane(aside=0.0, above=0.0), heel=(-20.0, 2.5))
+    begin = led.follow((23.0, -1.95), Pose(0.5, 0.0, 0.0))
+    way = Way([led.place(begin)], step.by, 0.0, (0.0, 0.0))
+    with pytest.raises(
+        Beyond, match=r"0\.05 m from the slewing axis of 'c', about which it cannot slew so fast"
+    ):
+        drives_along(step, way, 0, led, begin)
 
 
 @pytest.mark.parametrize(
