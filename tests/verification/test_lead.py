@@ -208,7 +208,7 @@ def test_an_emergency_stop_amid_the_way(settings: str) -> None:
 
 
 def test_a_program_takes_one_drive_out_of_the_way() -> None:
-    """Slewing of crane b is told to stop at 30 s: v^2/2a on from there, and crane a goes on along its line."""
+    """Slewing of b is told to stop at 30 s: v^2/2a on from there, and crane a goes on along its line."""
     simulation = Simulation(parse_scenario(led_text()))
     simulation.advance_to(30.0)
     place, velocity = simulation.drive_state("b", motion="slew")
