@@ -41,6 +41,7 @@ PICTURES_OF_LIFTS = {
     "spreader_bar": {"system": "spreader_bar"},
     "upending": {"stages": "upending_stages"},
     "monopile": {"stages": "monopile_stages"},
+    "heavy_lift_ship": {"stages": "heavy_lift_ship_stages"},
     "crane_barge_in_swell": {"vessels": "waves"},
     "splash_zone": {"hook_load": "splash_zone"},
 }

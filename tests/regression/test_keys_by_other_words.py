@@ -16,7 +16,7 @@ from lift_text import spoiled
 
 VERBS = (
     "a step says what is done: it has one of the keys 'hoist', 'lower', 'traverse', 'travel', 'luff', "
-    "'slew', 'haul_in', 'pay_out', 'haul', 'veer', 'pump' and 'hold'"
+    "'slew', 'lead', 'haul_in', 'pay_out', 'haul', 'veer', 'pump' and 'hold'"
 )
 
 

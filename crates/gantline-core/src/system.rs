@@ -86,6 +86,8 @@ pub struct DriveJoint {
     pub keeps_pull: bool,
     /// True where waves move it.
     pub by_waves: bool,
+    /// Whether it may move otherwise than by polynomials in time: waves do, and so does a way that several go together.
+    pub curved: bool,
 }
 
 /// Contacts that carry one load together.

@@ -28,6 +28,7 @@ from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_ground import doubtful_ground
 from gantline.assembly.doubtful_heights import doubtful_heights
 from gantline.assembly.doubtful_hinges import doubtful_hinges
+from gantline.assembly.doubtful_lead import doubtful_lead
 from gantline.assembly.doubtful_lee import doubtful_lee
 from gantline.assembly.doubtful_levels import doubtful_levels
 from gantline.assembly.doubtful_masses import doubtful_masses
@@ -226,6 +227,7 @@ def _doubts(
         *doubtful_carried(parts, scenario),
         *doubtful_heights(scenario),
         *doubtful_stops(scenario),
+        *doubtful_lead(scenario, rigging),
         *doubtful_rails(scenario),
         *doubtful_cranes(scenario),
         *doubtful_booms(scenario),

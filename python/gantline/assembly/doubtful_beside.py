@@ -21,8 +21,9 @@ from gantline.scenario import Rigging, Scenario
 from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.errors import Doubt
 from gantline.scenario.goliath import Goliath
-from gantline.scenario.hooks import Hook, full_name
+from gantline.scenario.hooks import Hook, full_name, full_names
 from gantline.scenario.kept_plumb import is_moved_by, slings_under
+from gantline.scenario.lead import LeadStep
 from gantline.scenario.movers import mover
 from gantline.scenario.plan import Step
 from gantline.scenario.slinging import slings_on
@@ -177,6 +178,8 @@ def _gone(scenario: Scenario, hook: Hook, steps: Iterable[Step]) -> tuple[float,
     """How far steps take a hook along world x and y [m]; None where that is not known before the run."""
     x = y = 0.0
     for step in steps:
+        if isinstance(step, LeadStep) and hook.name in full_names(step.lead, scenario.hooks):
+            return None
         if isinstance(step, HoldStep) or not isinstance(step, AlongStep):
             continue
         for text in step.moved:

@@ -21,6 +21,8 @@ from gantline.scenario.base import Element
 from gantline.scenario.errors import Doubt
 from gantline.scenario.hooks import full_names
 from gantline.scenario.kept_plumb import hooks_beside, slings_under
+from gantline.scenario.lead import LeadStep
+from gantline.scenario.leading import led_hooks
 from gantline.scenario.movers import Mover, mover
 from gantline.scenario.plan import Step
 from gantline.scenario.slinging import slings_on
@@ -229,6 +231,8 @@ def _is_elsewhere(scenario: Scenario, step: AlongStep) -> bool:
     """Whether a step before has brought the crane to another place, or its boom, than that of the start."""
     own = _followers(scenario, step)
     for before in takewhile(lambda other: other is not step, scenario.plan):
+        if isinstance(before, LeadStep) and own & {one.crane for one in led_hooks(scenario, before)}:
+            return True
         if not isinstance(before, AlongStep) or before.verb == "traverse":
             continue
         is_alike = before.verb == step.verb and before.keep_plumb is not None

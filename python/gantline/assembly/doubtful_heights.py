@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
-from gantline.scenario.movers import boom_angles_at_end, mover
+from gantline.scenario.movers import mover
+from gantline.scenario.positions import boom_angles_at_end
 from gantline.scenario.steps import HookStep
 from gantline.units import format_quantity
 

@@ -6,7 +6,9 @@ from collections.abc import Iterator
 
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
-from gantline.scenario.movers import mover
+from gantline.scenario.lead import LeadStep
+from gantline.scenario.leading import movers_of_lead
+from gantline.scenario.movers import Mover, mover
 from gantline.scenario.plan import Step
 from gantline.scenario.plan_time import earliest_begins
 from gantline.scenario.steps import MovingStep
@@ -19,11 +21,14 @@ def doubtful_stops(scenario: Scenario) -> Iterator[Doubt]:
     soft: dict[str, int] = {}
     stopped = _under_way(scenario)
     for place, step in enumerate(scenario.plan):
-        if not isinstance(step, MovingStep):
+        if not isinstance(step, MovingStep | LeadStep):
             continue
-        if place not in stopped and step.emergency_stop_at is None:
+        if place not in stopped and getattr(step, "emergency_stop_at", None) is None:
             continue
-        moved = (mover(scenario, step.kind, text) for text in step.moved)
+        if isinstance(step, LeadStep):
+            moved: list[Mover | None] = [*movers_of_lead(scenario, step)]
+        else:
+            moved = [mover(scenario, step.kind, text) for text in step.moved]
         for one in moved:
             if one is not None and one.stops_as_usual:
                 soft.setdefault(one.name, place)

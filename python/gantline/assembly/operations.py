@@ -7,14 +7,18 @@ from collections.abc import Iterator, Mapping
 from gantline.assembly.chain_hoists import chain_drive
 from gantline.assembly.conditions import condition_of
 from gantline.assembly.followed import followed
+from gantline.assembly.led import leading
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.plain import drum_drive
 from gantline.assembly.tag_lines import line_drive
 from gantline.assembly.water import pump_drive
 from gantline.assembly.yard import hoist_drive
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.movers import Mover, boom_angles, boom_angles_at_end, mover
+from gantline.scenario.lead import LeadStep
+from gantline.scenario.leading import movers_of_lead
+from gantline.scenario.movers import Mover, mover
 from gantline.scenario.plan import Step
+from gantline.scenario.positions import Places, boom_angles, boom_angles_at_end, places_of_cranes
 from gantline.scenario.slinging import slings_on
 from gantline.scenario.steps import AlongStep, HoldStep, LowerStep, MovingStep, PayOutStep, PumpStep
 from gantline.scenario.tanks import contents_of_load, ends_of_pump, tanks_of
@@ -63,6 +67,7 @@ def operations(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]
     found = []
     mass = 0.0 if scenario.load is None else parts.bodies[scenario.load.name]["mass"]
     contents = contents_of_load(scenario)
+    cranes = places_of_cranes(scenario)
     angles = zip(boom_angles(scenario), boom_angles_at_end(scenario), strict=True)
     each = zip(scenario.plan, angles, slings_on(scenario), strict=True)
     for place, (step, (before, after), on) in enumerate(each):
@@ -70,6 +75,8 @@ def operations(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]
             made = _hold(step)
         elif isinstance(step, PumpStep):
             made = _pumping(scenario, step)
+        elif isinstance(step, LeadStep):
+            made = _leading(scenario, step, cranes[place])
         else:
             made = _moving(scenario, step, before, after)
         if isinstance(step, AlongStep) and step.keep_plumb:
@@ -91,6 +98,8 @@ def moved_drives(scenario: Scenario, step: Step) -> list[str]:
         return [pump_drive(name) for name in ends_of_pump(scenario, step) if name is not None]
     if isinstance(step, HoldStep):
         return []
+    if isinstance(step, LeadStep):
+        return [drive for one in movers_of_lead(scenario, step) for drive in drives_of(one)]
     return [drive for one in _moved(scenario, step) for drive in drives_of(one)]
 
 
@@ -119,6 +128,10 @@ def _stops(
     if isinstance(step, PumpStep):
         slowing = {"acceleration": step.rate / _PUMPS_START, "brake": None}
         yield from ((drive, slowing) for drive in moved_drives(scenario, step))
+    if isinstance(step, LeadStep):
+        for one in movers_of_lead(scenario, step):
+            stop = stop_of(one, one.speed, _rate(one, before, None))
+            yield from ((drive, stop) for drive in drives_of(one))
     if not isinstance(step, MovingStep):
         return
     for one in _moved(scenario, step):
@@ -180,6 +193,23 @@ def _pumping(scenario: Scenario, step: PumpStep) -> Json:
         made["with_previous"] = True
     if step.by is not None:
         made["until"] = {"type": "along", "distance": step.by}
+    return made
+
+
+def _leading(scenario: Scenario, step: LeadStep, before: Places) -> Json:
+    """Drives of several cranes that go the way of a load together."""
+    found = leading(scenario, step, before)
+    moves = [
+        # What a drive may do has been looked at along the way; it does what its series says.
+        {"drive": drive, "velocity": 1.0, "acceleration": 1.0, "shape": "linear"}
+        for one in found.movers
+        for drive in drives_of(one)
+    ]
+    series = [one for mover, one in zip(found.movers, found.series, strict=True) for _ in drives_of(mover)]
+    until = {"type": "leading", "rate": found.rate, "acceleration": found.acceleration, "series": series}
+    made: Json = {"name": step.step, "moves": moves, "start_at": step.start_at, "until": until}
+    if step.starts == "with_previous":
+        made["with_previous"] = True
     return made
 
 

@@ -37,6 +37,7 @@ from gantline.scenario.compensator import gas_rope, rod_of
 from gantline.scenario.crane import FixedHook
 from gantline.scenario.gear import Shackle
 from gantline.scenario.hooks import full_name
+from gantline.scenario.lead import LeadStep
 from gantline.scenario.lug import Lug
 from gantline.scenario.reeving import hoist_drum
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
@@ -403,7 +404,7 @@ def _step(scenario: Scenario, step: Any) -> Json:
         "report": list(step.report),
         "require": require,
         **_pumped(scenario, step),
-        "speed": step.speed if isinstance(step, MovingStep) else None,
+        "speed": step.speed if isinstance(step, MovingStep | LeadStep) else None,
         "pull_pins": list(step.pull_pins),
         "put_in_pins": list(step.put_in_pins),
         **{key: list(names) for key in _PARTS if (names := getattr(step, key))},
@@ -418,6 +419,9 @@ def _step(scenario: Scenario, step: Any) -> Json:
 
 def _goes(step: Any) -> Json:
     """What a step moves, as the lift file names it, and which way or how far."""
+    if isinstance(step, LeadStep):
+        travelling = {"travelling": list(step.travelling)} if step.travelling else {}
+        return {"moves": list(step.lead), "way": list(step.by), "turn": step.turn, **travelling}
     if not isinstance(step, MovingStep):
         return {}
     way = {key: value for key in ("by", "to") if (value := getattr(step, key, None)) is not None}
@@ -448,7 +452,9 @@ def _kept_plumb(scenario: Scenario, step: Any) -> Json:
 
 
 def _ended_by(step: Any) -> Json:
-    """The key that says when what a step moves stops."""
+    """The key that says when what a step moves stops; a step that leads stops where its way ends."""
+    if isinstance(step, LeadStep):
+        return {"ends_by": "by" if any(step.by) else "turn"}
     keys = step.ends if isinstance(step, MovingStep) else ("by", "until")
     given = [key for key in keys if getattr(step, key, None) is not None]
     return {} if isinstance(step, HoldStep) else {"ends_by": given[0]}

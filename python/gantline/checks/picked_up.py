@@ -82,7 +82,7 @@ def picked_up(recording: Recording) -> list[Check]:
 
 def what_helps(recording: Recording, load: Load, time: float) -> str:
     """What helps a load that meets what is below it hard at a time [s], by what the plan does then."""
-    kinds = {step.step: step.kind for step in recording.rig.plan}
+    kinds = {step.step: step.acts_as for step in recording.rig.plan}
     clear = _clear(recording, load)
     hung = next((one for one in clear if one.end == time), None)
     if hung is not None and hung.landed is not None:
@@ -118,7 +118,7 @@ def _is_lowered_past(recording: Recording, load: Load, one: _Clear) -> bool:
 
     In waves it may as well have been picked up from a deck that sinks.
     """
-    kinds = {step.step: step.kind for step in recording.rig.plan}
+    kinds = {step.step: step.acts_as for step in recording.rig.plan}
     if recording.rig.is_in_waves or not any(
         kinds.get(step) in _LOWERS for step in _steps_at(recording, one.begin)
     ):
@@ -131,7 +131,7 @@ def _is_lowered_past(recording: Recording, load: Load, one: _Clear) -> bool:
 def _clear(recording: Recording, load: Load) -> list[_Clear]:
     """Each time in which a load hung clear, in order."""
     removed = [one.removed_at for one in recording.rig.supports if one.removed_at is not None]
-    kinds = {step.step: step.kind for step in recording.rig.plan}
+    kinds = {step.step: step.acts_as for step in recording.rig.plan}
     begins = [(begin, kinds.get(step)) for step, (begin, _) in progress.spans(recording).items()]
     raised = removed + [begin for begin, kind in begins if kind not in (*_LOWERS, *_LEAVES)]
     spans: list[_Clear] = []

@@ -36,7 +36,7 @@ _STILL = {
 #: Keys that name a time.
 _TIMES = ("brake_from", "emergency_stop_at")
 #: Steps that take a load along and do not lower it.
-_TAKES_ALONG = {"luff", "slew", "traverse", "travel"}
+_TAKES_ALONG = {"luff", "slew", "lead", "traverse", "travel"}
 #: Steps that lower a load, or that bring what it hangs from or stands over somewhere else.
 _LOWERS = {"lower", "pay_out", "haul_in", "pump", *_TAKES_ALONG}
 #: A load that has hung clear for so long was not being set down; one that comes off bounces for less [s].
@@ -172,7 +172,7 @@ def _back_on_supports(recording: Recording) -> Iterator[str]:
 
     `until: {supports: clear}` holds at the top of such a bounce, and the hook brakes there.
     """
-    kinds = {step.step: step.kind for step in recording.rig.plan}
+    kinds = {step.step: step.acts_as for step in recording.rig.plan}
     first = lift_off_time(recording)
     for load in recording.rig.loads:
         weight = series.load_weight(recording, load)
@@ -192,7 +192,7 @@ def came_down(recording: Recording) -> list[Check]:
     A boom that goes down lowers its hooks, and nobody may have thought of that; what follows drags the load:
     a warning. What slews, traverses or travels comes no lower, and runs into what is in its way: a failure.
     """
-    kinds = {step.step: step.kind for step in recording.rig.plan}
+    kinds = {step.step: step.acts_as for step in recording.rig.plan}
     loads = {load.name for load in recording.rig.loads}
     spans = progress.spans(recording)
     first: dict[str, Check] = {}
@@ -217,7 +217,7 @@ def _driven_against(recording: Recording) -> Iterator[Check]:
 
     Wind does that, a tag line that is hauled or let go, or a swing. Where a rope has parted, that is told.
     """
-    kinds = {step.step: step.kind for step in recording.rig.plan}
+    kinds = {step.step: step.acts_as for step in recording.rig.plan}
     spans = progress.spans(recording)
     lost = min((one.time for one in partings(recording) if one.kind not in PLANNED), default=np.inf)
     for load in recording.rig.loads:
@@ -245,7 +245,7 @@ def _caught(recording: Recording) -> Iterator[Check]:
     An edge caught it, and it slid off, or it swings against a side. What sets a load down and takes it up
     again hoists it or takes a support away; what lays one down turns it.
     """
-    kinds = {step.step: step.kind for step in recording.rig.plan}
+    kinds = {step.step: step.acts_as for step in recording.rig.plan}
     spans = progress.spans(recording)
     removed = [one.removed_at for one in recording.rig.supports if one.removed_at is not None]
     raised = [begin for step, (begin, _) in spans.items() if kinds.get(step) == "hoist"]

@@ -115,6 +115,7 @@ def _stretch(kind: RopeMaterial) -> str:
 
 def _look_over(simulation: Simulation) -> None:
     """What a lift file describes, all of which has been found right."""
+    from gantline.cli.lead_table import lead_table
     from gantline.cli.summary import heading, weights
     from gantline.cli.supports_table import supports_table
     from gantline.cli.table import show, table
@@ -141,6 +142,7 @@ def _look_over(simulation: Simulation) -> None:
     demands = heave_demands(simulation.scenario)
     lines = [*heading(rig), *weights(rig), *centre, *ropes, *_rope_weights(rig), *later, *_sheaves(rig)]
     lines += _compensators(simulation.scenario)
+    lines += lead_table(simulation.scenario)
     lines += recorded_motions(rig)
     load = simulation.scenario.load
     lines += supports_table(simulation.assembly.under_load, None if load is None else load.stands_on)

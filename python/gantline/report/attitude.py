@@ -106,13 +106,17 @@ def _tag_lines(subject: Subject) -> list[tuple[str, str]]:
     return [("largest pull of a tag line", f"{name} {show(force, 'kN', 1)} at {show(time, 's', 1)}")]
 
 
+#: Steps after which a load swings, and hangs where it was taken.
+_TAKES = ("traverse", "travel", "lead")
+
+
 def _swing_after_travel(subject: Subject, load: Load) -> tuple[str, float] | None:
-    """Kind of the last step that traverses or travels, and the largest swing after it [m]; None without."""
+    """Kind of the last step that takes a load along, and the largest swing after it [m]; None without."""
     recording = subject.recording
     swings = "load_swing" in recording and not recording.is_equilibrium
     if not swings or load.name not in recording.coordinates.get("load", ()):
         return None
-    goes = {step.step: step.kind for step in subject.rig.plan if step.kind in ("traverse", "travel")}
+    goes = {step.step: step.kind for step in subject.rig.plan if step.kind in _TAKES}
     ends = [(time, goes[name]) for time, _, name in recording.events("step_end") if name in goes]
     if not ends:
         return None

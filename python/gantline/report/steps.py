@@ -26,7 +26,7 @@ _WIDE = 38
 _FEW = 6
 
 #: Steps whose speed is that of something that goes along a line.
-_ALONG = ("hoist", "lower", "traverse", "travel", "haul_in", "pay_out", "haul", "veer")
+_ALONG = ("hoist", "lower", "traverse", "travel", "lead", "haul_in", "pay_out", "haul", "veer")
 #: Keys by which a step stops at a time.
 _AT_A_TIME = ("brake_from", "emergency_stop_at")
 #: Steps whose speed is that of a boom or an upper structure that turns.
@@ -152,7 +152,8 @@ def _still(step: Step) -> list[str]:
 def _moved(step: Step, hooks: set[str]) -> str:
     """What moves, unless that is every hook of the lift."""
     drives = {drive.removesuffix(".hoist") for drive in step.drives}
-    return "" if not step.moves or drives == hooks else f" {', '.join(step.moves)}"
+    all_lead = step.way is not None and len(step.moves) == len(hooks)
+    return "" if not step.moves or drives == hooks or all_lead else f" {', '.join(step.moves)}"
 
 
 def _speed(step: Step) -> str:
@@ -180,6 +181,8 @@ def _way(step: Step) -> str:
         return f", keeps {', '.join(step.keep_plumb)} plumb"
     if step.towards:
         return f" towards {step.towards}"
+    if step.way is not None:
+        return _led(step.way, step.turn)
     way = next(
         ((word, value) for word, value in (("by", step.by), ("to", step.to)) if value is not None), None
     )
@@ -187,6 +190,13 @@ def _way(step: Step) -> str:
         return ""
     word, value = way
     return f" {word} {_length(np.rad2deg(value), 'deg') if step.kind in _TURNING else _length(value, 'm')}"
+
+
+def _led(way: Sequence[float], turn: float) -> str:
+    """How far a load is led, along which axes, and by how much it turns."""
+    parts = [f"{_length(part, 'm')} along {axis}" for part, axis in zip(way, "xyz", strict=True) if part]
+    level = f" by {', '.join(parts)}" if parts else ""
+    return f"{level}, turned by {_length(np.rad2deg(turn), 'deg')}" if turn else level
 
 
 def _length(value: float, unit: str) -> str:

@@ -2,7 +2,7 @@
 
 The *drift* of a load is the horizontal distance of its centre of gravity from its start, less the way that
 the upper sheaves of its hooks go while the load is clear and a step takes loads along: one that
-traverses, travels, slews, luffs, or moves mooring lines; not one that moves chain hoists of slings. Of
+traverses, travels, slews, luffs, leads, or moves mooring lines; not one that moves chain hoists of slings. Of
 several hooks it is their mean, weighted by hook load, under which a load hangs whose falls are plumb. What
 the upper sheaves do at any other time, as when a vessel trims or its moorings give, is in no plan and counts.
 """
@@ -21,7 +21,7 @@ from gantline.results.variable import BoolArray, FloatArray
 
 __all__ = ["is_taken_along", "load_drift"]
 
-_TAKE_ALONG = ("traverse", "travel", "slew", "luff", "haul", "veer")
+_TAKE_ALONG = ("traverse", "travel", "slew", "luff", "lead", "haul", "veer")
 
 
 def load_drift(recording: Recording, load: Load) -> FloatArray:

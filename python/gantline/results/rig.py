@@ -210,6 +210,9 @@ class Step(FromJson):
         moves: What it moves, as the lift file names it: hooks, trolleys, cranes, drums, lines.
         by: Way after which that is at rest [m or rad], negative back; None where it ends otherwise.
         to: Position in which it is at rest [m or rad], of hooks a height; None where it ends otherwise.
+        way: How far it leads the load along x, y and z of the world [m]; None of another step.
+        turn: By how much it turns the load meanwhile [rad].
+        travelling: Cranes that travel for that in place of luffing.
         towards: `minus` of what goes to smaller positions until something else ends it.
         compensate_heave: Hooks that it keeps still against heave, as the lift file names them.
         relative_to: Vessel over whose deck it keeps them still; empty over the ground.
@@ -242,9 +245,21 @@ class Step(FromJson):
     moves: Sequence[str] = ()
     by: float | None = None
     to: float | None = None
+    way: Vector | None = None
+    turn: float = 0.0
+    travelling: Sequence[str] = ()
     towards: str = ""
     compensate_heave: Sequence[str] = ()
     relative_to: str = ""
+
+    @property
+    def acts_as(self) -> str:
+        """What it does to a load: leading it downwards lowers it, leading it straight up hoists it."""
+        if self.way is None or self.way[2] == 0.0:
+            return self.kind
+        if self.way[2] < 0.0:
+            return "lower"
+        return self.kind if any(self.way[:2]) or self.turn else "hoist"
 
 
 @dataclass(frozen=True)

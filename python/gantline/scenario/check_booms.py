@@ -11,7 +11,8 @@ from gantline.scenario.crawler import Crawler
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.luffing import Tackles
-from gantline.scenario.movers import boom_angles, mover
+from gantline.scenario.movers import mover
+from gantline.scenario.positions import boom_angles
 from gantline.scenario.rope_weight import check_rope_weight
 from gantline.scenario.steps import LuffStep
 

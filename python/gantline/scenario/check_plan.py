@@ -5,12 +5,15 @@ from __future__ import annotations
 from gantline.scenario.boom import FloatingCrane
 from gantline.scenario.check_booms import check_luffing
 from gantline.scenario.check_heave import check_heave
+from gantline.scenario.check_lead import check_lead
 from gantline.scenario.check_pumps import check_contents, check_pump, check_shares
 from gantline.scenario.check_travel import check_travel, said
 from gantline.scenario.condition import Condition
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.hooks import full_name
+from gantline.scenario.lead import LeadStep
+from gantline.scenario.leading import movers_of_lead
 from gantline.scenario.model import Scenario
 from gantline.scenario.movers import Mover, movers
 from gantline.scenario.plan_time import earliest_begins
@@ -56,6 +59,8 @@ def check_plan(findings: Findings) -> None:
             findings.add(("plan", place, "starts"), sentence)
         if isinstance(step, PumpStep):
             moved = check_pump(findings, place, step)
+        elif isinstance(step, LeadStep):
+            moved = check_lead(findings, place, step)
         else:
             moved = _check_moved(findings, place, step)
         busy = busy if aside else set()
@@ -176,7 +181,7 @@ def _check_stop(findings: Findings, path: Path, one: Mover, drive: str) -> None:
 
 
 def _check_times(
-    findings: Findings, place: int, step: MovingStep | PumpStep, earliest: float, begin: float
+    findings: Findings, place: int, step: MovingStep | LeadStep | PumpStep, earliest: float, begin: float
 ) -> tuple[float, float]:
     """Check when a step starts and brakes.
 
@@ -351,3 +356,7 @@ def _check_emergency_stop(findings: Findings) -> None:
         one = movers(scenario, step.kind)[name]
         if one is not None:
             _check_stop(findings, path, one, _WORDS[step.kind][2])
+    leads = (step for step in scenario.plan if isinstance(step, LeadStep))
+    led = {one.name: one for step in leads for one in movers_of_lead(scenario, step)}
+    for one in (one for name, one in led.items() if name not in moved):
+        _check_stop(findings, path, one, _WORDS[one.kind][2])

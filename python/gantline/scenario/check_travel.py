@@ -12,7 +12,10 @@ from typing import Any
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.goliath import Goliath
 from gantline.scenario.hooks import trolley_name
-from gantline.scenario.movers import Mover, boom_angles_at_end, mover
+from gantline.scenario.lead import LeadStep
+from gantline.scenario.leading import Beyond, led_hooks, pose_before, way_of
+from gantline.scenario.movers import Mover, mover
+from gantline.scenario.positions import Places, boom_angles_at_end, places_of_cranes
 from gantline.scenario.steps import HookStep, Kind, MovingStep
 
 __all__ = ["Bounds", "bounds_after", "check_travel", "said"]
@@ -41,8 +44,11 @@ def said(kind: Kind, value: float, of: str) -> str:
 def check_travel(findings: Findings) -> None:
     """Note steps that leave the range of a trolley, crane or boom, or hoist a hook too high."""
     where: dict[str, Bounds] = {}
-    plan = findings.scenario.plan
+    plan, before_step = findings.scenario.plan, places_of_cranes(findings.scenario)
     for place, (step, angles) in enumerate(zip(plan, boom_angles_at_end(findings.scenario), strict=True)):
+        if isinstance(step, LeadStep):
+            key = "by" if any(step.by) else "turn"
+            _lead(findings, ("plan", place, key), step, before_step[place], where)
         if not isinstance(step, MovingStep):
             continue
         for text in dict.fromkeys(step.moved):
@@ -65,6 +71,27 @@ def check_travel(findings: Findings) -> None:
         aside = place + 1 < len(plan) and getattr(plan[place + 1], "starts", "") == "with_previous"
         if not aside:
             _check_distances(findings, ("plan", place), where)
+
+
+def _lead(findings: Findings, path: Path, step: LeadStep, before: Places, where: dict[str, Bounds]) -> None:
+    """Note hooks that a step that leads takes too high, and where it leaves what it moves.
+
+    Ranges of booms and cranes are looked at along the whole way by `check_lead`.
+    """
+    hooks = led_hooks(findings.scenario, step)
+    for index, led in enumerate(hooks):
+        way, begin = way_of(step, hooks, before), pose_before(led, before)
+        try:
+            *_, end = way.poses(index, led, begin, [part / 64 for part in range(65)])
+        except Beyond:
+            continue
+        up, start = way.hoisted(led, begin, end, 1.0), led.hoist.start or 0.0
+        low, high = where.get(led.hoist.name, (start, start))
+        where[led.hoist.name] = low + up, high + up
+        head_up = 0.0 if led.hoist.head is None else led.hoist.head.rise(end.angle)
+        _check_range(findings, path, led.hoist, _raised(where[led.hoist.name], head_up))
+        ends = [(led.boom, end.angle), (led.upper, end.slew), (led.track, end.travel)]
+        where |= {one.name: (at, at) for one, at in ends if one is not None}
 
 
 def _raised(bounds: Bounds, by: float) -> Bounds:

@@ -16,10 +16,10 @@ from gantline.scenario.model import Scenario
 from gantline.scenario.mooring import MooringLine
 from gantline.scenario.reel import Reel
 from gantline.scenario.slewing import Slewing, upper_body
-from gantline.scenario.steps import Kind, LuffStep
+from gantline.scenario.steps import Kind
 from gantline.scenario.tag_line import TagLine, tag_rope
 
-__all__ = ["Head", "Mover", "boom_angles", "boom_angles_at_end", "mover", "movers"]
+__all__ = ["Head", "Mover", "mover", "movers"]
 
 
 @dataclass(frozen=True)
@@ -103,47 +103,6 @@ def movers(scenario: Scenario, kind: Kind) -> dict[str, Mover | None]:
         return dict(_booms(scenario))
     cranes = (scenario.cranes or {}).items()
     return {of: one for name, crane in cranes for of, one in _of_crane(name, crane, kind)}
-
-
-def boom_angles(scenario: Scenario) -> list[dict[str, tuple[float, bool]]]:
-    """Where booms are before each step of the plan, as their drives count it.
-
-    Returns:
-        For each step by the name of the boom the last angle that the plan says [rad], and whether it is there
-        still: a step that ends on a condition or at a time leaves it somewhere else.
-    """
-    return _angles(scenario)[:-1]
-
-
-def boom_angles_at_end(scenario: Scenario) -> list[dict[str, tuple[float, bool]]]:
-    """The same where each step of the plan and all that goes on beside it have ended."""
-    before, found = _angles(scenario), []
-    for place in range(len(scenario.plan)):
-        after = place + 1
-        while after < len(scenario.plan) and getattr(scenario.plan[after], "starts", "") == "with_previous":
-            after += 1
-        found.append(before[after])
-    return found
-
-
-def _angles(scenario: Scenario) -> list[dict[str, tuple[float, bool]]]:
-    """Where booms are before each step, and at the end of the plan."""
-    where = {placed.name: (placed.boom.angle, True) for placed in scenario.booms.values()}
-    before = []
-    for step in scenario.plan:
-        before.append(dict(where))
-        if not isinstance(step, LuffStep):
-            continue
-        for text in step.moved:
-            one = mover(scenario, step.kind, text)
-            if one is None:
-                continue
-            angle, known = where[one.name]
-            if step.to is not None:
-                where[one.name] = step.to, True
-            else:
-                where[one.name] = angle + (step.by or 0.0), known and step.by is not None
-    return [*before, where]
 
 
 def mover(scenario: Scenario, kind: Kind, text: str) -> Mover | None:

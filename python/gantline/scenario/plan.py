@@ -7,6 +7,7 @@ from typing import Annotated, Any, ClassVar
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from gantline.scenario.base import Element
+from gantline.scenario.lead import LeadStep
 from gantline.scenario.quantities import Text, Time, refuse
 from gantline.scenario.steps import (
     VERBS,
@@ -61,6 +62,7 @@ Step = Annotated[
     | Annotated[TravelStep, Tag("travel step")]
     | Annotated[LuffStep, Tag("luff step")]
     | Annotated[SlewStep, Tag("slew step")]
+    | Annotated[LeadStep, Tag("lead step")]
     | Annotated[HaulInStep, Tag("haul_in step")]
     | Annotated[PayOutStep, Tag("pay_out step")]
     | Annotated[PumpStep, Tag("pump step")]
@@ -71,6 +73,6 @@ Step = Annotated[
         _verb,
         custom_error_type="no_verb",
         custom_error_message="a step says what is done: it has one of the keys 'hoist', 'lower', 'traverse', "
-        "'travel', 'luff', 'slew', 'haul_in', 'pay_out', 'haul', 'veer', 'pump' and 'hold'",
+        "'travel', 'luff', 'slew', 'lead', 'haul_in', 'pay_out', 'haul', 'veer', 'pump' and 'hold'",
     ),
 ]

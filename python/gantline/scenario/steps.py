@@ -47,6 +47,7 @@ __all__ = [
     "PumpStep",
     "PumpWay",
     "SlewStep",
+    "StartingStep",
     "TravelStep",
     "TraverseStep",
     "TurnStep",
@@ -64,6 +65,7 @@ VERBS = (
     "travel",
     "luff",
     "slew",
+    "lead",
     "haul_in",
     "pay_out",
     "haul",
@@ -134,7 +136,7 @@ class _AnyStep(Element):
         return self
 
 
-class _StartingStep(_AnyStep):
+class StartingStep(_AnyStep):
     """A step whose start can be said."""
 
     starts: Literal["after_previous", "with_previous"] = Field(
@@ -146,7 +148,7 @@ class _StartingStep(_AnyStep):
     )
 
 
-class MovingStep(_StartingStep):
+class MovingStep(StartingStep):
     """A step that moves hooks, drums, trolleys, cranes, booms or lines."""
 
     #: The key that says what is moved.
@@ -384,7 +386,7 @@ class PumpWay(Element):
                 raise refuse(f"'{key}' is missing, {what}: a tank, or 'sea', which is all outside of tanks")
 
 
-class PumpStep(_StartingStep):
+class PumpStep(StartingStep):
     """A step that pumps ballast, or lets water run out of a load or into it."""
 
     what: ClassVar[str] = "a pump step"

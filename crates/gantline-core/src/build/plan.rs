@@ -1,12 +1,15 @@
 //! Drives and the steps of the plan.
 
+use std::sync::Arc;
+
 use super::coils::build_layers;
 use super::compensators::{build_compensations, build_compensators};
 use super::conditions::{build_condition, build_follow, build_way};
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
 use crate::plan::{
-    Cut, DriveStop, Due, Emergency, EmergencyStop, Move, Plan, Reel, Step, StopAt, Switching, Until,
+    Cut, DriveStop, Due, Emergency, EmergencyStop, Leading, Move, Plan, Reel, Series, Step, StopAt,
+    Switching, Until,
 };
 use crate::spec::{
     AxisJointSpec, BodySpec, EmergencySpec, JointSpec, ReelSpec, StepSpec, StopAtSpec, SystemSpec, UntilSpec,
@@ -44,7 +47,11 @@ pub(super) fn build_drives(spec: &SystemSpec, tree: &Tree) -> Result<Vec<DriveJo
         if by_waves && is_limited {
             return error(&name, "waves move it, whatever that takes; it has no motor of limited force");
         }
-        drives.push(DriveJoint { name, body, dof, is_limited, keeps_pull, by_waves });
+        let leads = spec.plan.iter().any(|step| {
+            matches!(step.until, UntilSpec::Leading { .. }) && step.moves.iter().any(|one| one.drive == name)
+        });
+        let curved = by_waves || (leads && !is_limited);
+        drives.push(DriveJoint { name, body, dof, is_limited, keeps_pull, by_waves, curved });
     }
     for given in &spec.bodies {
         if let Some(name) = given.joint.drive()
@@ -184,6 +191,17 @@ fn build_step(
             }
             [] => return error(name, "a drive follows"),
         },
+        UntilSpec::Leading { rate, acceleration, series } if series.len() == moves.len() => {
+            positive(name, "the rate", *rate)?;
+            positive(name, "the acceleration", *acceleration)?;
+            let mut each = Vec::with_capacity(series.len());
+            for coefficients in series {
+                finite(name, "a coefficient", coefficients)?;
+                each.push(Arc::new(Series::new(coefficients.clone())));
+            }
+            Until::Leading(Leading { rate: *rate, acceleration: *acceleration, series: each })
+        }
+        UntilSpec::Leading { .. } => return error(name, "each drive that moves needs one series"),
         condition => Until::Condition(build_condition(name, condition, tree, groups, ropes)?),
     };
     let (start_at, with_previous) = (given.start_at, given.with_previous);

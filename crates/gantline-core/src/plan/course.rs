@@ -171,6 +171,28 @@ impl Course {
         self.ramp(at, shape.peak_acceleration() * change / acceleration, velocity, shape)
     }
 
+    /// From `at` [s] on it is `by` [m or rad] further and goes by `velocity` [m/s or rad/s] faster than it did.
+    pub fn carry(&mut self, at: f64, by: f64, velocity: f64) {
+        self.shift(by);
+        if velocity != 0.0 {
+            let Motion { position, velocity: from, .. } = self.motion(at);
+            let to = from + velocity;
+            self.ramps.retain(|ramp| ramp.at < at);
+            self.ramps.push(Ramp { at, duration: 0.0, from, to, position, shape: RampShape::Linear });
+        }
+    }
+
+    /// Moves by `distance` from rest and stops; returns the end [s].
+    pub fn travel(&mut self, at: f64, distance: f64, speed: f64, acceleration: f64, shape: RampShape) -> f64 {
+        // Each of the two ramps covers v·d/2, d = c v/a; the speed is lowered where both do not fit.
+        let gentle = acceleration / shape.peak_acceleration();
+        let speed = speed.abs().min((distance.abs() * gentle).sqrt());
+        let ramp = speed / gentle;
+        let cruise = (distance.abs() / speed - ramp).max(0.0);
+        self.ramp(at, ramp, speed.copysign(distance), shape);
+        self.ramp(at + ramp + cruise, ramp, 0.0, shape)
+    }
+
     /// What is over at `at` [s] is not carried along: a drive may be asked for thousands of changes.
     pub fn forget(&mut self, at: f64) {
         let over = self.ramps.partition_point(|ramp| ramp.at < at).saturating_sub(1);

@@ -1,11 +1,12 @@
-//! What a drive does over time: what plan or program ask of it, and on top of that what compensates heave, or what waves
-//! do to a vessel whose motion is known beforehand.
+//! What a drive does over time: what plan or program ask of it, by itself or along a way that several drives go
+//! together, and on top of that what compensates heave, or what waves do to a vessel whose motion is known beforehand.
 
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
 use super::course::{Course, Motion, soon};
+use super::series::{self, Series};
 use super::step::Emergency;
 use crate::force::trains::Trains;
 use crate::spec::RampShape;
@@ -36,6 +37,11 @@ pub struct Timeline {
     course: Course,
     /// What heave compensation adds, from 0.
     added: Course,
+    /// How far along a way several drives have gone that go together, 0 to 1.
+    along: Course,
+    /// What this one does on it.
+    #[serde(serialize_with = "series::save", deserialize_with = "series::restore")]
+    series: Option<Arc<Series>>,
     /// What waves add. It is the lift's and not the state's: whoever takes up a saved state gives it back.
     #[serde(skip)]
     waves: Option<Arc<Trains>>,
@@ -58,6 +64,8 @@ impl Timeline {
     pub fn copy_from(&mut self, other: &Self) {
         self.course.copy_from(&other.course);
         self.added.copy_from(&other.added);
+        self.along.copy_from(&other.along);
+        self.series.clone_from(&other.series);
         self.waves.clone_from(&other.waves);
         (self.braked, self.noticed, self.commanded) = (other.braked, other.noticed, other.commanded);
         self.put_right = other.put_right;
@@ -65,8 +73,17 @@ impl Timeline {
 
     /// A drive at rest at `start` [m or rad]. Room for ramps is made here, not while stepping.
     pub fn new(start: f64, ramps: usize) -> Self {
-        let (course, added) = (Course::new(start, ramps), Course::new(0.0, 3));
-        Self { course, added, waves: None, braked: None, noticed: None, commanded: None, put_right: 0.0 }
+        Self {
+            course: Course::new(start, ramps),
+            added: Course::new(0.0, 3),
+            along: Course::new(0.0, 2),
+            series: None,
+            waves: None,
+            braked: None,
+            noticed: None,
+            commanded: None,
+            put_right: 0.0,
+        }
     }
 
     /// Waves move it as well.
@@ -97,6 +114,7 @@ impl Timeline {
 
     /// Stops in an emergency from `at` [s] on.
     pub fn stop(&mut self, at: f64, how: &Emergency) {
+        self.leave(at);
         self.change(at, 0.0, how.acceleration, RampShape::Linear);
         self.stop_adding(at, how.acceleration);
         if let Some(brake) = how.brake {
@@ -130,12 +148,31 @@ impl Timeline {
 
     /// Where it would be in still water.
     pub fn calm(&self, time: f64) -> Motion {
-        self.course.motion(time) + self.added.motion(time)
+        self.planned(time) + self.added.motion(time)
     }
 
     /// Where plan or program have it: without what heave compensation and waves add.
     pub fn planned(&self, time: f64) -> Motion {
-        self.course.motion(time)
+        let alone = self.course.motion(time);
+        let Some(series) = &self.series else { return alone };
+        alone + series.motion(self.along.motion(time))
+    }
+
+    /// Goes `series` from `at` [s] on, at most `rate` [1/s] of it in a second; returns the end [s].
+    pub fn lead(&mut self, at: f64, series: &Arc<Series>, (rate, acceleration): (f64, f64)) -> f64 {
+        self.leave(at);
+        self.braked = None;
+        self.series = Some(Arc::clone(series));
+        self.along.travel(at, 1.0, rate, acceleration, RampShape::Linear)
+    }
+
+    /// Goes on by itself from `at` [s] on, from where it is and with the velocity that it has.
+    fn leave(&mut self, at: f64) {
+        if let Some(series) = self.series.take() {
+            let Motion { position, velocity, .. } = series.motion(self.along.motion(at));
+            self.course.carry(at, position, velocity);
+            self.along.clear();
+        }
     }
 
     /// What heave compensation adds.
@@ -175,14 +212,18 @@ impl Timeline {
     /// Acceleration at `time` [s] and its derivative, of the piece of motion that is under way at `from`.
     pub fn acceleration(&self, from: f64, time: f64) -> (f64, f64) {
         let [course, added] = [&self.course, &self.added].map(|one| one.acceleration(from, time));
+        let led = self.series.as_ref().map_or((0.0, 0.0), |series| {
+            series.acceleration(self.along.motion(time), self.along.acceleration(from, time))
+        });
         let [.., by_waves, jerk] = self.waves.as_ref().map_or([0.0; 4], |waves| waves.at_origin(time));
-        (course.0 + added.0 + by_waves, course.1 + added.1 + jerk)
+        (course.0 + added.0 + led.0 + by_waves, course.1 + added.1 + led.1 + jerk)
     }
 
     /// The next time after `time` [s] at which a ramp starts or ends, or waves have grown.
     pub fn next_break(&self, time: f64) -> f64 {
         let grown = self.waves.as_ref().map(|waves| waves.rise_time).filter(|&at| at > time);
-        self.course.next_break(time).min(self.added.next_break(time)).min(grown.unwrap_or(f64::INFINITY))
+        let courses = [&self.course, &self.added, &self.along].map(|one| one.next_break(time));
+        courses.into_iter().chain(grown).fold(f64::INFINITY, f64::min)
     }
 
     /// From `at` [s] on, within `duration` [s], the velocity goes to `velocity`. Later ramps are dropped.
@@ -203,13 +244,8 @@ impl Timeline {
         if distance == 0.0 {
             return at;
         }
-        // Each of the two ramps covers v·d/2, d = c v/a; the speed is lowered where both do not fit.
-        let gentle = acceleration / shape.peak_acceleration();
-        let speed = speed.abs().min((distance.abs() * gentle).sqrt());
-        let ramp = speed / gentle;
-        let cruise = (distance.abs() / speed - ramp).max(0.0);
-        self.ramp(at, ramp, speed.copysign(distance), shape);
-        self.ramp(at + ramp + cruise, ramp, 0.0, shape)
+        self.braked = None;
+        self.course.travel(at, distance, speed, acceleration, shape)
     }
 
     /// How it stops in an emergency, where a program moves it and not the plan.
@@ -224,6 +260,7 @@ impl Timeline {
     /// room r is v with `(v² − u²)/2a + v²/2b = r`.
     pub fn command(&mut self, at: f64, order: &Order) {
         self.commanded = Some(order.emergency);
+        self.leave(at);
         self.forget(at);
         let Order { velocity, acceleration: a, braking: b, range, .. } = *order;
         let Motion { position, velocity: now, .. } = self.planned(at);

@@ -8,6 +8,7 @@ pub mod follow;
 pub mod heave;
 pub mod operation;
 pub mod removal;
+pub mod series;
 pub mod step;
 pub mod switching;
 
@@ -19,5 +20,6 @@ pub use follow::{Follow, Lead, Strand, Way};
 pub use heave::Compensator;
 pub use operation::PlanState;
 pub use removal::Removal;
-pub use step::{DriveStop, Emergency, EmergencyStop, Move, Plan, Reel, Step, StopAt, Until};
+pub use series::Series;
+pub use step::{DriveStop, Emergency, EmergencyStop, Leading, Move, Plan, Reel, Step, StopAt, Until};
 pub use switching::Switching;

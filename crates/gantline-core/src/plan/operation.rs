@@ -9,7 +9,7 @@ use super::condition::Seen;
 use super::drive::Timeline;
 use super::follow::SETTLING;
 use super::heave::Compensating;
-use super::step::{DriveStop, EmergencyStop, Move, Plan, Step, StopAt, Until};
+use super::step::{DriveStop, EmergencyStop, Leading, Move, Plan, Step, StopAt, Until};
 use crate::event::{EventKind, EventLog};
 use looks::{Following, look_every};
 
@@ -325,6 +325,16 @@ impl PlanState {
     fn begin_step(&mut self, plan: &Plan, step: &Step, begin: f64) -> Phase {
         if let Until::Follow(follow) = &step.until {
             return Phase::Following(Following::from(begin, follow));
+        }
+        if let Until::Leading(Leading { rate, acceleration, series }) = &step.until {
+            let mut last = begin;
+            for (motion, series) in step.moves.iter().zip(series) {
+                let timeline = &mut self.timelines[motion.drive];
+                if timeline.commanded().is_none() {
+                    last = timeline.lead(begin, series, (*rate, *acceleration)).max(last);
+                }
+            }
+            return Phase::UntilTime(last);
         }
         let distances: Option<&[f64]> = match &step.until {
             Until::Distance(distance) => Some(std::slice::from_ref(distance)),

@@ -1,10 +1,13 @@
 //! Steps of a plan as data: which drives move, and what ends them.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use super::condition::Condition;
 use super::follow::Follow;
 use super::heave::Compensator;
+use super::series::Series;
 use crate::rope::coil::Layers;
 use crate::spec::RampShape;
 
@@ -81,8 +84,21 @@ pub enum Until {
     Condition(Condition),
     /// Follows until all that begins with it has ended. Velocity and acceleration of its moves, all alike, are limits.
     Follow(Follow),
+    /// At the end of a way that its drives go together.
+    Leading(Leading),
     /// Never.
     EndOfRun,
+}
+
+/// A way that drives go together, each as its own function of the share σ of it that they have gone.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Leading {
+    /// Highest rate of σ [1/s].
+    pub rate: f64,
+    /// Acceleration of σ [1/s²].
+    pub acceleration: f64,
+    /// What each drive does, in the order of the moves.
+    pub series: Vec<Arc<Series>>,
 }
 
 /// A step of the plan.

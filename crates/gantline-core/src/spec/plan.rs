@@ -277,6 +277,16 @@ pub enum UntilSpec {
         /// The other hooks of the load.
         others: Vec<LeadSpec>,
     },
+    /// Its drives go a way together, and are at rest at its end; velocity and acceleration of its moves mean nothing.
+    Leading {
+        /// Highest rate of the share of the way that they have gone [1/s].
+        rate: f64,
+        /// Its acceleration [1/s²].
+        acceleration: f64,
+        /// What each drive does over that share, in the order of the moves: coefficients of Chebyshev polynomials from the
+        /// beginning, -1, to the end, 1 [m or rad].
+        series: Vec<Vec<f64>>,
+    },
     /// Lasts until the run ends.
     EndOfRun {},
 }

@@ -49,7 +49,7 @@ impl Adaptive {
                 h = (0.1 * h).max(FIRST_STEP);
                 continue;
             }
-            let missed = self.end_with_waves(system, state, h);
+            let missed = self.end_on_curves(system, state, h);
             let error = self.weights.norm(system, state, &self.rodas, &self.tolerance);
             let error = error.max(missed).max(self.foretell(system, state, h));
             if error <= 1.0 && self.has_tangents(system, state) {

@@ -15,8 +15,9 @@
 //! Where something free hangs on a drive, how that moves bounds the step; unless it is balanced, and then only what
 //! the drive turns is left: see [`TURN`].
 //!
-//! What waves do to a vessel whose motion is known is no polynomial. A step ends where they have it, and is as short as
-//! the course between asks, of which the middle is compared with them.
+//! What waves do to a vessel whose motion is known is no polynomial, nor is what drives do that go a way together. A step
+//! ends where such a motion has what it moves, and is as short as the course between asks, of which the middle is compared
+//! with it.
 
 use super::course::Course;
 use super::error::ROUNDING;
@@ -143,17 +144,17 @@ pub fn wave_limit(state: &State) -> f64 {
 }
 
 impl Adaptive {
-    /// Lets the step that has been computed, of length `h` [s], end where waves have the drives that they move; by how much
+    /// Lets the step that has been computed, of length `h` [s], end where drives are that move by no polynomial; by how much
     /// its course missed them, at its end or half-way, in tolerances of positions. As an error of their coordinates that
     /// counts for tensions, too.
-    pub(super) fn end_with_waves(&mut self, system: &System, state: &State, h: f64) -> f64 {
-        if system.drives.iter().all(|drive| !drive.by_waves) {
+    pub(super) fn end_on_curves(&mut self, system: &System, state: &State, h: f64) -> f64 {
+        if system.drives.iter().all(|drive| !drive.curved) {
             return 0.0;
         }
         self.rodas.course.at(0.5, &mut self.point);
         let mut missed = 0.0_f64;
         let moved = system.prescribed(&state.plan.timelines);
-        for (drive, timeline) in moved.filter(|(drive, _)| drive.by_waves) {
+        for (drive, timeline) in moved.filter(|(drive, _)| drive.curved) {
             let (dof, from) = (drive.dof, state.q[system.tree.bodies[drive.body].first_position]);
             let ends = [0.5, 1.0].map(|theta| timeline.motion(state.time + theta * h));
             let ways = [self.point.phi[dof], self.rodas.course.end.phi[dof]];
@@ -169,17 +170,17 @@ impl Adaptive {
         missed
     }
 
-    /// Lets the part of the step that is made end where waves have the drives that they move, by a way that grows along it
+    /// Lets the part of the step that is made end where drives are that move by no polynomial, by a way that grows along it
     /// evenly. If it jumped there, no look would see the work of it: a micrometre under 2500 t is 25 J.
-    pub(super) fn follow_waves(&mut self, system: &System, state: &State) {
-        if self.made == 1.0 || system.drives.iter().all(|drive| !drive.by_waves) {
+    pub(super) fn follow_curves(&mut self, system: &System, state: &State) {
+        if self.made == 1.0 || system.drives.iter().all(|drive| !drive.curved) {
             return;
         }
         let course = &mut self.rodas.course;
         course.at(self.made, &mut self.point);
         let time = state.time + self.made * course.h;
         let moved = system.prescribed(&state.plan.timelines);
-        for (drive, timeline) in moved.filter(|(drive, _)| drive.by_waves) {
+        for (drive, timeline) in moved.filter(|(drive, _)| drive.curved) {
             let (dof, from) = (drive.dof, state.q[system.tree.bodies[drive.body].first_position]);
             let (there, Course { end, .. }) = (timeline.motion(time), &mut *course);
             end.phi[dof] += (there.position - from - self.point.phi[dof]) / self.made;

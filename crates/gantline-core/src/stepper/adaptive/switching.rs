@@ -46,7 +46,7 @@ impl Adaptive {
     fn survey(&mut self, system: &System, state: &State, allowed: f64) -> Option<usize> {
         // Steps with light sheaves are cut more often than not: what flows is then looked for where none is.
         let is_doubtful = allowed.is_finite() && !system.light.is_empty();
-        self.follow_waves(system, state);
+        self.follow_curves(system, state);
         self.begin_looks(system, state);
         self.laid_before.start(system, state);
         self.looks.broken = 0.0;

@@ -1,0 +1,107 @@
+"""What each drive does as cranes lead a load: a Chebyshev series over the share of the way, to rounding.
+
+The core knows no crane. Inverse kinematics is analytic along a way, so that its Chebyshev series converges
+faster than any power of the number of terms (Trefethen, Approximation Theory and Approximation Practice,
+chapter 8).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from gantline.scenario import Scenario
+from gantline.scenario.lead import LeadStep
+from gantline.scenario.leading import LedHook, Pose, Way, led_hooks, pose_before, way_of
+from gantline.scenario.movers import Mover
+from gantline.scenario.positions import Places
+
+__all__ = ["Leading", "leading"]
+
+#: Terms to begin with, and the most: a way that needs more goes by where a crane has to slew at once.
+_FIRST, _MOST = 32, 1024
+#: What the last quarter of the terms may be [m, rad]: rounding of the places of hooks a hundred metres away.
+_ROUNDING = 1e-13
+
+
+@dataclass(frozen=True)
+class Leading:
+    """A way as drives go it.
+
+    Attributes:
+        rate: highest rate of the share of the way [1/s].
+        acceleration: its acceleration [1/s^2].
+        movers: what moves.
+        series: of each the coefficients of what its drive does [m, rad].
+    """
+
+    rate: float
+    acceleration: float
+    movers: Sequence[Mover]
+    series: Sequence[list[float]]
+
+
+def leading(scenario: Scenario, step: LeadStep, before: Places) -> Leading:
+    """The drives of a step that leads.
+
+    Args:
+        scenario: The lift.
+        step: The step, which has been checked.
+        before: Where cranes are before it.
+    """
+    hooks = led_hooks(scenario, step)
+    way = way_of(step, hooks, before)
+    movers, series = [], []
+    for index, led in enumerate(hooks):
+        movers += led.movers
+        series += _series(partial(_drives, way, index, led, before))
+    return Leading(step.speed / way.length, step.acceleration / way.length, movers, series)
+
+
+def _drives(way: Way, index: int, led: LedHook, before: Places, shares: Sequence[float]) -> np.ndarray:
+    """How far each drive of a crane has gone at rising shares of the way, shape (shares, 3) [m, rad]."""
+    begin = pose_before(led, before)
+    poses = list(way.poses(index, led, begin, shares))
+    first = _second(led, begin)
+    return np.array(
+        [
+            (pose.slew - begin.slew, _second(led, pose) - first, way.hoisted(led, begin, pose, share))
+            for pose, share in zip(poses, shares, strict=True)
+        ]
+    )
+
+
+def _second(led: LedHook, pose: Pose) -> float:
+    """What the drive counts that luffs the boom, or travels in its place [m, rad]."""
+    if led.travels:
+        return pose.travel
+    return pose.angle if led.boom.gear is None else led.boom.gear.taken_up(pose.angle)
+
+
+def _series(drives: Callable[[Sequence[float]], np.ndarray]) -> list[list[float]]:
+    """Coefficients of each drive, as many as it needs."""
+    terms = _FIRST
+    while True:
+        nodes = chebyshev.chebpts1(terms)  # rising
+        # Polynomials are orthogonal over these nodes.
+        found = (
+            2.0
+            / terms
+            * (drives([float(one) for one in (nodes + 1.0) / 2.0]).T @ chebyshev.chebvander(nodes, terms - 1))
+        )
+        found[:, 0] /= 2.0
+        tail = np.abs(found[:, 3 * terms // 4 :]).max()
+        if tail <= _ROUNDING or terms >= _MOST:
+            return [_without_noise(one) for one in found]
+        terms *= 2
+
+
+def _without_noise(coefficients: np.ndarray) -> list[float]:
+    """The coefficients up to the last that is more than rounding, which derivatives have many times over."""
+    told = np.flatnonzero(np.abs(coefficients) > _ROUNDING / 4)
+    last = int(told[-1]) + 1 if len(told) else 1
+    return [float(one) for one in coefficients[:last]]
