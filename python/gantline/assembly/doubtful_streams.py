@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from gantline.assembly.cells import seen
 from gantline.assembly.hulls import afloat_path
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Parts
@@ -123,6 +124,7 @@ def _off_the_load(load: Load, lifted: LiftedLoad) -> Iterator[Doubt]:
     """Of areas that the load's box has no room for, or that push where the load is not."""
     corners = lifted.corners + lifted.centre
     low, high = corners.min(axis=0), corners.max(axis=0)
+    sides = seen(load, lifted.body.box)
     for kind, areas in (("wind", load.wind_areas), ("current", load.current_areas)):
         for name, area in (areas or {}).items():
             off = float(np.max(np.maximum(low - area.at, np.array(area.at) - high)))
@@ -131,8 +133,9 @@ def _off_the_load(load: Load, lifted: LiftedLoad) -> Iterator[Doubt]:
                 yield Doubt(("load", f"{kind}_areas", name), sentence)
         for axis, along in enumerate(_AXES):
             whole = sum(area.area for area in (areas or {}).values() if area.along == along)
-            side = float(np.prod(np.delete(high - low, axis)))
+            side = float(sides[axis])
             if whole > _LARGEST * side:
                 shown = f"{whole:.4g} m^2 of {kind} areas along {along}"
-                sentence = f"{load.name} has {shown}, and its box {side:.4g} m^2; a number has slipped"
+                own = "its box" if load.shape.cylinder is None else "all that it shows there is"
+                sentence = f"{load.name} has {shown}, and {own} {side:.4g} m^2; a number has slipped"
                 yield Doubt(("load", f"{kind}_areas"), sentence)
