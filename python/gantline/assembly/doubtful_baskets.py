@@ -99,6 +99,7 @@ def _through_the_load(
     if load is None or load.shape.cad is not None or lifted is None:
         return
     centre, turned = parts.pose(load.name)
+    size = float(np.linalg.norm(np.ptp(lifted.body.box, axis=0)))
     found: dict[str, tuple[str, float]] = {}
     for name, rope in ropes.items():
         for one, other in pairwise(rope.route):
@@ -107,10 +108,15 @@ def _through_the_load(
             inner, above = (one, other) if one.body == load.name else (other, one)
             if not isinstance(inner, Eye) or inner.body != load.name or above.body == load.name:
                 continue
-            ends = [(_place(parts, guide) - centre) @ turned for guide in (one, other)]
-            line = ends[0] + np.linspace(0.0, 1.0, _LOOKS)[:, np.newaxis] * (ends[1] - ends[0])
+            start, end = ((_place(parts, guide) - centre) @ turned for guide in (inner, above))
+            way = end - start
+            # No farther from the eye than the load is large: a fall may be much longer.
+            part = min(1.0, size / max(float(np.linalg.norm(way)), size))
+            line = start + np.linspace(0.0, part, _LOOKS)[:, np.newaxis] * way
             deep = _deepest(load, lifted, line)
-            if deep > max(_DEEP if load.shape.cylinder is None else _DEEP_IN_ROUND, found.get(name, ("", 0.0))[1]):
+            if deep > max(
+                _DEEP if load.shape.cylinder is None else _DEEP_IN_ROUND, found.get(name, ("", 0.0))[1]
+            ):
                 found[name] = above.body, deep
     if not found:
         return
