@@ -94,7 +94,7 @@ def test_it_displaces_no_more_than_is_in_it(tmp_path: Path) -> None:
 
 
 def test_its_tanks_are_inside_of_it(tmp_path: Path) -> None:
-    """A box of 4 m by 4 m is in the box of 5 m, and its corners are 0.33 m outside of a circle of that size."""
+    """A box of 4 m by 4 m is in that of 5 m, and its corners are 0.33 m outside of a circle of that size."""
     tank = {"box": ["4 m", "4 m", "4 m"], "bottom": ["0 m", "0 m", "0.5 m"], "content": "10 t"}
     given = round_lift(PLAIN, (0, 0, 2.5), load={"tanks": {"one": tank}})
     assert "load.tanks.one: a corner of it is 0.328 m outside the round load" in problem(tmp_path, given)

@@ -446,7 +446,7 @@ fn a_cylinder_rolls_down_a_slope_with_two_thirds_of_gravity() {
 #[test]
 fn a_cylinder_with_its_centre_below_its_axis_swings_as_it_rolls() {
     // About the line it lies on: ω² = m g e/(I + m (r − e)²), small swings.
-    let below = 0.3;
+    let below: f64 = 0.3;
     let period = std::f64::consts::TAU * ((500.0 + 1000.0 * 0.49) / (1000.0 * 9.81 * below)).sqrt();
     let document = on_its_rims([0.0, 0.0, -9.81], 1.0 - DEPTH, 0.02, below, 0.5);
     let simulation = run(&document, serde_json::json!({"type": "adaptive"}), 10.0 * period);

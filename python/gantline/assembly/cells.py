@@ -131,7 +131,7 @@ def _lying(
         for of in (segment_area, segment_moment)
     )
     for level, area, moment in zip(levels, areas, moments, strict=False):
-        at = middle + [0.0, 0.0, level + thick / 2 - radius]
+        at = middle + np.array([0.0, 0.0, level + thick / 2 - radius])
         half = np.array([_GAUSS * length / 2, math.sqrt(moment / area)])
         share = area / areas.sum()
         yield _lattice(at, half, (thick, 1), share * volume, added / _ROUND_LAYERS, drag / _ROUND_LAYERS)
@@ -140,7 +140,7 @@ def _lying(
 def _lattice(
     at: Array, half: Array, layers: tuple[float, int], volume: float, added: Array, drag: Array
 ) -> Json:
-    """Cells with the middle of the lowest layer, half their distances, how thick and how many layers are [m]."""
+    """Cells: middle of the lowest layer, half their distances, thickness [m] and number of layers."""
     thick, number = layers
     count = 4 * number
     return {

@@ -8,7 +8,7 @@ import numpy as np
 
 from gantline.assembly.cells import displaced_volume, lattices
 from gantline.assembly.lifted import LiftedLoad
-from gantline.assembly.parts import Json, Parts
+from gantline.assembly.parts import Parts
 from gantline.assembly.spatial import Array
 from gantline.cad.assumptions import STEEL
 from gantline.scenario import Scenario

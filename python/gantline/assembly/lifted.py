@@ -57,8 +57,8 @@ class LiftedLoad:
         mass: mass [kg].
         centre: centre of gravity from the datum, axes of the load (3,) [m].
         inertia: about the centre of gravity, axes of the load (3, 3) [kg m^2].
-        corners: corners of its box from the centre of gravity (8, 3) [m], the lower four first; of a round load
-            those of its hull (n, 3).
+        corners: corners of its box from the centre of gravity (8, 3) [m], the lower four first; of a round
+            load those of its hull (n, 3).
         lugs: position of each lug from the centre of gravity [m].
         body: the load by itself, measured from its datum.
         contents: mass of the liquid in its tanks at the start [kg]: no part of the mass above.

@@ -86,7 +86,7 @@ def rest_on_ground(corners: Array, weight: float, stiffness: float) -> Resting:
 
 
 def rest_on_rim(centre: Array, radius: float, weight: float, stiffness: float) -> Resting:
-    """How a round load stands on the rim of its foot, by (RL8): where that presses under its centre of gravity.
+    """How a round load stands on the rim of its foot, by (RL8): that presses under its centre of gravity.
 
     Args:
         centre: of gravity, from the middle of the foot, world axes, before any tilt (3,) [m].

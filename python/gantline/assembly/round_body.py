@@ -1,4 +1,4 @@
-"""A round load with flat sides, for what has to be cut into them: pictures, hulls that meet, tops of supports.
+"""A round load cut into flat sides, for pictures, hulls that meet and what lies on supports.
 
 Corners lie on the rims, so a body of n sides is within the round one, by (RL5) of
 docs/concepts/round_loads.md: radius times 1 − cos(π/n).
@@ -20,8 +20,8 @@ __all__ = ["cells_along", "drawn", "hull", "rims", "sides", "surface", "touching
 _HULL_ERROR, _SIDES_ERROR = 1e-3, 2e-4
 #: Flat sides of pictures; at least and at most of what is touched, a multiple of four: one is lowest.
 _DRAWN, _FEWEST, _MOST = 48, 32, 400
-#: Plates of an end, of four corners each, how far the hull ends within them [m], more than what makes two places
-#: one, and how thick they are, in radii.
+#: Plates of an end, of four corners each, how far the hull ends within them [m], more than what makes two
+#: places one, and how thick they are, in radii.
 _PLATES, _INSET, _THICK = 4, 2e-3, 0.1
 
 
@@ -32,7 +32,7 @@ def hull(given: Cylinder) -> Array:
 
 
 def touching(given: Cylinder) -> tuple[Array, ...]:
-    """Convex parts of it that meet others, from the load's bottom centre: its hull, and what its ends stand on.
+    """Convex parts of it that meet others, from the load's bottom centre: hull, and what its ends stand on.
 
     Of an end with many corners the contact library takes four side by side. So ends are plates with four
     corners each, turned against one another, and the hull ends a little within them.

@@ -212,8 +212,8 @@ def _check_round_standing(findings: Findings, cylinder: Cylinder) -> None:
     if cylinder.along == "x":
         sentence = "a round load that lies on the ground rolls, so it has no place of rest there"
         right = (
-            "lay it on 'supports' to both sides of its lowest line, with 'height: to_load', or let it roll by "
-            "'start: as_given'"
+            "lay it on 'supports' to both sides of its lowest line, with 'height: to_load', or let it roll "
+            "by 'start: as_given'"
         )
         findings.add(path, f"{sentence}; {right}")
     elif dock_of(findings.scenario) is not None:

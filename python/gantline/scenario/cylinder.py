@@ -24,8 +24,13 @@ Triple = tuple[float, float, float]
 
 
 class Moments(NamedTuple):
-    """Of a body of revolution: volume [m^3], where along its axis its middle is [m], ∫ s² dV about that and
-    ∫ y² dV about the axis [m^5].
+    """Of a body of revolution.
+
+    Attributes:
+        volume: V [m^3].
+        middle: where along its axis its middle is, from its first end [m].
+        along: ∫ s² dV about that [m^5].
+        across: ∫ y² dV about the axis [m^5].
     """
 
     volume: float
@@ -125,7 +130,7 @@ class Cylinder(Element):
 
 
 def _moments(ends: tuple[float, float], length: float) -> tuple[float, float, float, float]:
-    """Volume, ∫ s dV, ∫ s² dV from the first end, ∫ y² dV of a cone with these radii at its ends, by (RL1)."""
+    """V, ∫ s dV, ∫ s² dV from the first end, ∫ y² dV of a cone with these radii at its ends, by (RL1)."""
     first, last = ends
     found = [0.0] * 4
     for share, weight in _GAUSS:

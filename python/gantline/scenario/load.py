@@ -179,9 +179,9 @@ class Load(Element):
     weight: Weight = Field(description="Weight, as a mass.")
     inertia: InertiaOfLoad | None = Field(
         None,
-        description="'homogeneous' (a solid box, a cylinder or a tube of its wall), 'from_cad' (of its CAD file "
-        "and the outfitting, scaled to the weight), or values about the centre of gravity. If not given: 'from_cad' for a shape from CAD, "
-        "else 'homogeneous'.",
+        description="'homogeneous' (a solid box, a cylinder or a tube of its wall), 'from_cad' (of its CAD "
+        "file and the outfitting, scaled to the weight), or values about the centre of gravity. If not "
+        "given: 'from_cad' for a shape from CAD, else 'homogeneous'.",
     )
     outfitting: list[Outfitting] = Field(
         default_factory=list, description="Part of the weight that is not in the CAD file, as point masses."

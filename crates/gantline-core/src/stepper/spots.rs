@@ -266,7 +266,8 @@ pub fn limit(system: &System, kinematics: &Kinematics, twists: &[Twist], state: 
                 if let Some(body) =
                     touch.facing.bodies[0].filter(|_| state.modes[system.rows.first[*index]].carries())
                 {
-                    most = most.min(ROLLS / twists[body].angular.reject_from_normalized(plane.normal).length());
+                    most =
+                        most.min(ROLLS / twists[body].angular.reject_from_normalized(plane.normal).length());
                 }
                 continue;
             }
