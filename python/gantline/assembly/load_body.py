@@ -76,8 +76,8 @@ class LoadBody:
             as seen from outside [m]; of a lift without supports those of its box.
         sides_error: how far the convex hull stands out of these at most [m].
         surface: all triangles of a CAD file or a round load, of a lift with supports; else None.
-        pieces: convex parts (n, 3) that touch others, of a round load [m]; none where it is the hull itself.
         doubts: where lift file and CAD do not agree, and what cannot well be meant of weight and lugs.
+        pieces: convex parts (n, 3) that touch others, of a round load [m]; none where it is the hull itself.
     """
 
     mass: float
@@ -89,8 +89,8 @@ class LoadBody:
     sides: tuple[Array, ...]
     sides_error: float = 0.0
     surface: TriangleMesh | None = None
-    pieces: tuple[Array, ...] = ()
     doubts: tuple[Doubt, ...] = ()
+    pieces: tuple[Array, ...] = ()
 
 
 def load_body(scenario: Scenario, load: Load) -> LoadBody:

@@ -9,10 +9,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import numpy.typing as npt
 
 from gantline.assembly.spatial import Array
 from gantline.cad.mesh import TriangleMesh
 from gantline.scenario.cylinder import Cylinder
+
+Whole = npt.NDArray[np.int64]
 
 __all__ = ["cells_along", "drawn", "hull", "rims", "sides", "surface", "touching"]
 
@@ -113,19 +116,17 @@ def _rim(given: Cylinder, end: int, radius: float, around: Array) -> Array:
 def _mesh(given: Cylinder, count: int) -> TriangleMesh:
     around = _around(count)
     first, last = (_rim(given, end, radius, around) for end, radius in enumerate(given.radii))
+    this = np.arange(count, dtype=np.int64)
+    following = np.roll(this, -1)
+    skin = _strip(this, following, count)
     if given.wall is None:
         middles = np.array([_rim(given, end, 0.0, np.zeros((1, 2)))[0] for end in (0, 1)])
-        points = np.concatenate([first, last, middles])
-        this, following = np.arange(count), np.roll(np.arange(count), -1)
-        ends = [(np.full(count, 2 * count), following, this)]
-        ends.append((np.full(count, 2 * count + 1), this + count, following + count))
-        return TriangleMesh(points, np.concatenate([*_strip(this, following, count), *_stack(ends)]))
+        foot, head = np.full_like(this, 2 * count), np.full_like(this, 2 * count + 1)
+        ends = _stack([(foot, following, this), (head, this + count, following + count)])
+        return TriangleMesh(np.concatenate([first, last, middles]), np.concatenate([*skin, *ends]))
     inner = [_rim(given, end, radius, around) for end, radius in enumerate(given.bores)]
-    points = np.concatenate([first, last, *inner])
-    this, following = np.arange(count), np.roll(np.arange(count), -1)
-    skin = _strip(this, following, count)
     bore = [triangles[:, ::-1] for triangles in _strip(this + 2 * count, following + 2 * count, count)]
-    foot = _stack(
+    rings = _stack(
         [
             (this, this + 2 * count, following),
             (following, this + 2 * count, following + 2 * count),
@@ -133,13 +134,13 @@ def _mesh(given: Cylinder, count: int) -> TriangleMesh:
             (following + count, following + 3 * count, this + 3 * count),
         ]
     )
-    return TriangleMesh(points, np.concatenate([*skin, *bore, *foot]))
+    return TriangleMesh(np.concatenate([first, last, *inner]), np.concatenate([*skin, *bore, *rings]))
 
 
-def _strip(this: Array, following: Array, count: int) -> list[Array]:
+def _strip(this: Whole, following: Whole, count: int) -> list[Whole]:
     """Triangles between a rim and the one whose places are `count` on, seen from outside."""
     return _stack([(this, following, following + count), (this, following + count, this + count)])
 
 
-def _stack(triangles: list[tuple[Array, Array, Array]]) -> list[Array]:
+def _stack(triangles: list[tuple[Whole, Whole, Whole]]) -> list[Whole]:
     return [np.stack(one, axis=1) for one in triangles]
