@@ -1,8 +1,8 @@
 """A basket whose falls went through its load was in order as soon as its hook was high.
 
 Falls were looked at in 200 places from eye to hook. Below a hook 200 m up these are 1 m apart, and none
-but the eye itself was in a pipe of 1 m: eyes 0.3 m from its sides, whose falls cut through it, were in order, and
-below a hook of 6 m they were told.
+but the eye itself was in a pipe of 1 m: eyes 0.3 m from its sides, whose falls cut through it, were in
+order, and below a hook of 6 m they were told.
 """
 
 from __future__ import annotations
