@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -144,3 +145,24 @@ def test_areas_are_held_against_what_it_shows(tmp_path: Path) -> None:
         "column has 210 m^2 of wind areas along x, and all that it shows there is 100 m^2" in one
         for one in doubts
     )
+
+
+@pytest.mark.parametrize(("along", "area"), [("x", math.pi * 6.25), ("y", 100.0), ("z", 100.0)])
+def test_an_area_is_what_it_shows(tmp_path: Path, along: str, area: float) -> None:
+    """Of a lying one its end, π D²/4, and its side, D L: ½ ρ C A in air of 1.225 kg/m³."""
+    given = round_lift(
+        PLAIN,
+        (0, 0, 2.5),
+        load={"wind_areas": {"all": {"coefficient": "0.7", "along": along}}},
+        wind={"speed": "8 m/s", "direction": "0.5 rad"},
+    )
+    [force] = [one for one in assembled(tmp_path, given).document["forces"] if one["type"] == "drag"]
+    assert sum(force["quadratic"]) == pytest.approx(0.5 * 1.225 * 0.7 * area, rel=1e-12)
+
+
+def test_a_shape_from_cad_says_no_area(tmp_path: Path) -> None:
+    load = {"shape": {"cad": "none.obj"}, "wind_areas": {"all": {"coefficient": "0.7", "along": "x"}}}
+    said = problem(
+        tmp_path, round_lift(PLAIN, (0, 0, 2.5), load=load, wind={"speed": "0 m/s", "direction": "0 deg"})
+    )
+    assert "load.wind_areas.all: a shape from CAD does not say what it shows; write 'area: 120 m^2'" in said

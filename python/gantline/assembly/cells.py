@@ -36,8 +36,8 @@ def seen(load: Load, box: Array) -> Array:
         load: The load.
         box: Its least and largest x, y, z (2, 3) [m].
     """
-    if load.shape.cylinder is not None:
-        return np.array(load.shape.cylinder.seen)
+    if load.shape.seen is not None:
+        return np.array(load.shape.seen)
     length, breadth, height = np.ptp(box, axis=0)
     return np.array([breadth * height, length * height, length * breadth])
 

@@ -65,6 +65,11 @@ def check_load(findings: Findings, load: Load) -> None:
     if isinstance(load.inertia, LoadInertia):
         check_inertia(findings, ("load", "inertia"), load.inertia)
     check_areas(findings, ("load",), load.wind_areas)
+    if load.shape.cad is not None:
+        for kind, areas in (("wind_areas", load.wind_areas), ("current_areas", load.current_areas)):
+            for name in (name for name, one in (areas or {}).items() if one.area is None):
+                sentence = "a shape from CAD does not say what it shows; write 'area: 120 m^2'"
+                findings.add(("load", kind, name), sentence)
     if load.stands_on is not None:
         _check_standing(findings, load, load.stands_on)
     if findings.scenario.simulation.gravity == 0:

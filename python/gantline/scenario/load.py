@@ -30,7 +30,7 @@ from gantline.scenario.quantities import (
     WordOr,
     refuse,
 )
-from gantline.scenario.stream import CURRENT_SHOWN, WIND_SHOWN, StreamArea
+from gantline.scenario.stream import CURRENT_SHOWN, WIND_SHOWN, LoadArea, StreamArea
 from gantline.scenario.tree import MapNode
 from gantline.scenario.water import BallastTank
 
@@ -80,6 +80,16 @@ class Shape(Element):
     def sizes(self) -> tuple[float, float, float] | None:
         """The box about it along the load's x, y, z [m]; None of a CAD file, which says it later."""
         return self.box if self.cylinder is None else self.cylinder.sizes
+
+    @property
+    def seen(self) -> tuple[float, float, float] | None:
+        """Areas that it shows along the load's x, y, z [m^2]; None of a CAD file."""
+        if self.cylinder is not None:
+            return self.cylinder.seen
+        if self.box is None:
+            return None
+        length, breadth, height = self.box
+        return breadth * height, length * height, length * breadth
 
 
 class Weight(Element):
@@ -194,8 +204,8 @@ class Load(Element):
         default_factory=dict,
         description="Lifting lugs by name; a load in baskets of `mechanics` may have none.",
     )
-    wind_areas: Named[StreamArea] | None = Field(None, description=WIND_SHOWN)
-    current_areas: Named[StreamArea] | None = Field(None, description=CURRENT_SHOWN)
+    wind_areas: Named[LoadArea] | None = Field(None, description=WIND_SHOWN)
+    current_areas: Named[LoadArea] | None = Field(None, description=CURRENT_SHOWN)
     in_water: InWater | None = Field(
         None, description="What water does to it where it is lowered into it; nothing if not given."
     )
@@ -207,6 +217,20 @@ class Load(Element):
     def is_at_origin(self) -> bool:
         """Whether positions are measured from the origin of the CAD file."""
         return self.shape.cad is not None and self.datum != "bottom_centre"
+
+    def areas_in(self, stream: Literal["wind", "current"]) -> dict[str, StreamArea]:
+        """What wind or current pushes on, each with its area."""
+        given = self.wind_areas if stream == "wind" else self.current_areas
+        found = {}
+        for name, one in (given or {}).items():
+            area = one.area
+            if area is None:
+                assert self.shape.seen is not None  # checked
+                area = self.shape.seen["xyz".index(one.along)]
+            found[name] = StreamArea.model_construct(
+                area=area, coefficient=one.coefficient, along=one.along, at=one.at
+            )
+        return found
 
     @property
     def contents(self) -> float:
