@@ -20,7 +20,11 @@ Whole = npt.NDArray[np.int64]
 __all__ = ["cells_along", "drawn", "hull", "rims", "sides", "surface", "touching"]
 
 #: How far a hull that is touched and watched may be within the round body, and the sides on supports [m].
-_HULL_ERROR, _SIDES_ERROR = 1e-3, 2e-4
+_HULL_ERROR, _SIDES_ERROR = 0.99e-3, 2e-4
+#: How far within it all that is touched is, beside that [m]: of two convex bodies whose skins coincide to
+#: rounding, as of a load that stands on a deck to the letter, the contact library may find one 30 m deep in
+#: the other.
+_SKIN = 1e-5
 #: Flat sides of pictures; at least and at most of what is touched, a multiple of four: one is lowest.
 _DRAWN, _FEWEST, _MOST = 48, 32, 400
 #: Plates of an end, of four corners each, how far the hull ends within them [m], more than what makes two
@@ -40,20 +44,22 @@ def touching(given: Cylinder) -> tuple[Array, ...]:
     Of an end with many corners the contact library takes four side by side. So ends are plates with four
     corners each, turned against one another, and the hull ends a little within them.
     """
-    inner = _between(given, _INSET / given.length, _around(_count(given, _HULL_ERROR)))
+    inner = _between(given, _INSET, _around(_count(given, _HULL_ERROR)))
     plates = []
     for which in range(_PLATES):
         square = _turned(4, math.pi / 2.0 * which / _PLATES)
-        whole = _between(given, 0.0, square)
-        thick = _between(given, min(_THICK * given.widest / given.length, 0.5), square)
+        whole = _between(given, _SKIN, square)
+        thick = _between(given, min(_THICK * given.widest, 0.5 * given.length), square)
         plates += [np.concatenate([whole[:4], thick[:4]]), np.concatenate([whole[4:], thick[4:]])]
     return (inner, *plates)
 
 
-def _between(given: Cylinder, share: float, around: Array) -> Array:
-    """Both ends moved inwards by a share of the length, places around each (2 n, 3) [m]."""
-    first, last = (_rim(given, end, radius, around) for end, radius in enumerate(given.radii))
-    return np.concatenate([first + share * (last - first), last + share * (first - last)])
+def _between(given: Cylinder, inset: float, around: Array) -> Array:
+    """Both ends moved inwards [m], places around each a skin within the circle (2 n, 3) [m]."""
+    ends = enumerate(given.radii)
+    first, last = (_rim(given, end, radius - min(_SKIN, 0.1 * radius), around) for end, radius in ends)
+    way = min(inset / given.length, 0.5) * (last - first)
+    return np.concatenate([first + way, last - way])
 
 
 def sides(given: Cylinder) -> tuple[Array, ...]:
