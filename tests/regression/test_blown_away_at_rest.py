@@ -46,7 +46,7 @@ def test_statics_say_so() -> None:
 def test_push_is_that_of_the_areas_as_they_stand(heading: float, pushed: float) -> None:
     """½ρCAu² sin α of an area at α to the wind, as in (WC1); here α is 90° less the heading."""
     lift = blown(20.0).changed({"load.heading": f"{heading} deg"})
-    assert lift.load is not None and lift.load.wind_areas is not None and isinstance(lift.wind, Wind)
+    assert lift.load is not None and isinstance(lift.wind, Wind)
     whole = 0.5 * 1.225 * 1.2 * 38.0 * 20.0**2
-    found = lift.wind.push(lift.load.wind_areas, lift.load.heading)
+    found = lift.wind.push(lift.load.areas_in("wind"), lift.load.heading)
     assert found == pytest.approx(pushed * whole, abs=1e-9)

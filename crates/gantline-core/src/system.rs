@@ -8,6 +8,7 @@ use crate::constraint::brake::Brake;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::contact::pad::Pad;
+use crate::contact::plane::Plane;
 use crate::contact::shape::Shape;
 use crate::event::afloat::{Mark, Vessel};
 use crate::force;
@@ -125,6 +126,8 @@ pub struct BodyShape {
 pub enum Finder {
     /// The top of a support, and its touch.
     Pad(usize, Box<Pad>),
+    /// A rim's touch, and the plane of the world that it may lie on.
+    Rim(usize, Plane),
     /// Two shapes, by their numbers, and the first of so many touches that are reserved for where they meet.
     Pair {
         /// Numbers of the shapes; the first may be near the second.

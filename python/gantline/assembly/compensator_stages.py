@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from gantline.assembly.in_water import displaced_volume
+from gantline.assembly.cells import displaced_volume
 from gantline.assembly.yard import lower_lump, upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.compensator import Compensator, own_period

@@ -14,6 +14,7 @@ from gantline.assembly.parts import Parts
 from gantline.assembly.spatial import Array
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
+from gantline.scenario.load import Load
 from gantline.scenario.mechanics import Eye, MechanicsRope, RopeEnd
 from gantline.units import format_quantity
 
@@ -24,6 +25,8 @@ _FRICTION = 0.1
 _UP = np.array([0.0, 0.0, 1.0])
 #: How deep a fall may cut the corner of a box [m]: a box stands for what is round, or has chamfers.
 _DEEP = 0.1
+#: The same of what is round already [m]: a rope lies on its own radius beside the skin.
+_DEEP_IN_ROUND = 0.05
 #: Places along a fall at which its depth is looked at.
 _LOOKS = 200
 
@@ -87,16 +90,16 @@ def doubtful_baskets(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None
 def _through_the_load(
     parts: Parts, scenario: Scenario, ropes: Mapping[str, MechanicsRope], lifted: LiftedLoad | None
 ) -> Iterator[Doubt]:
-    """That falls go through the box of the load between an eye on it and what is above.
+    """That falls go through the box or the cylinder of the load between an eye on it and what is above.
 
     A real rope bends about the upper edge. Here it pulls from the lower eye, so that a load rolls in it that
     would lie still, and bears less than it does.
     """
     load = scenario.load
-    if load is None or load.shape.box is None or lifted is None:
+    if load is None or load.shape.cad is not None or lifted is None:
         return
-    low, high = (np.asarray(corner) - lifted.body.centre for corner in lifted.body.box)
     centre, turned = parts.pose(load.name)
+    size = float(np.linalg.norm(np.ptp(lifted.body.box, axis=0)))
     found: dict[str, tuple[str, float]] = {}
     for name, rope in ropes.items():
         for one, other in pairwise(rope.route):
@@ -105,10 +108,15 @@ def _through_the_load(
             inner, above = (one, other) if one.body == load.name else (other, one)
             if not isinstance(inner, Eye) or inner.body != load.name or above.body == load.name:
                 continue
-            ends = [(_place(parts, guide) - centre) @ turned for guide in (one, other)]
-            line = ends[0] + np.linspace(0.0, 1.0, _LOOKS)[:, np.newaxis] * (ends[1] - ends[0])
-            deep = float(np.minimum(line - low, high - line).min(axis=1).max())
-            if deep > max(_DEEP, found.get(name, ("", 0.0))[1]):
+            start, end = ((_place(parts, guide) - centre) @ turned for guide in (inner, above))
+            way = end - start
+            # No farther from the eye than the load is large: a fall may be much longer.
+            part = min(1.0, size / max(float(np.linalg.norm(way)), size))
+            line = start + np.linspace(0.0, part, _LOOKS)[:, np.newaxis] * way
+            deep = _deepest(load, lifted, line)
+            if deep > max(
+                _DEEP if load.shape.cylinder is None else _DEEP_IN_ROUND, found.get(name, ("", 0.0))[1]
+            ):
                 found[name] = above.body, deep
     if not found:
         return
@@ -121,6 +129,14 @@ def _through_the_load(
         "about the edge that it meets; lead it over an eye there too, or the load rolls in it as it would "
         "not",
     )
+
+
+def _deepest(load: Load, lifted: LiftedLoad, line: Array) -> float:
+    """How deep places from the origin of its body (n, 3) [m] come into a load [m]; negative outside."""
+    if load.shape.cylinder is not None:
+        return max(load.shape.cylinder.depth(at) for at in line + lifted.centre)
+    low, high = (np.asarray(corner) - lifted.body.centre for corner in lifted.body.box)
+    return float(np.minimum(line - low, high - line).min(axis=1).max())
 
 
 def _baskets(parts: Parts, name: str, rope: MechanicsRope) -> Iterator[_Basket]:

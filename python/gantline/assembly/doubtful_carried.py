@@ -70,5 +70,7 @@ def _joined(parts: Parts, aside: set[str]) -> Iterator[list[str | None]]:
             yield [guide["body"] for guide in rope["route"]]
     for contact in parts.contacts:
         yield [contact["body"], contact.get("plane_body")]
+    for rim in parts.rims:
+        yield [rim["body"], None]
     for pair in parts.pairs:
         yield [parts.shapes[shape]["body"] for shape in pair["shapes"]]

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from gantline.assembly.cells import seen
 from gantline.assembly.hulls import afloat_path
 from gantline.assembly.lifted import LiftedLoad
 from gantline.assembly.parts import Parts
@@ -14,7 +15,7 @@ from gantline.scenario import Scenario
 from gantline.scenario.crane import FixedHook
 from gantline.scenario.errors import Doubt
 from gantline.scenario.load import Load
-from gantline.scenario.stream import Stream, StreamArea
+from gantline.scenario.stream import LoadArea, Stream, StreamArea
 from gantline.scenario.tanks import bodies_afloat
 from gantline.units import format_quantity
 
@@ -86,7 +87,7 @@ def _fast(kind: str, stream: Stream) -> Iterator[Doubt]:
 
 def _passing(parts: Parts, scenario: Scenario, kind: str, stream: Stream) -> Iterator[Doubt]:
     """Of bodies all of whose areas lie along the stream at the start: it passes them and pushes nothing."""
-    bodies: dict[str, Mapping[str, StreamArea] | None] = {
+    bodies: dict[str, Mapping[str, StreamArea | LoadArea] | None] = {
         name: getattr(body, f"{kind}_areas") for name, body in bodies_afloat(scenario).items()
     }
     if scenario.load is not None:
@@ -123,16 +124,18 @@ def _off_the_load(load: Load, lifted: LiftedLoad) -> Iterator[Doubt]:
     """Of areas that the load's box has no room for, or that push where the load is not."""
     corners = lifted.corners + lifted.centre
     low, high = corners.min(axis=0), corners.max(axis=0)
-    for kind, areas in (("wind", load.wind_areas), ("current", load.current_areas)):
-        for name, area in (areas or {}).items():
+    sides = seen(load, lifted.body.box)
+    for kind, areas in (("wind", load.areas_in("wind")), ("current", load.areas_in("current"))):
+        for name, area in areas.items():
             off = float(np.max(np.maximum(low - area.at, np.array(area.at) - high)))
             if off > _OFF:
                 sentence = f"the {kind} area {name} of {load.name} pushes {off:.3g} m outside the load's box"
                 yield Doubt(("load", f"{kind}_areas", name), sentence)
         for axis, along in enumerate(_AXES):
-            whole = sum(area.area for area in (areas or {}).values() if area.along == along)
-            side = float(np.prod(np.delete(high - low, axis)))
+            whole = sum(area.area for area in areas.values() if area.along == along)
+            side = float(sides[axis])
             if whole > _LARGEST * side:
                 shown = f"{whole:.4g} m^2 of {kind} areas along {along}"
-                sentence = f"{load.name} has {shown}, and its box {side:.4g} m^2; a number has slipped"
+                own = "its box" if load.shape.cylinder is None else "all that it shows there is"
+                sentence = f"{load.name} has {shown}, and {own} {side:.4g} m^2; a number has slipped"
                 yield Doubt(("load", f"{kind}_areas"), sentence)

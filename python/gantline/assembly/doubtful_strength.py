@@ -200,7 +200,7 @@ def _contacts(scenario: Scenario) -> Iterator[Doubt]:
 
 def _distances(scenario: Scenario) -> Iterator[Doubt]:
     """Distances of watched pairs that are as good as none."""
-    box = scenario.load.shape.box if scenario.load is not None else None
+    box = scenario.load.shape.sizes if scenario.load is not None else None
     least = _LEAST_KEPT if box is None else min(_LEAST_KEPT, _LEAST_OF_LOAD * max(box))
     for place, pair in enumerate(scenario.watch):
         if 0.0 < pair.smallest < least:
@@ -211,11 +211,12 @@ def _distances(scenario: Scenario) -> Iterator[Doubt]:
 def _centre(scenario: Scenario) -> Iterator[Doubt]:
     """Of a centre of gravity that may lie outside of the load."""
     load = scenario.load
-    if load is None or load.shape.box is None:
+    sizes = None if load is None else load.shape.sizes
+    if load is None or sizes is None:
         return
     envelope = load.centre_of_gravity.envelope
-    for axis, margin, side in zip("xyz", envelope, load.shape.box, strict=True):
-        if margin > max(_LEAST_KNOWN * side, _OF_LONGEST * max(load.shape.box)):
+    for axis, margin, side in zip("xyz", envelope, sizes, strict=True):
+        if margin > max(_LEAST_KNOWN * side, _OF_LONGEST * max(sizes)):
             sentence = f"{margin:g} m to either side along {axis}, and the load is {side:g} m long there"
             yield Doubt(("load", "centre_of_gravity", "envelope"), f"{sentence}; {_SLIPPED}")
             return

@@ -181,7 +181,7 @@ def _buried(scenario: Scenario, path: tuple[str, ...], own: Sequence[UnderLoad])
 
 def _corners_in_the_air(scenario: Scenario, load: Load, body: LoadBody) -> Iterator[Doubt]:
     """Corners of a box by which a load from CAD stands on the ground, where nothing of the load is."""
-    if body.mesh is None or load.stands_on != "ground" or dock_of(scenario) is not None:
+    if load.shape.cad is None or load.stands_on != "ground" or dock_of(scenario) is not None:
         return  # around a dock the ground is touched by the hull
     (left, back, low), (right, front, _) = body.box
     corners = np.array([(x, y, low) for x in (left, right) for y in (back, front)])

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 import numpy as np
 
+from gantline.assembly.cells import displaced_volume, lattices
 from gantline.assembly.lifted import LiftedLoad
-from gantline.assembly.parts import Json, Parts
+from gantline.assembly.parts import Parts
 from gantline.assembly.spatial import Array
 from gantline.cad.assumptions import STEEL
 from gantline.scenario import Scenario
-from gantline.scenario.check_in_water import check_box_in_water
+from gantline.scenario.check_in_water import Room, check_room_in_water
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Findings
 from gantline.scenario.in_water import InWater
@@ -22,12 +22,8 @@ from gantline.scenario.steps import HoistStep
 from gantline.scenario.water import Water
 from gantline.units import format_by_size
 
-__all__ = ["add_in_water", "displaced_volume", "in_water_name"]
+__all__ = ["add_in_water", "in_water_name"]
 
-#: Layers of cells over a height.
-_LAYERS = 8
-#: Of the two places of Gauss on each side of the middle, in halves of a length: exact for cubics.
-_GAUSS = 1.0 / np.sqrt(3.0)
 #: Added mass along the axis along which it is largest, over the water that a load displaces, at least [1]: a
 #: cylinder has 1 across its axis, a sphere 0.5, and all that is less round more.
 _LEAST = 0.1
@@ -50,10 +46,10 @@ def add_in_water(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoa
     if given is None:
         return
     water, box = scenario.water or Water(), lifted.body.box
-    if load.shape.box is None:
+    if load.shape.cad is not None:
         findings = Findings(scenario)
         length, breadth, height = (float(size) for size in np.ptp(box, axis=0))
-        check_box_in_water(findings, (length, breadth, height), given, water.density)
+        check_room_in_water(findings, Room.of_box((length, breadth, height)), given, water.density)
         findings.raise_any()
     current = scenario.current
     parts.forces.append(
@@ -61,7 +57,7 @@ def add_in_water(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoa
             "type": "submerged",
             "name": in_water_name(load.name),
             "body": load.name,
-            "lattices": list(_lattices(given, load, box, lifted.centre, water.density)),
+            "lattices": list(lattices(given, load, box, lifted.centre, water.density)),
             "density": water.density,
             "level": water.level,
             "stream": [0.0, 0.0, 0.0] if current is None else list(current.velocity),
@@ -72,64 +68,6 @@ def add_in_water(parts: Parts, scenario: Scenario, load: Load, lifted: LiftedLoa
     parts.doubts += _too_much(given, box, water.density)
     parts.doubts += _too_little(given, load, water.density)
     parts.doubts += _free_of_the_bed(scenario, load)
-
-
-def displaced_volume(given: InWater, load: Load) -> float:
-    """What it displaces, wholly wet, with the inside of its tanks [m^3]."""
-    of_steel = load.weight.simulated / STEEL + load.room_volume
-    return of_steel if given.displaced_volume is None else given.displaced_volume
-
-
-def _lattices(given: InWater, load: Load, box: Array, centre: Array, density: float) -> Iterator[Json]:
-    """Its cells, from its centre of gravity: layers of four, of tanks too, and of what slams where it does.
-
-    What a tank displaces is where the tank is: full of the water around it weighs nothing there.
-
-    Args:
-        given: What water does to it.
-        load: The load.
-        box: Its least and largest x, y, z from its datum (2, 3) [m].
-        centre: Of gravity, from its datum (3,) [m].
-        density: Of the water [kg/m^3].
-    """
-    length, breadth, height = np.ptp(box, axis=0)
-    sides = np.array([breadth * height, length * height, length * breadth])
-    drag = 0.5 * density * np.array(given.drag_coefficients) * sides
-    added = np.array(given.added_mass)
-    depth = given.slamming_depth(float(sides[2]), density)
-    slamming = np.zeros(3) if depth is None else added * [0.0, 0.0, 1.0]
-    members = displaced_volume(given, load) - load.room_volume
-    yield _lattice(box - centre, height, members, added - slamming, drag)
-    for tank in (load.tanks or {}).values():
-        (x, y, z), sizes = tank.bottom, np.array(tank.box)
-        least = np.array([x - sizes[0] / 2, y - sizes[1] / 2, z])
-        inside = np.array([least, least + sizes]) - centre
-        yield _lattice(inside, tank.box[2], math.prod(tank.box), np.zeros(3), np.zeros(3))
-    if depth is not None:
-        yield _lattice(box - centre, depth, 0.0, slamming, np.zeros(3))
-
-
-def _lattice(box: Array, height: float, volume: float, added: Array, drag: Array) -> Json:
-    """Cells that share out what a load has, in layers over a height above its underside.
-
-    Args:
-        box: Its least and largest x, y, z (2, 3) [m].
-        height: Of all layers [m].
-        volume: That it displaces [m^3].
-        added: Added mass along x, y, z (3,) [kg].
-        drag: Force over speed squared along them (3,) [N s^2/m^2].
-    """
-    thick, count = height / _LAYERS, 4 * _LAYERS
-    middle = box.mean(axis=0)
-    return {
-        "at": [float(middle[0]), float(middle[1]), float(box[0, 2] + thick / 2)],
-        "half": (_GAUSS * np.ptp(box, axis=0)[:2] / 2).tolist(),
-        "height": float(thick),
-        "layers": _LAYERS,
-        "volume": volume / count,
-        "added_mass": (added / count).tolist(),
-        "quadratic": (drag / count).tolist(),
-    }
 
 
 def _floats(scenario: Scenario, given: InWater, load: Load, water: Water) -> Iterator[Doubt]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -12,8 +12,9 @@ import numpy as np
 from gantline.assembly.doubtful_supports import bears_nothing, too_low
 from gantline.assembly.hinges import hinged_load
 from gantline.assembly.load_body import LoadBody, load_body
-from gantline.assembly.parts import Parts
-from gantline.assembly.resting import TipsOver, rest_on_ground
+from gantline.assembly.parts import Json, Parts
+from gantline.assembly.resting import TipsOver, rest_on_ground, rest_on_rim
+from gantline.assembly.round_body import rims
 from gantline.assembly.spatial import (
     Array,
     about_axis,
@@ -29,7 +30,9 @@ from gantline.assembly.yard import lower_lump
 from gantline.cad.mass_properties import point_inertia
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.check_supports import foot_of
+from gantline.scenario.cylinder import Cylinder
 from gantline.scenario.errors import StartError
+from gantline.scenario.ground import Ground
 from gantline.scenario.load import Load
 from gantline.scenario.structures import dock_of
 from gantline.scenario.water import BallastTank
@@ -54,7 +57,8 @@ class LiftedLoad:
         mass: mass [kg].
         centre: centre of gravity from the datum, axes of the load (3,) [m].
         inertia: about the centre of gravity, axes of the load (3, 3) [kg m^2].
-        corners: corners of its box from the centre of gravity (8, 3) [m]; the lower four first.
+        corners: corners of its box from the centre of gravity (8, 3) [m], the lower four first; of a round
+            load those of its hull (n, 3).
         lugs: position of each lug from the centre of gravity [m].
         body: the load by itself, measured from its datum.
         contents: mass of the liquid in its tanks at the start [kg]: no part of the mass above.
@@ -104,7 +108,8 @@ def lifted_load(scenario: Scenario, load: Load, rigging: Rigging) -> LiftedLoad:
         inertia = inertia + point_inertia(lump, at - centre)
     (left, back, low), (right, front, high) = body.box
     around = [(left, back), (right, back), (right, front), (left, front)]
-    corners = np.array([(*plan, height) for height in (low, high) for plan in around]) - centre
+    corners = np.array([(*plan, height) for height in (low, high) for plan in around])
+    corners = (corners if load.shape.cylinder is None else body.hull) - centre
     lugs = {name: [float(part) for part in np.array(lug.at) - centre] for name, lug in load.lugs.items()}
     shift = shift_by_liquid((load.tanks or {}).values(), mass, centre)
     return LiftedLoad(mass, centre, inertia, corners, lugs, body, load.contents, shift)
@@ -173,6 +178,9 @@ def add_load(
     ground = scenario.ground
     if ground is None or dock_of(scenario) is not None:
         return  # around a dock the ground is a body like others
+    if load.shape.cylinder is not None:
+        parts.rims += _on_rims(load, load.shape.cylinder, lifted, ground)
+        return
     for place, corner in enumerate(lifted.corners, start=1):
         parts.contacts.append(
             {
@@ -187,6 +195,29 @@ def add_load(
                 "friction": ground.friction,
             }
         )
+
+
+def _on_rims(load: Load, given: Cylinder, lifted: LiftedLoad, ground: Ground) -> Iterator[Json]:
+    """Both rims of a round load over the ground, each as stiff as the corners of a box in its place."""
+    for place, (middle, axis, radius) in enumerate(rims(given), start=1):
+        yield {
+            "name": f"{load.name}.rim_{place}",
+            "group": load.name,
+            "body": load.name,
+            "at": (middle - lifted.centre).tolist(),
+            "axis": axis.tolist(),
+            "radius": radius,
+            "plane_point": [0.0, 0.0, ground.level],
+            "plane_normal": [0.0, 0.0, 1.0],
+            "stiffness": _corners_of(given) * ground.stiffness,
+            "damping_time": ground.damping / ground.stiffness,
+            "friction": ground.friction,
+        }
+
+
+def _corners_of(given: Cylinder) -> int:
+    """How many corners of a box a rim is as stiff as: those of an end that it lies on, or stands on."""
+    return 2 if given.along == "x" else 4
 
 
 def _doubt_depth(parts: Parts, scenario: Scenario, load: Load, lowest: Array) -> None:
@@ -222,10 +253,17 @@ def _at_rest(
         sentence = f"the load of {lifted.mass_at_start / 1e3:.7g} t would sink {depth:.3g} m into this ground"
         right = "a greater stiffness is right, such as 200 MN/m, or a smaller weight"
         raise scenario.start_error(("ground", "stiffness"), f"{sentence}; {right}")
+    cylinder = load.shape.cylinder
     try:
-        resting = rest_on_ground(corners, weight, ground.stiffness)
+        if cylinder is None:
+            resting = rest_on_ground(corners, weight, ground.stiffness)
+        else:
+            over = rotation_matrix(orientation) @ lifted.centre_at_start
+            stiffness = _corners_of(cylinder) * ground.stiffness
+            resting = rest_on_rim(over, cylinder.radii[0], weight, stiffness)
     except TipsOver:
-        raise _tips_over(scenario, lifted, "corners") from None
+        what = "corners" if cylinder is None else "rim"
+        raise _tips_over(scenario, lifted, what) from None
     return ground.level + resting.height, rotation_vector(resting.turn)
 
 

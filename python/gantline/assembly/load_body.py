@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from gantline.assembly import round_body
 from gantline.assembly.spatial import Array, inertia_matrix, solid_box
 from gantline.assembly.stamp import stamp
 from gantline.cad import Assumptions, CadError, CadModel, read, read_light_mesh
@@ -21,6 +22,7 @@ from gantline.scenario import Scenario
 from gantline.scenario.check_load import Extent, attached, check_attached, check_centre, check_underside
 from gantline.scenario.check_supports import check_places
 from gantline.scenario.check_tanks import check_load_tanks
+from gantline.scenario.cylinder import Cylinder
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Findings
 from gantline.scenario.load import Load, LoadInertia
@@ -68,13 +70,14 @@ class LoadBody:
         centre: centre of gravity (3,) [m].
         inertia: about it (3, 3) [kg m^2].
         box: least and largest x, y, z (2, 3) [m].
-        mesh: light triangles to draw it; None for a box.
+        mesh: light triangles to draw it, of a round one flat sides; None for a box.
         hull: corners of a convex body to touch it with (n, 3) [m]; of a box its own.
         sides: what of it may lie on supports, the corners (n, 3) of each side of a convex body, anticlockwise
             as seen from outside [m]; of a lift without supports those of its box.
         sides_error: how far the convex hull stands out of these at most [m].
-        surface: all triangles of a CAD file, of a lift with supports; else None.
+        surface: all triangles of a CAD file or a round load, of a lift with supports; else None.
         doubts: where lift file and CAD do not agree, and what cannot well be meant of weight and lugs.
+        pieces: convex parts (n, 3) that touch others, of a round load [m]; none where it is the hull itself.
     """
 
     mass: float
@@ -87,6 +90,7 @@ class LoadBody:
     sides_error: float = 0.0
     surface: TriangleMesh | None = None
     doubts: tuple[Doubt, ...] = ()
+    pieces: tuple[Array, ...] = ()
 
 
 def load_body(scenario: Scenario, load: Load) -> LoadBody:
@@ -95,6 +99,8 @@ def load_body(scenario: Scenario, load: Load) -> LoadBody:
     Raises:
         ScenarioError: if its CAD file cannot be read, or does not fit what the lift file says.
     """
+    if load.shape.cylinder is not None:
+        return _of_cylinder(scenario, load, load.shape.cylinder)
     return _from_cad(scenario, load) if load.shape.cad is not None else _of_box(scenario, load)
 
 
@@ -110,6 +116,30 @@ def _of_box(scenario: Scenario, load: Load) -> LoadBody:
     )
     centre, doubts = np.array(load.centre_of_gravity.at), tuple(_doubts(scenario, load, box))
     return LoadBody(mass, centre, inertia, box, None, _corners(box), _sides_of(box), doubts=doubts)
+
+
+def _of_cylinder(scenario: Scenario, load: Load, given: Cylinder) -> LoadBody:
+    assert load.centre_of_gravity.at != "from_cad"  # checked
+    x, y, z = given.sizes
+    box = np.array([[-x / 2, -y / 2, 0.0], [x / 2, y / 2, z]])
+    mass = load.weight.simulated
+    inertia = (
+        stated_inertia(load.inertia)
+        if isinstance(load.inertia, LoadInertia)
+        else np.diag(given.inertia(mass))
+    )
+    return LoadBody(
+        mass,
+        np.array(load.centre_of_gravity.at),
+        inertia,
+        box,
+        round_body.drawn(given),
+        round_body.hull(given),
+        round_body.sides(given),
+        surface=round_body.surface(given) if scenario.supports else None,
+        pieces=round_body.touching(given),
+        doubts=tuple(_doubts(scenario, load, box)),
+    )
 
 
 def _doubts(scenario: Scenario, load: Load, box: Array) -> list[Doubt]:
@@ -128,14 +158,16 @@ def _weight(mass: float) -> str:
 
 
 def _of_no_matter(load: Load, box: Array) -> list[Doubt]:
-    """Of a weight that nothing has that is as large as the load's box."""
-    volume, weight = float(np.prod(box[1] - box[0])), load.weight.calculated
+    """Of a weight that nothing has that is as large as the load."""
+    cylinder, weight = load.shape.cylinder, load.weight.calculated
+    volume = float(np.prod(box[1] - box[0])) if cylinder is None else cylinder.enclosed
+    what = "its box" if cylinder is None else "it"
     air, steel = _AIR * volume, STEEL * volume
     if weight < air:
-        said = f"the load weighs {_weight(weight)}, less than the air in its box, {_weight(air)}"
+        said = f"the load weighs {_weight(weight)}, less than the air in {what}, {_weight(air)}"
         return [Doubt(("load", "weight"), f"{said}; a unit has slipped, kg for t or mm for m")]
     if weight > steel:
-        said = f"the load weighs {_weight(weight)}, more than its box full of steel, {_weight(steel)}"
+        said = f"the load weighs {_weight(weight)}, more than {what} full of steel, {_weight(steel)}"
         return [Doubt(("load", "weight"), f"{said}; a unit has slipped, t for kg or mm for m")]
     return []
 

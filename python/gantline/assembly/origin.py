@@ -106,7 +106,7 @@ def _blown(scenario: Scenario) -> str:
     load, wind = scenario.load, scenario.wind
     if load is None or not isinstance(wind, Wind):
         return ""
-    push = wind.push(load.wind_areas or {}, load.heading)
+    push = wind.push(load.areas_in("wind"), load.heading)
     share = push / (load.weight.simulated * scenario.simulation.gravity)
     if share < _BLOWN:
         return ""

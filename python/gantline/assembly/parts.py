@@ -57,6 +57,7 @@ class Parts:
         adjusters: groups of ropes whose lengths are adjusted.
         contacts: contact points in order.
         supports: tops of supports in order.
+        rims: of round loads, over the ground.
         shapes: shapes by name: the body that each is on and its parts, see `gantline.assembly.shapes`.
         pairs: shapes that may touch.
         watches: distances that are recorded.
@@ -82,6 +83,7 @@ class Parts:
     adjusters: list[Json] = field(default_factory=list)
     contacts: list[Json] = field(default_factory=list)
     supports: list[Json] = field(default_factory=list)
+    rims: list[Json] = field(default_factory=list)
     shapes: dict[str, Json] = field(default_factory=dict)
     pairs: list[Json] = field(default_factory=list)
     watches: list[Json] = field(default_factory=list)
@@ -227,7 +229,8 @@ class Parts:
         """Names of all contacts of a group, in the order of the recording."""
         points = [contact["name"] for contact in self.contacts if contact["group"] == group]
         points += [support["name"] for support in self.supports if support["group"] == group]
-        return points + [place for pair in self._pairs_of(group) for place in _places(pair)]
+        points += [place for pair in self._pairs_of(group) for place in _places(pair)]
+        return points + [rim["name"] for rim in self.rims if rim["group"] == group]
 
     def met_by(self, body: str) -> dict[str, str]:
         """The other body of every contact of a body with one that may move, by the name of the contact."""
@@ -248,6 +251,7 @@ class Parts:
             "forces": self.forces,
             "vessels": self.vessels,
             "supports": self.supports,
+            "rims": self.rims,
             "shapes": [shape for name, shape in self.shapes.items() if name in used],
             "pairs": self.pairs,
             "watches": self.watches,

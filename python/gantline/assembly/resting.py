@@ -8,7 +8,7 @@ import numpy as np
 
 from gantline.assembly.spatial import Array, rotation_matrix, rotation_vector
 
-__all__ = ["Resting", "TipsOver", "rest_on_ground"]
+__all__ = ["Resting", "TipsOver", "rest_on_ground", "rest_on_rim"]
 
 _MOST_STEPS = 500
 _TOLERANCE = 1e-9
@@ -16,6 +16,8 @@ _SMALLEST_FRACTION = 1e-6
 #: Largest turn in one step, and the turn beyond which the load has fallen [rad].
 _LARGEST_TURN = 0.05
 _FALLEN = 0.5
+#: Within what tilt, as a sine, the end of a round body is domed: as the core has it in `contact/rim.rs`.
+_DOME = 1e-3
 
 
 class TipsOver(ValueError):
@@ -81,6 +83,36 @@ def rest_on_ground(corners: Array, weight: float, stiffness: float) -> Resting:
         if float(np.abs(state[1:]).max()) > _FALLEN:
             break
     raise TipsOver
+
+
+def rest_on_rim(centre: Array, radius: float, weight: float, stiffness: float) -> Resting:
+    """How a round load stands on the rim of its foot, by (RL8): that presses under its centre of gravity.
+
+    Args:
+        centre: of gravity, from the middle of the foot, world axes, before any tilt (3,) [m].
+        radius: of the rim [m].
+        weight: of the load [N].
+        stiffness: of the rim [N/m].
+
+    Raises:
+        TipsOver: if it does not stand within what the foot tilts on its own dome.
+    """
+    aside, above = float(np.hypot(*centre[:2])), float(centre[2])
+    if radius <= aside + above * _DOME:
+        raise TipsOver
+    least, most = 0.0, _DOME
+    for _ in range(_MOST_STEPS):
+        lean = (least + most) / 2
+        share = lean / _DOME
+        is_under = radius * (1.5 * share - 0.5 * share**3) < aside + above * lean
+        least, most = (lean, most) if is_under else (least, lean)
+    lean = 0.0 if aside == 0.0 else (least + most) / 2
+    share = (lean / _DOME) ** 2
+    sunk = radius * _DOME * (0.375 + share * (0.75 - 0.125 * share)) - weight / stiffness
+    towards = centre[:2] / aside if aside > 0.0 else np.zeros(2)
+    height = sunk + above * np.sqrt(1.0 - lean**2) - aside * lean
+    turn = float(np.arcsin(lean)) * np.array([-towards[1], towards[0]])
+    return Resting(float(height), (float(turn[0]), float(turn[1]), 0.0), np.array([weight]))
 
 
 def _depths(state: Array, corners: Array) -> Array:

@@ -48,6 +48,8 @@ _THICK = 1.0
 _GROUND_REACH, _GROUND_DEPTH = 2000.0, 50.0
 #: Places at which one load touches one thing at a time, at most; a box on level ground has four.
 _PLACES = 8
+#: The same of a load whose shape has several parts: as many as the corners of both ends of a round one.
+_PLACES_OF_PARTS = 16
 
 
 def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> None:
@@ -122,7 +124,8 @@ def load_parts(lifted: LiftedLoad) -> list[Json]:
     """Parts of the load's shape, in the frame of its body, whose origin is its centre of gravity."""
     body = lifted.body
     if body.mesh is not None:
-        return [{"type": "convex", "vertices": (body.hull - lifted.centre).tolist()}]
+        pieces = body.pieces or (body.hull,)
+        return [{"type": "convex", "vertices": (piece - lifted.centre).tolist()} for piece in pieces]
     size, middle = np.ptp(body.box, axis=0), np.mean(body.box, axis=0)
     return [box_shape(size, middle - lifted.centre)]
 
@@ -207,6 +210,9 @@ def add_touching(parts: Parts, scenario: Scenario) -> None:
             for second in other:
                 own = name if len(one) == len(other) == 1 else f"{name}.{first}.{second}"
                 parts.pairs.append(_pair(own, group, (first, second), law))
+    if load is not None and len(parts.shapes[load.name]["parts"]) > 1:
+        for pair in parts.pairs:
+            pair["places"] = _PLACES_OF_PARTS if load.name in pair["shapes"] else _PLACES
 
 
 def _law(given: object) -> list[float]:

@@ -50,8 +50,8 @@ def add_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> 
         parts.forces += _pushed(name, "current", body.current_areas, origin, water)
     if scenario.load is not None and lifted is not None:
         load, origin = scenario.load, lifted.centre
-        parts.forces += _pushed(load.name, "wind", load.wind_areas, origin, air)
-        parts.forces += _pushed(load.name, "current", load.current_areas, origin, water)
+        parts.forces += _pushed(load.name, "wind", load.areas_in("wind"), origin, air)
+        parts.forces += _pushed(load.name, "current", load.areas_in("current"), origin, water)
     parts.doubts += _idle(parts, scenario) + _strong(scenario)
     parts.doubts += doubtful_streams(parts, scenario, lifted)
 

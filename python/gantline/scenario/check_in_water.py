@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from gantline.scenario.findings import Findings
 from gantline.scenario.in_water import InWater
 from gantline.scenario.water import Water
 
-__all__ = ["check_box_in_water", "check_in_water"]
+__all__ = ["Room", "check_in_water", "check_room_in_water"]
 
 
 def check_in_water(findings: Findings) -> None:
@@ -25,22 +27,47 @@ def check_in_water(findings: Findings) -> None:
     if load.current_areas:
         sentence = "'drag_coefficients' of 'in_water' say already how water resists the load"
         findings.add(("load", "current_areas"), f"{sentence}; leave one out")
-    if load.shape.box is not None:
-        check_box_in_water(findings, load.shape.box, given, (findings.scenario.water or Water()).density)
+    room = None
+    if load.shape.cylinder is not None:
+        cylinder = load.shape.cylinder
+        room = Room("the load", cylinder.enclosed, cylinder.seen[2], cylinder.sizes[2])
+    elif load.shape.box is not None:
+        room = Room.of_box(load.shape.box)
+    if room is not None:
+        check_room_in_water(findings, room, given, (findings.scenario.water or Water()).density)
 
 
-def check_box_in_water(
-    findings: Findings, box: tuple[float, float, float], given: InWater, density: float
-) -> None:
-    """Note what the box about a load [m] has no room for, in water of that density [kg/m^3]."""
-    length, breadth, height = box
-    path, volume = ("load", "in_water"), length * breadth * height
-    if given.displaced_volume is not None and given.displaced_volume > volume:
-        sentence = f"{given.displaced_volume:g} m^3 are more than the load's box has, {volume:.4g} m^3"
+class Room(NamedTuple):
+    """What a load has room for in water.
+
+    Attributes:
+        what: what it is, in words.
+        volume: within it [m^3].
+        underside: what it shows from below [m^2].
+        height: its height [m].
+    """
+
+    what: str
+    volume: float
+    underside: float
+    height: float
+
+    @classmethod
+    def of_box(cls, box: tuple[float, float, float]) -> Room:
+        """That of the box about a load [m]."""
+        length, breadth, height = box
+        return cls("the load's box", length * breadth * height, length * breadth, height)
+
+
+def check_room_in_water(findings: Findings, room: Room, given: InWater, density: float) -> None:
+    """Note what a load has no room for, in water of that density [kg/m^3]."""
+    path = ("load", "in_water")
+    if given.displaced_volume is not None and given.displaced_volume > room.volume:
+        sentence = f"{given.displaced_volume:g} m^3 are more than {room.what} has, {room.volume:.4g} m^3"
         findings.add((*path, "displaced_volume"), sentence)
-    depth = given.slamming_depth(length * breadth, density)
-    if depth is not None and depth > height:
-        least = given.slamming_depth(length * breadth, density * height) or 0.0
+    depth = given.slamming_depth(room.underside, density)
+    if depth is not None and depth > room.height:
+        least = given.slamming_depth(room.underside, density * room.height) or 0.0
         even = (given.slamming_coefficient or 0.0) * least
         sentence = (
             f"{given.slamming_coefficient:g} is less than {even:.3g}, which added mass along z makes that "

@@ -6,13 +6,15 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from gantline.scenario.check_supports import check_beside, check_places, top_of
-from gantline.scenario.check_tanks import check_load_tanks
+from gantline.scenario.check_tanks import check_load_tanks, check_round_tanks
 from gantline.scenario.check_wind import check_areas
+from gantline.scenario.cylinder import Cylinder
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.load import Load, LoadInertia
 from gantline.scenario.lug import Lug
 from gantline.scenario.model import Scenario
+from gantline.scenario.structures import dock_of
 
 __all__ = [
     "Attached",
@@ -45,7 +47,9 @@ Extent = tuple[Triple, Triple]
 def check_load(findings: Findings, load: Load) -> None:
     """Note everything that is wrong with the load."""
     _check_sources(findings, load)
-    box = load.shape.box
+    box, cylinder = load.shape.sizes, load.shape.cylinder
+    if cylinder is not None:
+        _check_wall(findings, cylinder)
     if box is not None and load.centre_of_gravity.at != "from_cad":
         check_centre(findings, load.centre_of_gravity.at, _box_of(box))
     for name, lug in load.lugs.items():
@@ -53,15 +57,31 @@ def check_load(findings: Findings, load: Load) -> None:
     if box is not None:
         check_attached(findings, load, _box_of(box))
         check_load_tanks(findings, load.tanks, _box_of(box))
+        if cylinder is not None:
+            check_round_tanks(findings, load.tanks, cylinder)
         check_places(findings, *_box_of(box))
-        check_beside(findings, *_box_of(box))
+        if cylinder is None:  # under a round one its own sides decide
+            check_beside(findings, *_box_of(box))
     if isinstance(load.inertia, LoadInertia):
         check_inertia(findings, ("load", "inertia"), load.inertia)
     check_areas(findings, ("load",), load.wind_areas)
+    if load.shape.cad is not None:
+        for kind, areas in (("wind_areas", load.wind_areas), ("current_areas", load.current_areas)):
+            for name in (name for name, one in (areas or {}).items() if one.area is None):
+                sentence = "a shape from CAD does not say what it shows; write 'area: 120 m^2'"
+                findings.add(("load", kind, name), sentence)
     if load.stands_on is not None:
         _check_standing(findings, load, load.stands_on)
     if findings.scenario.simulation.gravity == 0:
         findings.add(("simulation", "gravity"), "gravity is zero; a load needs gravity above zero")
+
+
+def _check_wall(findings: Findings, cylinder: Cylinder) -> None:
+    """Note a tube whose wall leaves nothing hollow."""
+    narrow = 2.0 * min(cylinder.radii)
+    if cylinder.wall is not None and 2.0 * cylinder.wall >= narrow:
+        sentence = f"a tube {narrow:g} m across has no room for two walls of {cylinder.wall:g} m"
+        findings.add(("load", "shape", "cylinder", "wall"), f"{sentence}; leave it out for a solid one")
 
 
 def _box_of(sizes: tuple[float, float, float]) -> Extent:
@@ -122,14 +142,15 @@ def _check_sources(findings: Findings, load: Load) -> None:
     """What comes from CAD needs a CAD file, and the other way round."""
     if load.shape.cad is None:
         wanted = "needs a CAD file: 'shape: {cad: load.3docx}'"
+        kind = "box" if load.shape.cylinder is None else "cylinder"
         if load.centre_of_gravity.at == "from_cad":
             findings.add(("load", "centre_of_gravity", "at"), f"'from_cad' {wanted}")
         if load.inertia == "from_cad":
-            findings.add(("load", "inertia"), f"'from_cad' {wanted}; 'homogeneous' is a solid box")
+            findings.add(("load", "inertia"), f"'from_cad' {wanted}; 'homogeneous' is a solid {kind}")
         if load.datum == "origin":
-            findings.add(("load", "datum"), f"'origin' {wanted}; 'bottom_centre' is right for a box")
+            findings.add(("load", "datum"), f"'origin' {wanted}; 'bottom_centre' is right for a {kind}")
         if load.outfitting:
-            findings.add(("load", "outfitting"), f"outfitting {wanted}; a box has all of its weight in it")
+            findings.add(("load", "outfitting"), f"outfitting {wanted}; a {kind} has all of its weight in it")
         return
     if load.inertia == "homogeneous":
         sentence = "'homogeneous' is a solid box; right for a shape from CAD is 'from_cad', or values"
@@ -181,6 +202,8 @@ def _check_standing(findings: Findings, load: Load, base: str) -> None:
             sentence = f"'{base}' is a {kind}, which no load stands on by 'stands_on'"
             right = "leave it out and let both touch by 'body_contacts' of 'mechanics'"
         findings.add(("load", "stands_on"), f"{sentence}; {right}")
+    elif load.shape.cylinder is not None and scenario.load_has_settled and ground is not None:
+        _check_round_standing(findings, load.shape.cylinder)
     elif ground is None:
         sentence = "the load stands on the ground but there is no 'ground' in this file"
         findings.add(("load", "stands_on"), f"{sentence}; add 'ground: {{level: 0 m}}'")
@@ -188,10 +211,25 @@ def _check_standing(findings: Findings, load: Load, base: str) -> None:
         check_underside(findings, load, load.position[2])
 
 
+def _check_round_standing(findings: Findings, cylinder: Cylinder) -> None:
+    """Note a round load at rest on the ground where it has no place of rest."""
+    path = ("load", "stands_on")
+    if cylinder.along == "x":
+        sentence = "a round load that lies on the ground rolls, so it has no place of rest there"
+        right = (
+            "lay it on 'supports' to both sides of its lowest line, with 'height: to_load', or let it roll "
+            "by 'start: as_given'"
+        )
+        findings.add(path, f"{sentence}; {right}")
+    elif dock_of(findings.scenario) is not None:
+        sentence = "around a dock a round load at rest stands on 'supports'"
+        findings.add(path, f"{sentence}; put some under it, or begin by 'start: as_given'")
+
+
 def check_underside(findings: Findings, load: Load, underside: float) -> None:
     """Note a load at rest whose underside, at this height [m], is not on what it stands on."""
     scenario, base = findings.scenario, load.stands_on
-    if base in (scenario.supports or {}) and load.shape.cad is not None:
+    if base in (scenario.supports or {}) and load.shape.box is None:
         return  # its sides over each of them decide, see `gantline.assembly.under_load`
     if base in (scenario.supports or {}):
         level, what, where_from = top_of(scenario, base), base, "the highest of them"

@@ -70,7 +70,8 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
     rigid = _rigid_with(mechanics)
     for name, rope in (mechanics.ropes or {}).items():
         _check_ways(findings, ("mechanics", "ropes", name, "route"), rope, rigid)
-    corners = [f"{scenario.load.name}.corner_{place}" for place in range(1, 9)] if scenario.load else []
+    touching = [*(f"corner_{place}" for place in range(1, 9)), "rim_1", "rim_2"]
+    corners = [f"{scenario.load.name}.{point}" for point in touching] if scenario.load else []
     for name, contact in (mechanics.contacts or {}).items():
         path = ("mechanics", "contacts", name)
         if contact.body not in known:

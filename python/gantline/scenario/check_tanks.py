@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import product
 
+from gantline.scenario.cylinder import Cylinder
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.model import Scenario
 from gantline.scenario.tanks import bodies_afloat
 from gantline.scenario.water import BallastTank, Extent
 
-__all__ = ["check_inside_of", "check_load_tanks", "check_tank_names"]
+__all__ = ["check_inside_of", "check_load_tanks", "check_round_tanks", "check_tank_names"]
 
 #: A tank may reach so far out of what has it by rounding [m].
 _CLOSE = 1e-6
@@ -26,6 +28,19 @@ _MEANT = {
 def check_load_tanks(findings: Findings, tanks: Mapping[str, BallastTank] | None, box: Extent) -> None:
     """Note tanks of the load outside its box, its least and largest x, y, z from its datum [m]."""
     check_inside_of(findings, ("load",), tanks, box, "the load's box")
+
+
+def check_round_tanks(
+    findings: Findings, tanks: Mapping[str, BallastTank] | None, cylinder: Cylinder
+) -> None:
+    """Note tanks of a round load whose corners stick out of its skin."""
+    for name, tank in (tanks or {}).items():
+        (length, breadth, depth), (x, y, z) = tank.box, tank.bottom
+        ways = product((x - length / 2, x + length / 2), (y - breadth / 2, y + breadth / 2), (z, z + depth))
+        out = max(-cylinder.depth(corner) for corner in ways)
+        if out > _CLOSE:
+            sentence = f"a corner of it is {out:.3g} m outside the round load"
+            findings.add(("load", "tanks", name), f"{sentence}; a tank is inside of it")
 
 
 def check_inside_of(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gantline.scenario.findings import Findings, Path
-from gantline.scenario.stream import StreamArea, Wind
+from gantline.scenario.stream import LoadArea, StreamArea, Wind
 
 __all__ = ["check_areas", "check_wind"]
 
@@ -29,7 +29,7 @@ def check_wind(findings: Findings) -> None:
         findings.add((*path, "turbulence"), f"{found}; 10 % at sea to 25 % between buildings")
 
 
-def check_areas(findings: Findings, path: Path, areas: Mapping[str, StreamArea] | None) -> None:
+def check_areas(findings: Findings, path: Path, areas: Mapping[str, LoadArea | StreamArea] | None) -> None:
     """Note areas in wind that has no direction."""
     wind = findings.scenario.wind
     if areas and isinstance(wind, float) and wind > 0:

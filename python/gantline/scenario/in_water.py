@@ -30,7 +30,8 @@ class InWater(Element):
         "in it included, but for what is in its tanks."
     )
     drag_coefficients: _Coefficients = Field(
-        description="Of the sides of its box, across x, y, z: force over ½ density × side × speed squared."
+        description="Of the sides of its box, or of what a round load shows, across x, y, z: force over "
+        "½ density × side × speed squared."
     )
     slamming_coefficient: Annotated[float, Number(least=0.1, most=20.0)] | None = Field(
         None,

@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import Discriminator, Field, Tag
 
 from gantline.scenario.base import Element, Named
+from gantline.scenario.cylinder import Cylinder
 from gantline.scenario.errors import shorten
 from gantline.scenario.in_water import InWater
 from gantline.scenario.lug import Lug
@@ -29,7 +30,7 @@ from gantline.scenario.quantities import (
     WordOr,
     refuse,
 )
-from gantline.scenario.stream import CURRENT_SHOWN, WIND_SHOWN, StreamArea
+from gantline.scenario.stream import CURRENT_SHOWN, WIND_SHOWN, LoadArea, StreamArea
 from gantline.scenario.tree import MapNode
 from gantline.scenario.water import BallastTank
 
@@ -42,6 +43,7 @@ class Shape(Element):
     what: ClassVar[str] = "the shape of a load"
 
     box: Sizes | None = Field(None, description="Length x, breadth y, height z.")
+    cylinder: Cylinder | None = Field(None, description="A cylinder, tube or cone.")
     cad: Text | None = Field(
         None, description="CAD file beside the lift file: OCX, STEP, IGES, STL, OBJ, glTF or GLB."
     )
@@ -58,15 +60,36 @@ class Shape(Element):
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:
         """A shape is one thing."""
-        if "box" in data and "cad" in data:
-            raise refuse("a shape is a 'box' or comes from 'cad', not both", "cad")
-        if "box" not in data and "cad" not in data:
+        kinds = [key for key in ("box", "cylinder", "cad") if key in data]
+        if len(kinds) > 1:
+            raise refuse("a shape is a 'box', a 'cylinder' or comes from 'cad', one of them", kinds[1])
+        if not kinds:
             given = ", ".join(f"'{shorten(key)}'" for key in data)
             says = f"found {given}; " if given else ""
-            raise refuse(f"{says}a shape is 'box: [10 m, 10 m, 5 m]' or 'cad: load.3docx'")
+            raise refuse(
+                f"{says}a shape is 'box: [10 m, 10 m, 5 m]', 'cylinder: {{diameter: 6 m, length: 40 m}}' or "
+                "'cad: load.3docx'"
+            )
         for key in ("units", "thickness", "up"):
             if key in data and "cad" not in data:
-                raise refuse(f"'{key}' is for a shape from 'cad'; a box says its units", key)
+                wall = "; a tube has a 'wall'" if key == "thickness" and "cylinder" in data else ""
+                right = f"a {kinds[0]} says its units{wall}"
+                raise refuse(f"'{key}' is for a shape from 'cad'; {right}", key)
+
+    @property
+    def sizes(self) -> tuple[float, float, float] | None:
+        """The box about it along the load's x, y, z [m]; None of a CAD file, which says it later."""
+        return self.box if self.cylinder is None else self.cylinder.sizes
+
+    @property
+    def seen(self) -> tuple[float, float, float] | None:
+        """Areas that it shows along the load's x, y, z [m^2]; None of a CAD file."""
+        if self.cylinder is not None:
+            return self.cylinder.seen
+        if self.box is None:
+            return None
+        length, breadth, height = self.box
+        return breadth * height, length * height, length * breadth
 
 
 class Weight(Element):
@@ -154,7 +177,7 @@ class Load(Element):
     what: ClassVar[str] = "the load"
 
     name: Name = Field(description="Name of the load; lugs are called <name>.<lug>.")
-    shape: Shape = Field(description="Shape: a box, or a CAD file.")
+    shape: Shape = Field(description="Shape: a box, a cylinder, or a CAD file.")
     datum: Literal["bottom_centre", "origin"] | None = Field(
         None,
         description="Point from which positions on the load are measured, along its own axes: "
@@ -166,9 +189,9 @@ class Load(Element):
     weight: Weight = Field(description="Weight, as a mass.")
     inertia: InertiaOfLoad | None = Field(
         None,
-        description="'homogeneous' (a solid box), 'from_cad' (of its CAD file and the outfitting, scaled to "
-        "the weight), or values about the centre of gravity. If not given: 'from_cad' for a shape from CAD, "
-        "else 'homogeneous'.",
+        description="'homogeneous' (a solid box, a cylinder or a tube of its wall), 'from_cad' (of its CAD "
+        "file and the outfitting, scaled to the weight), or values about the centre of gravity. If not "
+        "given: 'from_cad' for a shape from CAD, else 'homogeneous'.",
     )
     outfitting: list[Outfitting] = Field(
         default_factory=list, description="Part of the weight that is not in the CAD file, as point masses."
@@ -181,8 +204,8 @@ class Load(Element):
         default_factory=dict,
         description="Lifting lugs by name; a load in baskets of `mechanics` may have none.",
     )
-    wind_areas: Named[StreamArea] | None = Field(None, description=WIND_SHOWN)
-    current_areas: Named[StreamArea] | None = Field(None, description=CURRENT_SHOWN)
+    wind_areas: Named[LoadArea] | None = Field(None, description=WIND_SHOWN)
+    current_areas: Named[LoadArea] | None = Field(None, description=CURRENT_SHOWN)
     in_water: InWater | None = Field(
         None, description="What water does to it where it is lowered into it; nothing if not given."
     )
@@ -194,6 +217,20 @@ class Load(Element):
     def is_at_origin(self) -> bool:
         """Whether positions are measured from the origin of the CAD file."""
         return self.shape.cad is not None and self.datum != "bottom_centre"
+
+    def areas_in(self, stream: Literal["wind", "current"]) -> dict[str, StreamArea]:
+        """What wind or current pushes on, each with its area."""
+        given = self.wind_areas if stream == "wind" else self.current_areas
+        found = {}
+        for name, one in (given or {}).items():
+            area = one.area
+            if area is None:
+                assert self.shape.seen is not None  # checked
+                area = self.shape.seen["xyz".index(one.along)]
+            found[name] = StreamArea.model_construct(
+                area=area, coefficient=one.coefficient, along=one.along, at=one.at
+            )
+        return found
 
     @property
     def contents(self) -> float:

@@ -29,6 +29,7 @@ __all__ = [
     "WIND_SHOWN",
     "Current",
     "Gusts",
+    "LoadArea",
     "Stream",
     "StreamArea",
     "Wind",
@@ -62,6 +63,23 @@ class StreamArea(Element):
     at: Position = Field(
         ORIGIN, description="Where the force acts: in the body's axes, of a load from its datum."
     )
+
+
+class LoadArea(Element):
+    """The same of a load, which may say by its shape how large it is."""
+
+    what: ClassVar[str] = "an area"
+
+    area: Annotated[float, Quantity("area", "positive")] | None = Field(
+        None, description="Area, seen along its axis; all that a box or cylinder shows there if not given."
+    )
+    coefficient: Annotated[float, Number(least=0.0, most=10.0)] = Field(
+        description="Shape coefficient, about 1.2 for a box in wind, 0.7 for a smooth cylinder."
+    )
+    along: Literal["x", "y", "z"] = Field(
+        description="Axis of the load across which it stands, and along which the force acts."
+    )
+    at: Position = Field(ORIGIN, description="Where the force acts, from the datum of the load.")
 
 
 class Stream(Element):

@@ -9,10 +9,11 @@ use crate::constraint::facing::Facing;
 use crate::constraint::touch::Touch;
 use crate::contact::pad::{Pad, Side, top};
 use crate::contact::plane::Plane;
+use crate::contact::rim::{DOME, Rim};
 use crate::contact::shape::{Part, Shape};
 use crate::contact::spot::Spot;
 use crate::plan::{Due, Removal};
-use crate::spec::{PairSpec, PartSpec, ShapeSpec, SupportSpec, SystemSpec, WatchedSpec};
+use crate::spec::{PairSpec, PartSpec, RimSpec, ShapeSpec, SupportSpec, SystemSpec, WatchedSpec};
 use crate::system::{BodyShape, ContactGroup, Finder, Watch, Watched, WatchedRope};
 use crate::tree::Tree;
 
@@ -83,7 +84,7 @@ pub(super) struct Touches {
     pub spots: Vec<Spot>,
 }
 
-/// Adds the touches of supports and pairs to the constraints and groups.
+/// Adds the touches of supports, pairs and rims to the constraints and groups.
 pub(super) fn build_touches(
     spec: &SystemSpec,
     tree: &Tree,
@@ -92,7 +93,7 @@ pub(super) fn build_touches(
     groups: &mut Vec<ContactGroup>,
 ) -> Result<Touches, BuildError> {
     let mut made = Touches::default();
-    let mut add = |name: String, group: &str, bodies: [Option<usize>; 2], law: [f64; 3], is_support: bool| {
+    let mut add = |name: String, group: &str, facing: Facing, law: [f64; 3], is_support: bool| {
         let index = constraints.len();
         let group = ContactGroup::named(groups, group);
         groups[group].contacts.push(index);
@@ -102,7 +103,7 @@ pub(super) fn build_touches(
             index,
             group,
             is_support,
-            facing: Facing::new(bodies, tree),
+            facing,
             spot: made.spots.len(),
             compliance: 1.0 / stiffness,
             damping_time,
@@ -117,7 +118,8 @@ pub(super) fn build_touches(
             return error(&given.name, "it has no body");
         };
         let pad = build_pad(given)?;
-        let touch = add(given.name.clone(), &given.group, [Some(body), None], law, true);
+        let facing = Facing::new([Some(body), None], tree);
+        let touch = add(given.name.clone(), &given.group, facing, law, true);
         made.finders.push(Finder::Pad(touch, Box::new(pad)));
         if let Some(time) = given.removed_at {
             at_least_zero(&given.name, "the time at which it is taken away", time)?;
@@ -136,10 +138,21 @@ pub(super) fn build_touches(
         if *places == 0 || *places > MOST_PLACES {
             return error(name, format!("it has {places} places; 1 to {MOST_PLACES} are right"));
         }
-        let touches =
-            (1..=*places).map(|place| add(format!("{name}/{place}"), &given.group, bodies, law, false));
+        let facing = Facing::new(bodies, tree);
+        let touches = (1..=*places)
+            .map(|place| add(format!("{name}/{place}"), &given.group, facing.clone(), law, false));
         let touches: Vec<usize> = touches.collect();
         made.finders.push(Finder::Pair { shapes: pair, first: touches[0], count: *places });
+    }
+    for given in &spec.rims {
+        let law = law(&given.name, [given.stiffness, given.damping_time, given.friction])?;
+        let Some(body) = body_index(&given.name, tree, Some(&given.body))? else {
+            return error(&given.name, "it has no body");
+        };
+        let (rim, plane) = build_rim(given)?;
+        let facing = Facing::new([Some(body), None], tree).on_rim(rim);
+        let touch = add(given.name.clone(), &given.group, facing, law, false);
+        made.finders.push(Finder::Rim(touch, plane));
     }
     for (index, step) in spec.plan.iter().enumerate() {
         for name in &step.removes {
@@ -161,6 +174,17 @@ fn law(name: &str, [stiffness, damping_time, friction]: [f64; 3]) -> Result<[f64
     at_least_zero(name, "its damping time", damping_time)?;
     at_least_zero(name, "its friction", friction)?;
     Ok([stiffness, damping_time, friction])
+}
+
+/// A rim, and the plane that it may touch.
+fn build_rim(given: &RimSpec) -> Result<(Rim, Plane), BuildError> {
+    let name = &given.name;
+    finite(name, "its place", &[given.at, given.plane_point].concat())?;
+    positive(name, "its radius", given.radius)?;
+    let axis = unit(name, "its axis", given.axis)?;
+    let normal = unit(name, "the plane's normal", given.plane_normal)?;
+    let rim = Rim { centre: vector(given.at), axis, radius: given.radius, dome: DOME };
+    Ok((rim, Plane::new(vector(given.plane_point), normal)))
 }
 
 /// The top of a support with what may lie on it.

@@ -17,10 +17,14 @@
 //! ```text
 //! ∂G_j/∂q_k = d·(∂_k C_j^P + a_j^P × u_k − ∂_k C_j^Q − a_j^Q × (C_k^P − C_k^Q + u_k)) + d_k·(C_j^P − C_j^Q)
 //! ```
+//!
+//! The depth of a [`Rim`] is that of its lowest point of the moment, which runs round it as the body rolls: that row acts at an x of its
+//! own, with the way u_k of that. Along the plane x is a point of the body, found anew between steps.
 
 use glam::DVec3;
 
 use super::{Line, Moving, Placed};
+use crate::contact::rim::{Lowest, Rim};
 use crate::contact::spot::{Located, Spot};
 use crate::tree::Tree;
 use crate::tree::bias::Wrench;
@@ -35,6 +39,8 @@ pub struct Facing {
     pub dofs: Vec<usize>,
     /// For each of them whether it moves the first and the second body.
     moves: Vec<[bool; 2]>,
+    /// Of a round first body the rim that lies on the plane of the second.
+    pub rim: Option<Rim>,
 }
 
 /// The rows of a spot where its bodies are.
@@ -45,6 +51,26 @@ struct Pointed {
     directions: [DVec3; 3],
     /// 1 where the first body has the point, −1 where it has the plane.
     sign: f64,
+    /// Where the rim is lowest.
+    lowest: Option<Lowest>,
+}
+
+impl Pointed {
+    /// x of a row.
+    fn point(&self, row: usize) -> DVec3 {
+        match self.lowest {
+            Some(lowest) if row == 0 => lowest.point,
+            _ => self.at.point,
+        }
+    }
+
+    /// g of a row, without what the state remembers of it.
+    fn value(&self, row: usize) -> f64 {
+        match self.lowest {
+            Some(lowest) if row == 0 => -lowest.gap,
+            _ => self.directions[row].dot(self.at.offset),
+        }
+    }
 }
 
 impl Facing {
@@ -56,14 +82,21 @@ impl Facing {
         dofs.sort_unstable();
         dofs.dedup();
         let moves = dofs.iter().map(|dof| [first.contains(dof), second.contains(dof)]).collect();
-        Self { bodies, dofs, moves }
+        Self { bodies, dofs, moves, rim: None }
+    }
+
+    /// The same with a rim of the first body.
+    pub fn on_rim(self, rim: Rim) -> Self {
+        Self { rim: Some(rim), ..self }
     }
 
     /// The spot where the bodies are.
     fn pointed(&self, kinematics: &Kinematics, spot: &Spot) -> Pointed {
         let at = spot.between(self.bodies.map(|body| kinematics.pose_of(body)));
         let sign = if spot.is_swapped { -1.0 } else { 1.0 };
-        Pointed { at, directions: at.directions(), sign }
+        let pose = kinematics.pose_of(self.bodies[0]);
+        let lowest = self.rim.map(|rim| rim.lowest(pose, at.point - at.offset, at.normal));
+        Pointed { at, directions: at.directions(), sign, lowest }
     }
 
     /// World direction of the normal, from the body with the plane to that with the point.
@@ -86,7 +119,7 @@ impl Facing {
 
     /// The point at which it presses [m] and the force on the first body with these forces of its rows [N].
     pub fn force(&self, kinematics: &Kinematics, spot: &Spot, tension: [f64; 3]) -> (DVec3, DVec3) {
-        let Pointed { at, directions, sign } = self.pointed(kinematics, spot);
+        let Pointed { at, directions, sign, .. } = self.pointed(kinematics, spot);
         let sum: DVec3 =
             directions.into_iter().zip(tension).map(|(direction, force)| direction * force).sum();
         (at.point, -sum * sign)
@@ -104,14 +137,14 @@ impl Facing {
 
     /// Values and rates of the three rows, and where their forces act, as [`super::Constraint::locate`].
     pub fn locate(&self, at: &Moving, spot: &Spot, value: &mut [f64], rate: &mut [f64], lines: &mut [Line]) {
-        let Pointed { at: Located { point, offset, .. }, directions, sign } =
-            self.pointed(at.kinematics, spot);
-        let arms =
-            self.bodies.map(|body| body.map_or(point, |body| point - at.kinematics.pose[body].position));
+        let pointed = self.pointed(at.kinematics, spot);
+        let Pointed { directions, sign, .. } = pointed;
         for (row, direction) in directions.into_iter().enumerate() {
             let remembered = if row == 0 { 0.0 } else { value[row] };
-            value[row] = direction.dot(offset) - remembered;
-            let [from, to] = arms;
+            value[row] = pointed.value(row) - remembered;
+            let point = pointed.point(row);
+            let [from, to] =
+                self.bodies.map(|body| body.map_or(point, |body| point - at.kinematics.pose[body].position));
             lines[row] = Line { from, to, direction: direction * sign, ..Line::default() };
         }
         self.rates(at.twists, lines, rate);
@@ -120,36 +153,46 @@ impl Facing {
     /// Rates of the three rows under these velocities of the bodies.
     pub fn rates(&self, twists: &[Twist], lines: &[Line], rate: &mut [f64]) {
         let at = |body: Option<usize>, arm| body.map_or(DVec3::ZERO, |body| twists[body].at(arm));
-        let apart = at(self.bodies[0], lines[0].from) - at(self.bodies[1], lines[0].to);
         for (rate, line) in rate.iter_mut().zip(lines) {
-            *rate = line.direction.dot(apart);
+            *rate = line.direction.dot(at(self.bodies[0], line.from) - at(self.bodies[1], line.to));
         }
     }
 
     /// Takes the forces of the rows from what the joints of the bodies have to transmit.
     pub fn apply(&self, tension: &[f64], lines: &[Line], wrenches: &mut [Wrench]) {
-        let needed: DVec3 = lines.iter().zip(tension).map(|(line, tension)| line.direction * *tension).sum();
         let [first, second] = self.bodies;
-        if let Some(body) = first {
-            wrenches[body].add(needed, lines[0].from);
+        let mut add = |lines: &[Line], tension: &[f64]| {
+            let needed: DVec3 =
+                lines.iter().zip(tension).map(|(line, tension)| line.direction * *tension).sum();
+            if let Some(body) = first {
+                wrenches[body].add(needed, lines[0].from);
+            }
+            if let Some(body) = second {
+                wrenches[body].add(-needed, lines[0].to);
+            }
+        };
+        if self.rim.is_none() {
+            return add(lines, tension);
         }
-        if let Some(body) = second {
-            wrenches[body].add(-needed, lines[0].to);
-        }
+        add(&lines[..1], &tension[..1]);
+        add(&lines[1..], &tension[1..]);
     }
 
     /// Values and gradients of the three rows, as [`super::Constraint::evaluate`].
     pub fn evaluate(&self, at: &Placed, spot: &Spot, value: &mut [f64], gradient: &mut [f64]) {
         let Placed { tree, kinematics, .. } = *at;
-        let Pointed { at: Located { point, offset, .. }, directions, sign } = self.pointed(kinematics, spot);
+        let pointed = self.pointed(kinematics, spot);
+        let Pointed { directions, sign, lowest, .. } = pointed;
         let count = self.dofs.len();
-        for (row, direction) in directions.into_iter().enumerate() {
-            let remembered = if row == 0 { 0.0 } else { value[row] };
-            value[row] = direction.dot(offset) - remembered;
+        for (row, value) in value.iter_mut().enumerate() {
+            let remembered = if row == 0 { 0.0 } else { *value };
+            *value = pointed.value(row) - remembered;
         }
         for entry in 0..count {
-            let column = self.column(tree, kinematics, entry, point) * sign;
-            for (row, direction) in directions.into_iter().enumerate() {
+            let column = |point| self.column(tree, kinematics, entry, point) * sign;
+            let along = column(pointed.at.point);
+            let across = lowest.map_or(along, |lowest| column(lowest.point));
+            for (row, (direction, column)) in directions.into_iter().zip([across, along, along]).enumerate() {
                 gradient[row * count + entry] = direction.dot(column);
             }
         }
@@ -165,8 +208,9 @@ impl Facing {
         block: &mut [f64],
     ) {
         let Placed { tree, kinematics, .. } = *at;
-        let Pointed { at: located, directions, sign } = self.pointed(kinematics, spot);
-        let (point, direction) = (located.point, directions[group]);
+        let pointed = self.pointed(kinematics, spot);
+        let Pointed { at: located, directions, sign, lowest } = pointed;
+        let (point, direction) = (pointed.point(group), directions[group]);
         let (with_point, with_plane) = if spot.is_swapped { (1, 0) } else { (0, 1) };
         for (column, &dof) in columns.iter_mut().zip(&self.dofs) {
             *column = kinematics.point_column(tree, dof, point);
@@ -178,17 +222,12 @@ impl Facing {
         for k in 0..size {
             let apart_k = self.column(tree, kinematics, k, point) * sign;
             // How x moves along the body with the point, and how d turns.
-            let (moves, turned) = located.crossed.map_or_else(
-                || (DVec3::ZERO, turn(k, with_plane).cross(direction)),
-                |crossed| {
-                    crossed.change(
-                        &located,
-                        apart_k,
-                        [with_point, with_plane].map(|body| turn(k, body)),
-                        group,
-                    )
-                },
-            );
+            let turns = [with_point, with_plane].map(|body| turn(k, body));
+            let (moves, turned) = match (lowest, located.crossed) {
+                (Some(lowest), _) if group == 0 => (lowest.moves(turns), turns[1].cross(direction)),
+                (None, Some(crossed)) => crossed.change(&located, apart_k, turns, group),
+                _ => (DVec3::ZERO, turns[1].cross(direction)),
+            };
             for j in 0..size {
                 let change = |body: usize| {
                     let [by_j, by_k] = [j, k].map(|entry| self.moves[entry][body]);

@@ -1,6 +1,7 @@
-//! Geometry of contact: planes, tops of supports, shapes of bodies and what of them is near each other.
+//! Geometry of contact: planes, tops of supports, rims of round bodies, shapes of bodies and what of them is near each other.
 
 pub mod pad;
 pub mod plane;
+pub mod rim;
 pub mod shape;
 pub mod spot;

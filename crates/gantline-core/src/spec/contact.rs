@@ -73,6 +73,34 @@ pub struct SupportSpec {
     pub removed_at: Option<f64>,
 }
 
+/// A rim of a round body that may touch a plane of the world.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RimSpec {
+    /// Unique name, in one set with contacts.
+    pub name: String,
+    /// Group of contacts that carry one load together.
+    pub group: String,
+    /// The body.
+    pub body: String,
+    /// Middle of the circle [m], body frame.
+    pub at: [f64; 3],
+    /// Normal of the circle, body frame; normalised when built.
+    pub axis: [f64; 3],
+    /// Its radius [m].
+    pub radius: f64,
+    /// A point of the plane [m].
+    pub plane_point: [f64; 3],
+    /// Normal of the plane towards the free side; normalised when built.
+    pub plane_normal: [f64; 3],
+    /// Normal and tangential stiffness [N/m].
+    pub stiffness: f64,
+    /// Damping over stiffness [s].
+    pub damping_time: f64,
+    /// Coefficient of Coulomb friction.
+    pub friction: f64,
+}
+
 /// Two shapes that may touch.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]

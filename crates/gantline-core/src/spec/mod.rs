@@ -36,6 +36,9 @@ pub struct SystemSpec {
     /// Supports under bodies.
     #[serde(default)]
     pub supports: Vec<SupportSpec>,
+    /// Rims of round bodies over planes of the world.
+    #[serde(default)]
+    pub rims: Vec<RimSpec>,
     /// Shapes of bodies and of the world.
     #[serde(default)]
     pub shapes: Vec<ShapeSpec>,

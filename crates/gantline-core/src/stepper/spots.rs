@@ -9,6 +9,7 @@ use glam::DVec3;
 use crate::constraint::AnyConstraint;
 use crate::constraint::touch::Touch;
 use crate::contact::pad::Pad;
+use crate::contact::plane::Plane;
 use crate::contact::shape::Meeting;
 use crate::contact::spot::Spot;
 use crate::event::{EventKind, EventLog};
@@ -30,6 +31,9 @@ const SAME_DEPTH: f64 = 1e-7;
 const STAYS_ON_PAD: f64 = 2e-4;
 /// How far beyond the edge of a support a place that carries is seen to have left it [m].
 const EDGE: f64 = 1e-3;
+/// A body that lies on a rim turns by no more than this in a step [rad]: the point of the rim that holds along the plane
+/// lags behind by its cube over six, times the radius.
+const ROLLS: f64 = 0.02;
 /// Cosine of the angle between normals that are the same.
 const ALIKE: f64 = 0.99;
 /// A spot between other features is still the same place within this [m].
@@ -44,7 +48,7 @@ pub struct Followed {
     pub carrying: bool,
 }
 
-/// Finds all spots anew at the poses, but those on tops of supports whose row is `held`; `changed` hears of every one that
+/// Finds all spots anew at the poses, but those on tops of supports and of rims whose row is `held`; `changed` hears of every one that
 /// is not where it was, with the index of its touch and what it was and is.
 pub fn find(
     system: &System,
@@ -67,6 +71,16 @@ pub fn find(
                     *spot = found;
                 }
             }
+            Finder::Rim(index, plane) => {
+                let AnyConstraint::Touch(touch) = &system.constraints[*index] else { continue };
+                let found = on_rim(touch, kinematics, plane);
+                let spot = &mut spots[touch.spot];
+                let near = (spot.point - found.point).length() < STAYS.0;
+                if !(spot.is_near && (near || held(system.rows.first[*index]))) {
+                    changed(touch, spot, &found);
+                    *spot = found;
+                }
+            }
             Finder::Pair { shapes, first, count } => {
                 let [one, other] = shapes.map(|shape| &system.shapes[shape]);
                 let poses = [one.body, other.body].map(|body| kinematics.pose_of(body));
@@ -85,6 +99,15 @@ pub fn find(
             }
         }
     }
+}
+
+/// The point of a rim that is lowest over its plane.
+fn on_rim(touch: &Touch, kinematics: &Kinematics, plane: &Plane) -> Spot {
+    let Some(rim) = touch.facing.rim else { return Spot::none() };
+    let pose = kinematics.pose_of(touch.facing.bodies[0]);
+    let lowest = rim.lowest(pose, plane.point, plane.normal).point;
+    let point = pose.rotation.transpose() * (lowest - pose.position);
+    Spot { is_near: true, point, plane: *plane, feature: 1, ..Spot::none() }
 }
 
 /// Gives each meeting of two shapes a spot: its own, that of its place, or a free one, the nearest first; meetings
@@ -227,8 +250,8 @@ pub fn note_lift_off(system: &System, state: &State, group: usize, time: f64, lo
     }
 }
 
-/// The longest step in which no two shapes come closer than half of what their spots reach, and no place that carries
-/// passes the edge of its support by more than [`EDGE`] [s], by how fast they move.
+/// The longest step in which no two shapes come closer than half of what their spots reach, no place that carries
+/// passes the edge of its support by more than [`EDGE`], and no rim that carries rolls farther than [`ROLLS`] [s], by how fast they move.
 pub fn limit(system: &System, kinematics: &Kinematics, twists: &[Twist], state: &State) -> f64 {
     let mut most = f64::INFINITY;
     for finder in &system.finders {
@@ -236,6 +259,16 @@ pub fn limit(system: &System, kinematics: &Kinematics, twists: &[Twist], state: 
             Finder::Pair { shapes, .. } => shapes,
             Finder::Pad(index, pad) => {
                 most = most.min(to_edge(system, kinematics, twists, state, (*index, pad)));
+                continue;
+            }
+            Finder::Rim(index, plane) => {
+                let AnyConstraint::Touch(touch) = &system.constraints[*index] else { continue };
+                if let Some(body) =
+                    touch.facing.bodies[0].filter(|_| state.modes[system.rows.first[*index]].carries())
+                {
+                    most =
+                        most.min(ROLLS / twists[body].angular.reject_from_normalized(plane.normal).length());
+                }
                 continue;
             }
         };

@@ -159,6 +159,7 @@ pub fn system_of(bodies: Vec<BodySpec>) -> SystemSpec {
         contacts: Vec::new(),
         supports: Vec::new(),
         shapes: Vec::new(),
+        rims: Vec::new(),
         pairs: Vec::new(),
         vessels: Vec::new(),
         watches: Vec::new(),
