@@ -36,6 +36,7 @@ from gantline.results.immersion import (
     out_of_water,
 )
 from gantline.results.layout import DIMS
+from gantline.results.guides import missed_guides
 from gantline.results.longer_falls import longer_falls
 from gantline.results.metrics import energy_bound
 from gantline.results.pressed import pressed_through
@@ -386,6 +387,7 @@ class Simulation:
         warnings += contact_warnings(rig, columns, names)
         warnings += missed_peaks(rig, columns, names) + missed_bumps(rig, columns, names)
         warnings += pressed_through(self.assembly.document, rig.fenders, columns, names)
+        warnings += missed_guides(self.assembly.document, rig.guides, columns, names)
         warnings += beyond_curve(rig.ropes, columns, names)
         warnings += missed_crests(rig, columns)
         warnings += still_growing(self.assembly.document, rig, columns, names)

@@ -26,6 +26,7 @@ from gantline.assembly.doubtful_fenders import doubtful_fenders
 from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_ground import doubtful_ground
+from gantline.assembly.doubtful_guides import doubtful_guides
 from gantline.assembly.doubtful_heights import doubtful_heights
 from gantline.assembly.doubtful_hinges import doubtful_hinges
 from gantline.assembly.doubtful_lee import doubtful_lee
@@ -41,6 +42,7 @@ from gantline.assembly.doubtful_turns import doubtful_turns
 from gantline.assembly.doubtful_vessels import doubtful_vessels
 from gantline.assembly.doubtful_waits import doubtful_waits
 from gantline.assembly.doubtful_weight import doubtful_weight
+from gantline.assembly.guides import add_guides
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.heave import add_compensation, compensators
 from gantline.assembly.in_water import add_in_water
@@ -174,6 +176,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     add_moorings(parts, scenario)
     if lifted is not None:
         add_tag_lines(parts, scenario, lifted)
+        add_guides(parts, scenario, lifted)
     watch_vessels(parts, scenario)
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)
@@ -221,6 +224,7 @@ def _doubts(
         *doubtful_vessels(parts, scenario),
         *doubtful_tanks(scenario),
         *doubtful_fenders(parts, scenario),
+        *doubtful_guides(parts, scenario),
         *doubtful_lee(parts, scenario),
         *doubtful_carried(parts, scenario),
         *doubtful_heights(scenario),

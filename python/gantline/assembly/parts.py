@@ -57,6 +57,7 @@ class Parts:
         adjusters: groups of ropes whose lengths are adjusted.
         contacts: contact points in order.
         supports: tops of supports in order.
+        landings: posts and walls that guide what lands.
         shapes: shapes by name: the body that each is on and its parts, see `gantline.assembly.shapes`.
         pairs: shapes that may touch.
         watches: distances that are recorded.
@@ -82,6 +83,7 @@ class Parts:
     adjusters: list[Json] = field(default_factory=list)
     contacts: list[Json] = field(default_factory=list)
     supports: list[Json] = field(default_factory=list)
+    landings: list[Json] = field(default_factory=list)
     shapes: dict[str, Json] = field(default_factory=dict)
     pairs: list[Json] = field(default_factory=list)
     watches: list[Json] = field(default_factory=list)
@@ -248,6 +250,7 @@ class Parts:
             "forces": self.forces,
             "vessels": self.vessels,
             "supports": self.supports,
+            "landings": self.landings,
             "shapes": [shape for name, shape in self.shapes.items() if name in used],
             "pairs": self.pairs,
             "watches": self.watches,

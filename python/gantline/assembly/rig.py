@@ -28,6 +28,7 @@ from gantline.assembly.rope_rig import drum_rig, rope_rig, sheaves_with_flow, wr
 from gantline.assembly.shapes import watch_name
 from gantline.assembly.supports import every_support, support_contact
 from gantline.assembly.tag_lines import tag_rig
+from gantline.assembly.guides import guide_rig
 from gantline.assembly.vessels import vessel_rig
 from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario
@@ -62,6 +63,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
         **mooring_rig(scenario),
         **tag_rig(scenario),
+        **guide_rig(scenario),
         **hinge_rig(scenario, None if lifted is None else lifted.centre),
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
         **({"booms": booms} if (booms := boom_rig(scenario, parts)) else {}),

@@ -19,6 +19,8 @@ from gantline.scenario.check_plumb import check_kept_plumb
 from gantline.scenario.check_reeving import check_reeving
 from gantline.scenario.check_spreaders import check_compensators, check_spreaders
 from gantline.scenario.check_supports import check_supports
+from gantline.scenario.check_guides import check_guides
+from gantline.scenario.guide import guide_body
 from gantline.scenario.check_tag_lines import check_tag_lines
 from gantline.scenario.check_tanks import check_tank_names
 from gantline.scenario.check_vessels import check_vessels
@@ -90,6 +92,7 @@ def check(scenario: Scenario) -> None:
     check_wind(findings)
     check_moorings(findings)
     check_tag_lines(findings)
+    check_guides(findings)
     check_hinges(findings)
     _check_hook_groups(findings)
     check_plan(findings)
@@ -151,6 +154,10 @@ def _named(scenario: Scenario) -> list[tuple[str, str, Path]]:
     if scenario.load is not None:
         named.append((scenario.load.name, "the load", ("load", "name")))
     named += [(name, "a hinge", ("hinges", name)) for name in scenario.hinges or {}]
+    named += [
+        (guide_body(name), "what of a guide is on the load", ("guides", name))
+        for name in scenario.guides or {}
+    ]
     named += [(name, "a group of supports", ("supports", name)) for name in scenario.supports or {}]
     named += [(name, "a structure", ("structures", name)) for name in scenario.structures or {}]
     if scenario.mechanics is not None:

@@ -33,6 +33,7 @@ from gantline.scenario.spreader import Spreader
 from gantline.scenario.stream import Current, Wind, WindOfLift
 from gantline.scenario.structures import Structure
 from gantline.scenario.supports import Supports
+from gantline.scenario.guide import LandingGuide
 from gantline.scenario.tag_line import TagLine
 from gantline.scenario.tree import MapNode, line_of
 from gantline.scenario.vessel import Vessel
@@ -114,6 +115,9 @@ class Scenario(Element):
     compensators: Named[Compensator] | None = Field(None, description="Gas springs between slings, by name.")
     tag_lines: Named[TagLine] | None = Field(
         None, description="Thin ropes that keep the heading of the load, by name."
+    )
+    guides: Named[LandingGuide] | None = Field(
+        None, description="Posts and walls that bring the load to its place as it lands, by name."
     )
     hinges: Named[LoadHinge] | None = Field(
         None, description="Hinge frames, foot pins and grippers in which the load turns, by name."

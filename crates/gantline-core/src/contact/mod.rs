@@ -1,5 +1,6 @@
-//! Geometry of contact: planes, tops of supports, shapes of bodies and what of them is near each other.
+//! Geometry of contact: planes, tops of supports, guides for landing, shapes of bodies and what of them is near each other.
 
+pub mod landing;
 pub mod pad;
 pub mod plane;
 pub mod shape;

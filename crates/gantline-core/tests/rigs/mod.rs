@@ -160,6 +160,7 @@ pub fn system_of(bodies: Vec<BodySpec>) -> SystemSpec {
         supports: Vec::new(),
         shapes: Vec::new(),
         pairs: Vec::new(),
+        landings: Vec::new(),
         vessels: Vec::new(),
         watches: Vec::new(),
         forces: Vec::new(),
