@@ -31,7 +31,10 @@ def guided_lift(
         duration: Of the lift [s].
     """
     x, y = at
-    lugs = {name: (sx * 2.0, sy * 1.0) for name, sx, sy in (("A", 1, 1), ("B", 1, -1), ("C", -1, 1), ("D", -1, -1))}
+    lugs = {
+        name: (sx * 2.0, sy * 1.0)
+        for name, sx, sy in (("A", 1, 1), ("B", 1, -1), ("C", -1, 1), ("D", -1, -1))
+    }
     length = math.hypot(2.0, 1.0, HOOK - LUG)
     return f"""\
 format: 1

@@ -53,7 +53,9 @@ def test_friction_takes_what_the_hook_does_not_carry() -> None:
     """Down a post, pressed by its own weight: hook load W − μN, lost energy ∫ μN dz."""
     friction = 0.25
     # The hook is 0.3 m fore of the post's place: the fore side cannot be it, the aft one is.
-    recording = lowered(guide("g", -3.5, friction, "[aft]"), (0.3, 0.0), 1.8, more="simulation: {sample_interval: 0.01 s}")
+    recording = lowered(
+        guide("g", -3.5, friction, "[aft]"), (0.3, 0.0), 1.8, more="simulation: {sample_interval: 0.01 s}"
+    )
     time, z = recording.time, recording.column("body_position", "module")[:, 2]
     force, lean = recording.column("guide_force", "g"), leans(recording)
     # The frame is down on the cylinder and its upright side lies on the shoulder, leaning as the load does.
@@ -71,7 +73,13 @@ def test_friction_takes_what_the_hook_does_not_carry() -> None:
 
 def test_side_force_is_that_of_a_pendulum() -> None:
     """Held aside without friction by the top of its frame at p below the hook: N p_z = W c_x, the load turned by θ."""
-    recording = lowered(guide("g", -3.5, 0.0, "[aft]"), (0.3, 0.0), 1.8, rest=60.0, more="simulation: {sample_interval: 0.1 s}")
+    recording = lowered(
+        guide("g", -3.5, 0.0, "[aft]"),
+        (0.3, 0.0),
+        1.8,
+        rest=60.0,
+        more="simulation: {sample_interval: 0.1 s}",
+    )
     moved = 0.3 - recording.column("body_position", "module")[-1, 0]
     lean = leans(recording)[-1]
     top = (HOOK - 0.6) * np.cos(lean) - (3.5 + 0.2 + CLEARANCE) * np.sin(lean)

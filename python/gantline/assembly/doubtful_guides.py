@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -22,44 +23,53 @@ from gantline.scenario.guide import (
 from gantline.scenario.steps import MovingStep
 from gantline.units import format_quantity
 
-__all__ = ["GuideFit", "doubtful_guides", "guide_fits", "is_taken_along"]
+__all__ = ["GuideFit", "doubtful_guides", "guide_fits"]
 
 #: Verbs of steps that take a load along: where it comes down only the run knows.
 _TAKE_ALONG = ("traverse", "travel", "slew", "luff", "haul", "veer")
-#: Steps of less than this above what a face catches are no doubt [m].
+#: A load that is upended lies otherwise at the start than as it lands: cosine of the angle of its own z to plumb.
+_UPRIGHT = 0.98
+#: What a face misses by less is caught: rounding [m].
 _JUST = 1e-6
 
 
+@dataclass(frozen=True)
 class GuideFit:
-    """How a guide fits from above as the load stands at the start.
+    """How a guide fits from above as the load is at the start.
 
     Attributes:
-        offset: From the middle of the frame to the axis of the post along x and y of the load, of a wall from its face
-            to the bumper and from its middle along it [m].
-        catches: How far the guide may be off towards each face, by its side, so that it catches the load [m].
-        off: How far it is off towards each of them [m].
-        tip: Thickness of what a face comes down on where it does not [m].
+        offset: from the middle of the frame to the axis of the post along x and y of the load, or from the face of a
+            wall to the bumper and from its middle along it [m].
+        catches: how far it may be off towards each of its faces to catch the load [m].
+        off: how far it is off towards each of them [m].
+        rim: what a face stands on that it just misses is so thick [m].
     """
 
-    def __init__(self, offset: Array, catches: dict[str, float], off: dict[str, float], tip: float) -> None:
-        self.offset, self.catches, self.off, self.tip = offset, catches, off, tip
+    offset: tuple[float, float]
+    catches: Mapping[str, float]
+    off: Mapping[str, float]
+    rim: float
 
     @property
     def worst(self) -> tuple[str, float]:
-        """The side of the face that it is nearest to missing, and by how much it misses it [m]; negative if not."""
-        return max(((side, self.off[side] - self.catches[side]) for side in self.off), key=lambda one: one[1])
+        """The face that it is nearest to missing, and by how much it misses it [m]; negative if not."""
+        missed = {side: off - self.catches[side] for side, off in self.off.items()}
+        side = max(missed, key=missed.__getitem__)
+        return side, missed[side]
 
 
-def is_taken_along(scenario: Scenario) -> bool:
+def _is_taken_along(scenario: Scenario) -> bool:
     """Whether a step of the plan takes loads to another place."""
     return any(isinstance(step, MovingStep) and step.verb in _TAKE_ALONG for step in scenario.plan)
 
 
 def guide_fits(parts: Parts, scenario: Scenario) -> dict[str, GuideFit]:
-    """How each guide fits, by its name, the load being where it is at the start."""
-    fits = {}
+    """How each guide fits, by its name, the load being where it is at the start; none of a load that lies there."""
+    fits: dict[str, GuideFit] = {}
     for name, guide in (scenario.guides or {}).items():
         place, turn = parts.pose(guide_body(name))
+        if turn[2, 2] < _UPRIGHT:
+            continue
         if guide.frame is not None:
             fits[name] = _of_frame(guide.frame, guide.post_there, place, turn)
         else:
@@ -68,11 +78,11 @@ def guide_fits(parts: Parts, scenario: Scenario) -> dict[str, GuideFit]:
 
 
 def _of_frame(frame: GuideFrame, post: GuidePost, place: Array, turn: Array) -> GuideFit:
-    offset = (turn.T @ (np.array(post.at) - place))[:2]
+    x, y, _ = (float(part) for part in turn.T @ (np.array(post.at) - place))
     run = 0.0 if frame.flare is None else frame.flare.run
     reach = post.diameter / 2 + frame.clearance + run - post.tip_radius
-    off = {side: float(offset @ np.array(SIDES[side])) for side in frame.sides}
-    return GuideFit(offset, dict.fromkeys(off, reach), off, 2 * post.tip_radius)
+    off = {side: x * SIDES[side][0] + y * SIDES[side][1] for side in frame.sides}
+    return GuideFit((x, y), dict.fromkeys(off, reach), off, 2 * post.tip_radius)
 
 
 def _of_wall(guide: LandingGuide, wall: GuideWall, place: Array) -> GuideFit:
@@ -81,27 +91,31 @@ def _of_wall(guide: LandingGuide, wall: GuideWall, place: Array) -> GuideFit:
     radius = guide.bumper_there.diameter / 2
     gap, aside = float(apart @ out) - radius, float(apart @ np.array([-out[1], out[0]]))
     run = 0.0 if wall.slope is None else wall.slope.run
-    return GuideFit(np.array([gap, aside]), {"wall": run}, {"wall": -gap}, 2 * radius)
+    return GuideFit((gap, aside), {"wall": run}, {"wall": -gap}, 2 * radius)
 
 
-def doubtful_guides(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
+def doubtful_guides(scenario: Scenario, fits: Mapping[str, GuideFit]) -> Iterator[Doubt]:
     """Each guide that the load comes down beside, and each whose faces hold it by friction."""
     for name, guide in (scenario.guides or {}).items():
         yield from _too_flat(name, guide)
-    if is_taken_along(scenario):
+    if _is_taken_along(scenario):
         return
-    for name, fit in guide_fits(parts, scenario).items():
+    for name, fit in fits.items():
         side, missed = fit.worst
         if missed <= _JUST:
             continue
         on_load = (scenario.guides or {})[name].frame is not None
         off, catches = (format_quantity(one, "m", 2) for one in (fit.off[side], fit.catches[side]))
         if on_load:
-            where = f"its post is {off} to {side} of the middle of its frame, which catches it up to {catches}"
+            where = (
+                f"its post is {off} to {side} of the middle of its frame, which catches it up to {catches}"
+            )
         else:
-            where = f"its bumper comes down {off} behind the face of its wall, which catches it up to {catches}"
+            where = (
+                f"its bumper comes down {off} behind the face of its wall, which catches it up to {catches}"
+            )
         rim = "the tip of the post" if on_load else "the top of the wall"
-        ends = f"would stand on the rim, {rim}" if missed < fit.tip else "would come down beside it"
+        ends = f"would stand on the rim, {rim}" if missed < fit.rim else "would come down beside it"
         moved = "as the load hangs at the start, from where no step takes it along"
         yield Doubt(("guides", name), f"the load misses guide {name}: {where}, {moved}; it {ends}")
 

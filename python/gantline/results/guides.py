@@ -101,7 +101,9 @@ def missed_guides(
         missed = [
             one
             for side, contacts in guide.sides.items()
-            for one in _missed(document, pairs[contacts[0].rpartition("/")[0]], contacts, columns, names, side)
+            for one in _missed(
+                document, pairs[contacts[0].rpartition("/")[0]], contacts, columns, names, side
+            )
         ]
         if missed:
             time, words = min(missed)

@@ -147,7 +147,8 @@ pub(super) fn build_touches(
     for given in &spec.landings {
         let LandingSpec { name, post, wall, .. } = given;
         let law = law(name, [given.stiffness, given.damping_time, given.friction])?;
-        let bodies = [body_index(name, tree, post.body.as_ref())?, body_index(name, tree, wall.body.as_ref())?];
+        let bodies =
+            [body_index(name, tree, post.body.as_ref())?, body_index(name, tree, wall.body.as_ref())?];
         if bodies[0] == bodies[1] {
             return error(name, "its post and its wall are on one body; a body does not guide itself");
         }
@@ -200,7 +201,10 @@ fn build_wall(name: &str, given: &WallSpec) -> Result<Wall, BuildError> {
     positive(name, "the breadth of its wall", breadth)?;
     at_least_zero(name, "the length of its flare", flare)?;
     if !(0.0..std::f64::consts::FRAC_PI_2).contains(&angle) {
-        return error(name, format!("its flare leans by {angle} rad; from 0 to less than a right angle is right"));
+        return error(
+            name,
+            format!("its flare leans by {angle} rad; from 0 to less than a right angle is right"),
+        );
     }
     let normal = unit(name, "the normal of its wall", given.normal)?;
     let up = unit(name, "the upward direction of its wall", given.up)?;

@@ -229,7 +229,9 @@ impl Landing {
     fn rims_on_faces(&self, post: &Post, wall: &Wall, poses: [&Pose; 2], found: &mut Vec<Near>) {
         let along = wall.along();
         for (face, (away, normal, length)) in (0..).zip(wall.faces()) {
-            let Some(outwards) = (normal - post.axis * post.axis.dot(normal)).try_normalize() else { continue };
+            let Some(outwards) = (normal - post.axis * post.axis.dot(normal)).try_normalize() else {
+                continue;
+            };
             for (rim, (centre, radius)) in (0..).zip(post.rims()) {
                 let point = centre - outwards * radius;
                 let from = point - wall.knee;
@@ -250,12 +252,14 @@ impl Landing {
     fn edges_on_sides(&self, post: &Post, wall: &Wall, poses: [&Pose; 2], found: &mut Vec<Near>) {
         let along = wall.along();
         for (number, edge) in (7..).zip(wall.edges()) {
-            let places = post.nearest(edge, along, wall.half).map(|s| (edge + along * s, wall.half - s.abs()));
+            let places =
+                post.nearest(edge, along, wall.half).map(|s| (edge + along * s, wall.half - s.abs()));
             let [one, other] = places.map(|(point, end)| (point, end, post.beside(point)));
             let (point, end, Beside { gap, normal, left }) =
                 if other.2.gap < one.2.gap { other } else { one };
             let around = post.axis.cross(normal).try_normalize().unwrap_or(along);
-            let plane = Plane { point: point - normal * gap, normal, tangents: [around, normal.cross(around)] };
+            let plane =
+                Plane { point: point - normal * gap, normal, tangents: [around, normal.cross(around)] };
             let spot = spot(poses, point, plane, true, number);
             // An edge that lies against the post by its end leaves it there.
             let left = if end > 0.0 { left.min(end) } else { left };

@@ -91,11 +91,17 @@ pub fn find(
                 meetings.clear();
                 meetings.extend(nears.iter().map(|near| near.meeting));
                 let own = &mut spots[touch.spot..touch.spot + PLACES];
-                assign(poses, own, &meetings, |_, _| false, |place, found| {
-                    if let AnyConstraint::Touch(touch) = &system.constraints[first + place] {
-                        changed(touch, &found.0, &found.1);
-                    }
-                });
+                assign(
+                    poses,
+                    own,
+                    &meetings,
+                    |_, _| false,
+                    |place, found| {
+                        if let AnyConstraint::Touch(touch) = &system.constraints[first + place] {
+                            changed(touch, &found.0, &found.1);
+                        }
+                    },
+                );
             }
         }
     }
@@ -253,7 +259,8 @@ pub fn limit(system: &System, kinematics: &Kinematics, twists: &[Twist], state: 
                 continue;
             }
             Finder::Landing(first, landing) => {
-                most = most.min(along_landing(system, kinematics, twists, state, (*first, landing), &mut nears));
+                most =
+                    most.min(along_landing(system, kinematics, twists, state, (*first, landing), &mut nears));
                 continue;
             }
         };
