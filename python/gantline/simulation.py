@@ -25,6 +25,7 @@ from gantline.results.crossing import crossed_ropes
 from gantline.results.derive import present_of, recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.grounding import grounding_warnings
+from gantline.results.guides import missed_guides
 from gantline.results.immersion import (
     askew_in_water,
     dry_hulls,
@@ -36,7 +37,6 @@ from gantline.results.immersion import (
     out_of_water,
 )
 from gantline.results.layout import DIMS
-from gantline.results.guides import missed_guides
 from gantline.results.longer_falls import longer_falls
 from gantline.results.metrics import energy_bound
 from gantline.results.pressed import pressed_through

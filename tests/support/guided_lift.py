@@ -36,6 +36,9 @@ def guided_lift(
         for name, sx, sy in (("A", 1, 1), ("B", 1, -1), ("C", -1, 1), ("D", -1, -1))
     }
     length = math.hypot(2.0, 1.0, HOOK - LUG)
+    slings = "\n".join(
+        f"  {name}: {{from: crane, to: module.{name}, length: {length!r} m, rope: sling}}" for name in lugs
+    )
     return f"""\
 format: 1
 lift: {{title: A load comes down along guides}}
@@ -54,7 +57,7 @@ cranes:
   crane: {{type: fixed_hook, at: [{x} m, {y} m, {height + HOOK} m],
     hoist: {{speed: 6 m/min, acceleration: 0.05 m/s^2}}}}
 slings:
-{"".join(f"  {name}: {{from: crane, to: module.{name}, length: {length!r} m, rope: sling}}{chr(10)}" for name in lugs)}
+{slings}
 guides:
 {guides}
 {"plan:" + chr(10) + plan if plan else ""}

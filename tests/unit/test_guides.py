@@ -1,4 +1,4 @@
-"""Landing guides: what becomes of them in the document, the table and the report, and messages on wrong ones."""
+"""Landing guides: what becomes of them in document, table and report, and messages on wrong ones."""
 
 from __future__ import annotations
 
@@ -15,11 +15,13 @@ from gantline.results.guides import Guide, guide_state
 from gantline.scenario import ScenarioError, parse_scenario
 from guided_lift import guided_lift
 
-POST = "post: {at: [3.5 m, 0.1 m, 0 m], diameter: 0.4 m, height: 1 m, cone: {length: 0.5 m, tip_diameter: 0.2 m}}"
+CONE = "cone: {length: 0.5 m, tip_diameter: 0.2 m}"
+POST = f"post: {{at: [3.5 m, 0.1 m, 0 m], diameter: 0.4 m, height: 1 m, {CONE}}}"
 FRAME = (
     "frame: {at: [3.5 m, 0 m, 0 m], clearance: 30 mm, height: 0.6 m, flare: {length: 0.4 m, angle: 30 deg}}"
 )
-WALL = "wall: {at: [0 m, -2 m, 0 m], faces: 90 deg, breadth: 2 m, height: 1 m, slope: {length: 0.6 m, angle: 20 deg}}"
+SLOPE = "slope: {length: 0.6 m, angle: 20 deg}"
+WALL = f"wall: {{at: [0 m, -2 m, 0 m], faces: 90 deg, breadth: 2 m, height: 1 m, {SLOPE}}}"
 BUMPER = "bumper: {at: [0 m, -1.7 m, 0 m], diameter: 0.4 m}"
 
 
@@ -54,7 +56,7 @@ def test_a_wall_and_a_bumper() -> None:
 
 
 def test_what_check_shows() -> None:
-    """Where posts stand in their frames at the start, and what these catch: 0.03 + 0.4 sin 30° + 0.2 − 0.1 m."""
+    """Where posts stand in frames at the start, and what these catch: 0.03 + 0.4 sin 30° + 0.2 − 0.1 m."""
     assembly = assemble(
         parse_scenario(lift(f"{POST}, {FRAME}, friction: 0.2", f"{WALL}, {BUMPER}, friction: 0.2"))
     )

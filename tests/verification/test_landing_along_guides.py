@@ -1,13 +1,14 @@
-"""Loads that come down along landing guides: friction, the side force of a pendulum, what centres, what misses, energy.
+"""Loads that come down along landing guides: friction, side force, what centres, what misses, energy.
 
-A load that hangs at L from its hook and is held a little way a aside, at the height h below the hook, presses with W L a'/h, a' how
-far its centre of gravity is aside. Down a post it rubs with μN, which its hook does not carry.
+A load whose guide at p below the hook keeps its centre of gravity x aside presses there with W x/p: balance of
+moments about the hook. Down a post it rubs with μN, which its hook does not carry.
 """
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
@@ -16,7 +17,6 @@ from guided_lift import HOOK, MASS, guided_lift
 from mechanics import G
 
 WEIGHT = MASS * G
-PLAIN = "post: {{at: [{x} m, {y} m, 0 m], diameter: 0.4 m, height: 1 m, cone: {{length: 0.5 m, tip_diameter: 0.2 m}}}}"
 CLEARANCE = 0.03
 
 
@@ -24,7 +24,8 @@ def guide(name: str, x: float, friction: float, sides: str = "[fore, aft, port, 
     """A guide at x of the load [m], whose post stands where that is for a load at the origin."""
     frame = f"at: [{x} m, 0 m, 0 m], sides: {sides}, clearance: {CLEARANCE} m, height: 0.6 m"
     flare = "flare: {length: 0.4 m, angle: 30 deg}"
-    post = PLAIN.format(x=x, y=0.0)
+    cone = "cone: {length: 0.5 m, tip_diameter: 0.2 m}"
+    post = f"post: {{at: [{x} m, 0 m, 0 m], diameter: 0.4 m, height: 1 m, {cone}}}"
     return f"  {name}: {{{post}, frame: {{{frame}, {flare}}}, friction: {friction}, capacity: 60 kN}}\n"
 
 
@@ -32,7 +33,8 @@ def lowered(
     guides: str, at: tuple[float, float], by: float, speed: float = 3.0, more: str = "", rest: float = 5.0
 ) -> Recording:
     """The load goes down from 2 m over the ground."""
-    plan = f"  - {{step: lower, lower: crane, speed: {speed} m/min, by: {by} m}}\n  - {{step: rest, hold: until_end}}\n"
+    lower = f"  - {{step: lower, lower: crane, speed: {speed} m/min, by: {by} m}}\n"
+    plan = f"{lower}  - {{step: rest, hold: until_end}}\n"
     duration = by / speed * 60.0 + rest
     text = guided_lift(guides, at=at, height=2.0, plan=plan, duration=duration, more=more)
     return simulate(parse_scenario(text, "x.yaml"))
@@ -72,7 +74,7 @@ def test_friction_takes_what_the_hook_does_not_carry() -> None:
 
 
 def test_side_force_is_that_of_a_pendulum() -> None:
-    """Held aside without friction by the top of its frame at p below the hook: N p_z = W c_x, the load turned by θ."""
+    """Held aside without friction by the top of its frame at p below the hook: N p_z = W c_x."""
     recording = lowered(
         guide("g", -3.5, 0.0, "[aft]"),
         (0.3, 0.0),
@@ -91,15 +93,22 @@ def test_side_force_is_that_of_a_pendulum() -> None:
 
 @pytest.mark.parametrize("method", ["adaptive", "del"])
 def test_two_posts_bring_a_load_to_its_place(method: str) -> None:
-    """Wherever it comes down within what two frames catch it ends within their clearance, half of their play."""
+    """Wherever it comes down within what two frames catch they end around their posts, by their clearance."""
     guides = guide("fore", 3.5, 0.2) + guide("aft", -3.5, 0.2)
     more = "simulation: {integrator: del, step: 2 ms}" if method == "del" else ""
     recording = lowered(guides, (0.12, 0.08), 1.7, more=more)
-    x, y, _ = recording.column("body_position", "module")[-1]
-    knee = recording.column("guide_force", "fore")[-1] + recording.column("guide_force", "aft")[-1]
-    # The pendulum presses; tilted, its centre of gravity is nearer to the hook than its knees by a share of 1/17.
-    assert knee > 1e3
-    assert 0.0 < x < CLEARANCE * 1.3 and 0.0 < y < CLEARANCE * 1.3
+    forces = [recording.column("guide_force", name)[-1] for name in ("fore", "aft")]
+    assert sum(forces) > 1e3
+    place = recording.column("body_position", "module")[-1]
+    turn = Rotation.from_quat(np.roll(recording.column("body_orientation", "module")[-1], -1))
+    # Posts press frames in by N/k, of the 20 MN/m of each place.
+    most = CLEARANCE + max(forces) / 20e6 + 1e-5
+    for end in (3.5, -3.5):
+        for height in (0.0, 0.6):
+            off = (place + turn.apply([end, 0.0, height - 1.0]) - (end, 0.0, 0.0))[:2]
+            assert np.abs(off).max() < most
+    # The hook is 0.12 m and 0.08 m aside, and its pendulum presses the frames on their posts that way.
+    assert place[0] > 0.0 and place[1] > 0.0
     assert recording.attributes["energy_remainder"] < 1e-6
     assert recording.attributes["warnings"] == []
 

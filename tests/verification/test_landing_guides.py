@@ -1,8 +1,8 @@
 """Landing guides at rest and in motion: what presses on them, against a pendulum's own equations.
 
-A load on slings that do not stretch is a rigid pendulum about its hook, in the plane of the hook and the guide. Turned by θ, a
-point that hung at (x, z) from the hook is at (x cos θ + z sin θ, z cos θ − x sin θ). A force N along n at the point p and the
-weight W at the centre of gravity c balance about the hook where
+A load on slings that do not stretch is a rigid pendulum about its hook, in the plane of hook and guide. Turned
+by θ, a point that hung at (x, z) from the hook is at (x cos θ + z sin θ, z cos θ − x sin θ). A force N along n
+at the point p and the weight W at the centre of gravity c balance about the hook where
 
     N (p_z n_x − p_x n_z) + W c_x = 0,      N = −k gap(θ)
 
@@ -21,7 +21,6 @@ from scipy.optimize import brentq
 
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
-from gantline.simulation import simulate
 from gantline.statics import Statics
 from guided_lift import HOOK, MASS, guided_lift
 from mechanics import G
@@ -42,7 +41,7 @@ def turned(theta: float, x: float, z: float) -> Floats:
 
 
 def balance(contact: Callable[[float], tuple[Floats, Floats, float]]) -> tuple[float, float]:
-    """Force N and turn θ at rest; a contact is its place from the hook, the way it pushes the load, its gap."""
+    """Force N and turn θ at rest; a contact is its place from the hook, the way it pushes, its gap."""
 
     def missing(theta: float) -> float:
         place, way, gap = contact(theta)
@@ -65,7 +64,8 @@ def bucket(sides: str, friction: float = 0.2, post: float = 0.0, more: str = "")
     """A guide whose post stands at x = `post` [m]; its frame is at the aft end of the load."""
     return (
         f"  g: {{post: {{at: [{post} m, 0 m, 0 m], diameter: {2 * POST} m, height: {SHOULDER} m, "
-        f"cone: {{length: {CONE} m, tip_diameter: {2 * TIP} m}}}}, frame: {{at: [-{FRAME} m, 0 m, 0 m], sides: {sides}, "
+        f"cone: {{length: {CONE} m, tip_diameter: {2 * TIP} m}}}}, "
+        f"frame: {{at: [-{FRAME} m, 0 m, 0 m], sides: {sides}, "
         f"clearance: {CLEARANCE} m, height: 0.6 m, flare: {{length: {FLARE} m, angle: {BETA} rad}}}}, "
         f"friction: {friction}, stiffness: {STIFFNESS} N/m, capacity: 60 kN{more}}}\n"
     )
@@ -75,7 +75,8 @@ def test_bumper_is_pushed_by_its_wall() -> None:
     """A load that would hang 0.1 m in a wall: the upper end of its bumper presses, N (z_hook − z) = W x."""
     out, long = 3.4, 0.5
     wall = (
-        "  g: {wall: {at: [0 m, 0 m, 0 m], faces: 0 deg, breadth: 2 m, height: 3 m}, bumper: {at: [-3.2 m, 0 m, 0 m], "
+        "  g: {wall: {at: [0 m, 0 m, 0 m], faces: 0 deg, breadth: 2 m, height: 3 m}, "
+        "bumper: {at: [-3.2 m, 0 m, 0 m], "
         f"diameter: 0.4 m, length: {long} m}}, friction: 0.2, stiffness: {STIFFNESS} N/m}}\n"
     )
     deep = 0.1
@@ -89,8 +90,8 @@ def test_bumper_is_pushed_by_its_wall() -> None:
     assert recording.column("guide_force", "g")[-1] == pytest.approx(force, rel=1e-5)
     moved = recording.column("body_position", "module")[-1, 0] - (out - deep)
     assert moved == pytest.approx(turned(theta, 0.0, 1.0 - HOOK)[0], abs=1e-7)
-    # The first guess of a yard, W/L times what it is pushed aside, with L from the hook to the centre of gravity: to the share
-    # of L by which the bumper is off that height.
+    # The first guess of a yard, W/L times the way aside, with L from the hook to the centre of gravity: to
+    # the share of L by which the bumper is off that height.
     assert force == pytest.approx(WEIGHT / (HOOK - 1.0) * deep, rel=0.1)
 
 
@@ -134,9 +135,10 @@ def test_tip_on_the_flare() -> None:
 
 
 def test_a_rope_presses_the_load_on_its_post() -> None:
-    """A pull P on the load at l presses the knee of its frame at p on the post: N p_z = P (l_z d_x − l_x d_z) + W x."""
+    """A pull P along d at l presses the knee of a frame at p on its post: N p_z = P (l × d) + W x."""
     pull, level, height = 20e3, 1.5, 0.3
-    lines = f"tag_lines: {{t: {{at: [-3 m, 0 m, {level} m], to: [-500 m, 0 m, 1.8 m], rope: tag, pull: {pull} N}}}}\n"
+    ends = f"at: [-3 m, 0 m, {level} m], to: [-500 m, 0 m, 1.8 m]"
+    lines = f"tag_lines: {{t: {{{ends}, rope: tag, pull: {pull} N}}}}\n"
     tag = "tag: {axial_stiffness: 150 kN, damping_time: 0.2 s, mass: none}"
     text = guided_lift(bucket("[fore, aft]", post=-FRAME), height=height, more=lines)
     text = text.replace("ropes: {", f"ropes: {{{tag}, ")

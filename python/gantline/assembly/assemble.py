@@ -42,8 +42,8 @@ from gantline.assembly.doubtful_turns import doubtful_turns
 from gantline.assembly.doubtful_vessels import doubtful_vessels
 from gantline.assembly.doubtful_waits import doubtful_waits
 from gantline.assembly.doubtful_weight import doubtful_weight
-from gantline.assembly.guides import add_guides
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
+from gantline.assembly.guides import add_guides
 from gantline.assembly.heave import add_compensation, compensators
 from gantline.assembly.in_water import add_in_water
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load

@@ -27,7 +27,7 @@ __all__ = ["GuideFit", "doubtful_guides", "guide_fits"]
 
 #: Verbs of steps that take a load along: where it comes down only the run knows.
 _TAKE_ALONG = ("traverse", "travel", "slew", "luff", "haul", "veer")
-#: A load that is upended lies otherwise at the start than as it lands: cosine of the angle of its own z to plumb.
+#: A load to be upended lies otherwise at the start than as it lands: cosine of its own z to plumb.
 _UPRIGHT = 0.98
 #: What a face misses by less is caught: rounding [m].
 _JUST = 1e-6
@@ -38,8 +38,8 @@ class GuideFit:
     """How a guide fits from above as the load is at the start.
 
     Attributes:
-        offset: from the middle of the frame to the axis of the post along x and y of the load, or from the face of a
-            wall to the bumper and from its middle along it [m].
+        offset: from the middle of the frame to the axis of the post along x and y of the load, or from the
+            face of a wall to the bumper and from its middle along it [m].
         catches: how far it may be off towards each of its faces to catch the load [m].
         off: how far it is off towards each of them [m].
         rim: what a face stands on that it just misses is so thick [m].
@@ -64,7 +64,7 @@ def _is_taken_along(scenario: Scenario) -> bool:
 
 
 def guide_fits(parts: Parts, scenario: Scenario) -> dict[str, GuideFit]:
-    """How each guide fits, by its name, the load being where it is at the start; none of a load that lies there."""
+    """How each guide fits, by its name, the load being where it is at the start; none if it lies there."""
     fits: dict[str, GuideFit] = {}
     for name, guide in (scenario.guides or {}).items():
         place, turn = parts.pose(guide_body(name))

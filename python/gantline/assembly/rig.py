@@ -13,6 +13,7 @@ from gantline.assembly.checked import bends, limits_and_rules, rating_charts, ra
 from gantline.assembly.compensators import hung_mass
 from gantline.assembly.crawler import crawler_rig
 from gantline.assembly.goliath import crane_rig
+from gantline.assembly.guides import guide_rig
 from gantline.assembly.gusts import wind_of_limit, wind_rig
 from gantline.assembly.hinges import hinge_rig
 from gantline.assembly.in_water import in_water_name
@@ -28,7 +29,6 @@ from gantline.assembly.rope_rig import drum_rig, rope_rig, sheaves_with_flow, wr
 from gantline.assembly.shapes import watch_name
 from gantline.assembly.supports import every_support, support_contact
 from gantline.assembly.tag_lines import tag_rig
-from gantline.assembly.guides import guide_rig
 from gantline.assembly.vessels import vessel_rig
 from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario

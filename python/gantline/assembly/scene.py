@@ -74,7 +74,7 @@ def _water_level(scenario: Scenario) -> float | None:
 
 
 def _structures(scenario: Scenario, parts: Parts) -> list[Json]:
-    """What stands in the world, of boxes: supports by their contacts, what is no hole in the ground, guides."""
+    """What stands in the world, of boxes: supports by their contacts, guides, all that is no hole."""
     shapes = {
         (name, "structure"): [parts.shapes[shape] for shape in members(parts.shapes, name)]
         for name, structure in (scenario.structures or {}).items()

@@ -14,9 +14,9 @@ from gantline.results.crane import corner_loads, crane_events, hook_state
 from gantline.results.crawler import crawler_events, crawler_state
 from gantline.results.direct import commands, direct, only, round_path
 from gantline.results.flows import rope_flows
+from gantline.results.guides import guide_state
 from gantline.results.hinges import held_up, hinge_columns, hinge_state
 from gantline.results.hook_load import hook_loads
-from gantline.results.guides import guide_state
 from gantline.results.moorings import mooring_state
 from gantline.results.nodes import joined
 from gantline.results.rating import (

@@ -85,7 +85,7 @@ def guide_state(columns: Columns, names: Names, guides: Sequence[Guide]) -> Deri
 def missed_guides(
     document: Mapping[str, Any], guides: Sequence[Guide], columns: Columns, names: Names
 ) -> list[str]:
-    """A sentence for each guide on whose tip a load stands, or beside which it comes down, when it first does.
+    """A sentence for each guide on whose tip a load stands, or beside which it comes down, when it does.
 
     Args:
         document: What has been assembled of the lift.
@@ -119,7 +119,7 @@ def _missed(
     names: Names,
     side: str,
 ) -> list[tuple[float, str]]:
-    """When first one face stands on the tip, or comes down on the wrong side of its post, and words for it."""
+    """When first a face stands on the tip, or is on the wrong side of its post, and words for it."""
     post, wall = pair["post"], pair["wall"]
     base, axis = _seen(document, columns, names, post["body"], post["base"], post["axis"])
     radius, top = post.get("tip_radius", post["radius"]), post["height"] + post.get("cone", 0.0)
@@ -154,7 +154,7 @@ def _seen(
     at: Sequence[float] | FloatArray,
     direction: Sequence[float] | FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Where a point of a body is and how a direction of it lies, both (time, 3) [m], [1]; None is the world."""
+    """Where a point of a body is [m] and how a direction of it lies, both (time, 3); None is the world."""
     shape = (len(columns["time"]), 3)
     if body is None:
         return np.broadcast_to(np.asarray(at), shape), np.broadcast_to(np.asarray(direction), shape)

@@ -27,8 +27,8 @@ from gantline.results.gear import (
     Spreader,
     WrappedSheave,
 )
-from gantline.results.hinges import Hinge
 from gantline.results.guides import Guide
+from gantline.results.hinges import Hinge
 from gantline.results.moorings import Fender, MooringLine
 from gantline.results.ranges import DriveRange
 from gantline.results.rating_chart import RatingChart

@@ -10,6 +10,7 @@ from gantline.scenario.check_crawlers import check_crawlers
 from gantline.scenario.check_cut_lines import check_cut_lines
 from gantline.scenario.check_equalizer import check_equalizer
 from gantline.scenario.check_goliath import check_goliaths
+from gantline.scenario.check_guides import check_guides
 from gantline.scenario.check_hinges import check_hinges
 from gantline.scenario.check_in_water import check_in_water
 from gantline.scenario.check_load import check_load
@@ -19,8 +20,6 @@ from gantline.scenario.check_plumb import check_kept_plumb
 from gantline.scenario.check_reeving import check_reeving
 from gantline.scenario.check_spreaders import check_compensators, check_spreaders
 from gantline.scenario.check_supports import check_supports
-from gantline.scenario.check_guides import check_guides
-from gantline.scenario.guide import guide_body
 from gantline.scenario.check_tag_lines import check_tag_lines
 from gantline.scenario.check_tanks import check_tank_names
 from gantline.scenario.check_vessels import check_vessels
@@ -31,6 +30,7 @@ from gantline.scenario.crane_parts import crane_parts
 from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
+from gantline.scenario.guide import guide_body
 from gantline.scenario.luffing import luffing_drum
 from gantline.scenario.mechanics import HalfTurn, HingeJoint, Mechanics, Slider
 from gantline.scenario.model import Scenario

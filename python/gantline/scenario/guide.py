@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar
 
 from pydantic import Field, model_validator
 
@@ -207,7 +207,7 @@ class LandingGuide(Element):
 
 
 def guide_body(name: str) -> str:
-    """Name of what of a guide is on the load among the bodies of a recording, and of its contacts together."""
+    """Name of what of a guide is on the load among the bodies, and of its contacts together."""
     return f"guide.{name}"
 
 

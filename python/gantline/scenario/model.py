@@ -18,6 +18,7 @@ from gantline.scenario.errors import PathPart, Problem, ScenarioError, StartErro
 from gantline.scenario.extension import ExtensionSheave
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
 from gantline.scenario.ground import Axes, Ground, LiftHead, SimulationSettings
+from gantline.scenario.guide import LandingGuide
 from gantline.scenario.hinge import LoadHinge
 from gantline.scenario.hook_group import HookGroup
 from gantline.scenario.hook_parts import HookType
@@ -33,7 +34,6 @@ from gantline.scenario.spreader import Spreader
 from gantline.scenario.stream import Current, Wind, WindOfLift
 from gantline.scenario.structures import Structure
 from gantline.scenario.supports import Supports
-from gantline.scenario.guide import LandingGuide
 from gantline.scenario.tag_line import TagLine
 from gantline.scenario.tree import MapNode, line_of
 from gantline.scenario.vessel import Vessel
