@@ -1,7 +1,7 @@
 """Loads that come down along landing guides: friction, side force, what centres, what misses, energy.
 
-A load whose guide at p below the hook keeps its centre of gravity x aside presses there with W x/p: balance of
-moments about the hook. Down a post it rubs with μN, which its hook does not carry.
+A load whose guide at p below the hook keeps its centre of gravity x aside presses there with W x/p: balance
+of moments about the hook. Down a post it rubs with μN, which its hook does not carry.
 """
 
 from __future__ import annotations
@@ -43,7 +43,8 @@ def lowered(
 def leans(recording: Recording) -> np.ndarray:
     """How far the load is turned about y [rad]; it turns about no other axis."""
     w, _, y, _ = recording.column("body_orientation", "module").T
-    return 2.0 * np.arctan2(y, w)
+    turned: np.ndarray = 2.0 * np.arctan2(y, w)
+    return turned
 
 
 def energy(recording: Recording, kind: str) -> np.ndarray:

@@ -1,8 +1,8 @@
 """Landing guides at rest and in motion: what presses on them, against a pendulum's own equations.
 
-A load on slings that do not stretch is a rigid pendulum about its hook, in the plane of hook and guide. Turned
-by θ, a point that hung at (x, z) from the hook is at (x cos θ + z sin θ, z cos θ − x sin θ). A force N along n
-at the point p and the weight W at the centre of gravity c balance about the hook where
+A load on slings that do not stretch is a rigid pendulum about its hook, in the plane of hook and guide.
+Turned by θ, a point that hung at (x, z) from the hook is at (x cos θ + z sin θ, z cos θ − x sin θ). A force
+N along n at the point p and the weight W at the centre of gravity c balance about the hook where
 
     N (p_z n_x − p_x n_z) + W c_x = 0,      N = −k gap(θ)
 

@@ -383,8 +383,15 @@ mod tests {
         #[test]
         fn a_spot_has_the_gradient_of_the_gap(given in places(), turn in prop::array::uniform3(-1.0..1.0)) {
             let landing = landing();
-            let before = pose(&landing, given);
-            let near = least(&landing, [&Pose::IDENTITY, &before]);
+            let mut before = pose(&landing, given);
+            let mut near = least(&landing, [&Pose::IDENTITY, &before]);
+            if near.meeting.spot.is_swapped {
+                // An edge that leans and lies across the shoulder has a kink there: edges are level.
+                let [lean, _, rest @ ..] = given;
+                let [yaw, height, distance, aside] = rest;
+                before = pose(&landing, [lean, 0.0, yaw, height, distance, aside]);
+                near = least(&landing, [&Pose::IDENTITY, &before]);
+            }
             let small = 1e-5;
             let moved = Pose::new(
                 DQuat::from_scaled_axis(DVec3::from_array(turn) * small) * DQuat::from_mat3(&before.rotation),
