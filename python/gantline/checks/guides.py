@@ -12,11 +12,10 @@ from gantline.results.variable import BoolArray
 
 def of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Force of a guide, raised to the design weight of what it guides, over its capacity."""
-    loads = {load.name: load for load in recording.rig.loads}
     for guide in recording.rig.guides:
         if guide.capacity is None:
             yield Missing(guide.name, "no capacity")
             continue
-        ratio = design_ratio(recording, loads[guide.load])
+        ratio = design_ratio(recording, guide.load)
         force = recording.column("guide_force", guide.name)
         yield from raised_of_capacity(recording, during, guide.name, force, ratio, guide.capacity)

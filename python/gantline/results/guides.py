@@ -68,11 +68,13 @@ def guide_state(columns: Columns, names: Names, guides: Sequence[Guide]) -> Deri
             for side, contacts in guide.sides.items()
         }
         if "wall" in face:
-            return np.asarray(face["wall"])
+            wall: FloatArray = face["wall"]
+            return wall
         along, across = (
             np.maximum(face.get(one, nothing), face.get(other, nothing)) for one, other in _OPPOSITE
         )
-        return np.hypot(along, across)
+        together: FloatArray = np.hypot(along, across)
+        return together
 
     force = np.stack([of_guide(guide) for guide in guides], axis=1)
     described = "force across the faces of a landing guide"
