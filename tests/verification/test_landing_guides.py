@@ -46,9 +46,8 @@ def balance(contact: Callable[[float], tuple[Floats, Floats, float]]) -> tuple[f
     def missing(theta: float) -> float:
         place, way, gap = contact(theta)
         force = -STIFFNESS * gap
-        return (
-            force * float(place[1] * way[0] - place[0] * way[1]) + WEIGHT * turned(theta, 0.0, 1.0 - HOOK)[0]
-        )
+        moment = force * (place[1] * way[0] - place[0] * way[1])
+        return float(moment + WEIGHT * turned(theta, 0.0, 1.0 - HOOK)[0])
 
     theta = float(brentq(missing, -0.1, 0.1, xtol=1e-15))
     return -STIFFNESS * contact(theta)[2], theta
