@@ -25,6 +25,7 @@ from gantline.results.crossing import crossed_ropes
 from gantline.results.derive import present_of, recording_of
 from gantline.results.flows import drum_warnings
 from gantline.results.grounding import grounding_warnings
+from gantline.results.guides import missed_guides
 from gantline.results.immersion import (
     askew_in_water,
     dry_hulls,
@@ -386,6 +387,7 @@ class Simulation:
         warnings += contact_warnings(rig, columns, names)
         warnings += missed_peaks(rig, columns, names) + missed_bumps(rig, columns, names)
         warnings += pressed_through(self.assembly.document, rig.fenders, columns, names)
+        warnings += missed_guides(self.assembly.document, rig.guides, columns, names)
         warnings += beyond_curve(rig.ropes, columns, names)
         warnings += missed_crests(rig, columns)
         warnings += still_growing(self.assembly.document, rig, columns, names)

@@ -7,6 +7,7 @@ use crate::clock::Clock;
 use crate::constraint::brake::Brake;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
+use crate::contact::landing::Landing;
 use crate::contact::pad::Pad;
 use crate::contact::plane::Plane;
 use crate::contact::shape::Shape;
@@ -137,6 +138,8 @@ pub enum Finder {
         /// How many there are.
         count: usize,
     },
+    /// A landing guide, and the first of the touches that are reserved for it.
+    Landing(usize, Box<Landing>),
 }
 
 /// What distances are measured from: shapes and straight parts of ropes.

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from operator import add
 from typing import Any
@@ -26,6 +26,7 @@ from gantline.assembly.doubtful_fenders import doubtful_fenders
 from gantline.assembly.doubtful_following import doubtful_following
 from gantline.assembly.doubtful_gear import doubtful_gear
 from gantline.assembly.doubtful_ground import doubtful_ground
+from gantline.assembly.doubtful_guides import GuideFit, doubtful_guides, guide_fits
 from gantline.assembly.doubtful_heights import doubtful_heights
 from gantline.assembly.doubtful_hinges import doubtful_hinges
 from gantline.assembly.doubtful_lead import doubtful_lead
@@ -44,6 +45,7 @@ from gantline.assembly.doubtful_vessels import doubtful_vessels
 from gantline.assembly.doubtful_waits import doubtful_waits
 from gantline.assembly.doubtful_weight import doubtful_weight
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
+from gantline.assembly.guides import add_guides
 from gantline.assembly.heave import add_compensation, compensators
 from gantline.assembly.in_water import add_in_water
 from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
@@ -88,6 +90,7 @@ class Assembly:
         scene: what is needed to draw.
         doubts: what does not agree in the lift file, or cannot well be meant, each with its place.
         under_load: all supports, and where the load is over them at the start.
+        guide_fits: how each landing guide fits the load at the start, by its name.
     """
 
     document: dict[str, Any]
@@ -96,6 +99,7 @@ class Assembly:
     scene: dict[str, Any]
     doubts: tuple[Problem, ...] = ()
     under_load: tuple[UnderLoad, ...] = ()
+    guide_fits: Mapping[str, GuideFit] = field(default_factory=dict)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -176,6 +180,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     add_moorings(parts, scenario)
     if lifted is not None:
         add_tag_lines(parts, scenario, lifted)
+        add_guides(parts, scenario, lifted)
     watch_vessels(parts, scenario)
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)
@@ -204,6 +209,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         scene=scene(scenario, rigging, lifted, parts),
         doubts=tuple(scenario.problem(*doubt) for doubt in doubts),
         under_load=tuple(under),
+        guide_fits=guide_fits(parts, scenario),
     )
 
 
@@ -223,6 +229,7 @@ def _doubts(
         *doubtful_vessels(parts, scenario),
         *doubtful_tanks(scenario),
         *doubtful_fenders(parts, scenario),
+        *doubtful_guides(scenario, guide_fits(parts, scenario)),
         *doubtful_lee(parts, scenario),
         *doubtful_carried(parts, scenario),
         *doubtful_heights(scenario),

@@ -240,6 +240,7 @@ def _far_off(scenario: Scenario, load: Load, box: Array) -> list[Doubt]:
         "lug": "lug {} lies",
         "outfitting": "outfitting {} lies",
         "tag line": "the end of tag line {} on the load lies",
+        "guide": "guide {} has its place on the load",
         "hinge": "hinge {} holds the load",
     }
     return [

@@ -33,6 +33,7 @@ _PREFIXED = {
     "tag": "tag_lines",
     "fender": "fenders",
     "support": "supports",
+    "guide": "guides",
     "hoist": "cranes",
 }
 #: Keys whose elements, and what is made of them, bear their names.

@@ -58,6 +58,7 @@ class Parts:
         contacts: contact points in order.
         supports: tops of supports in order.
         rims: of round loads, over the ground.
+        landings: posts and walls that guide what lands.
         shapes: shapes by name: the body that each is on and its parts, see `gantline.assembly.shapes`.
         pairs: shapes that may touch.
         watches: distances that are recorded.
@@ -84,6 +85,7 @@ class Parts:
     contacts: list[Json] = field(default_factory=list)
     supports: list[Json] = field(default_factory=list)
     rims: list[Json] = field(default_factory=list)
+    landings: list[Json] = field(default_factory=list)
     shapes: dict[str, Json] = field(default_factory=dict)
     pairs: list[Json] = field(default_factory=list)
     watches: list[Json] = field(default_factory=list)
@@ -252,6 +254,7 @@ class Parts:
             "vessels": self.vessels,
             "supports": self.supports,
             "rims": self.rims,
+            "landings": self.landings,
             "shapes": [shape for name, shape in self.shapes.items() if name in used],
             "pairs": self.pairs,
             "watches": self.watches,

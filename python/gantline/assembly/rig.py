@@ -13,6 +13,7 @@ from gantline.assembly.checked import bends, limits_and_rules, rating_charts, ra
 from gantline.assembly.compensators import hung_mass
 from gantline.assembly.crawler import crawler_rig
 from gantline.assembly.goliath import crane_rig
+from gantline.assembly.guides import guide_rig
 from gantline.assembly.gusts import wind_of_limit, wind_rig
 from gantline.assembly.hinges import hinge_rig
 from gantline.assembly.in_water import in_water_name
@@ -65,6 +66,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
         **mooring_rig(scenario),
         **tag_rig(scenario),
+        **guide_rig(scenario),
         **hinge_rig(scenario, None if lifted is None else lifted.centre),
         **({"cranes": cranes} if (cranes := crane_rig(scenario, parts)) else {}),
         **({"booms": booms} if (booms := boom_rig(scenario, parts)) else {}),

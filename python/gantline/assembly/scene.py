@@ -11,6 +11,7 @@ from gantline.assembly.boom import boom_shape
 from gantline.assembly.compensators import compensator_shapes
 from gantline.assembly.crawler import crawler_shape
 from gantline.assembly.goliath import crane_shape
+from gantline.assembly.guides import guide_shape, guide_structures
 from gantline.assembly.hulls import hull_mesh, hull_shape
 from gantline.assembly.joints import translates
 from gantline.assembly.lifted import LiftedLoad
@@ -26,6 +27,7 @@ from gantline.scenario import Rigging, Scenario
 from gantline.scenario.compensator import gas_rope, rod_of
 from gantline.scenario.crane_parts import crane_bodies
 from gantline.scenario.extension import ends_below
+from gantline.scenario.guide import guide_body
 from gantline.scenario.structures import Dock, dock_of
 from gantline.scenario.tanks import bodies_afloat
 from gantline.scenario.water import Water
@@ -72,7 +74,7 @@ def _water_level(scenario: Scenario) -> float | None:
 
 
 def _structures(scenario: Scenario, parts: Parts) -> list[Json]:
-    """What stands in the world, of boxes: supports by their contacts, and what is no hole in the ground."""
+    """What stands in the world, of boxes: supports by their contacts, guides, all that is no hole."""
     shapes = {
         (name, "structure"): [parts.shapes[shape] for shape in members(parts.shapes, name)]
         for name, structure in (scenario.structures or {}).items()
@@ -82,10 +84,11 @@ def _structures(scenario: Scenario, parts: Parts) -> list[Json]:
         (support_contact(support), "support"): [parts.shapes[support.name]]
         for _, support in every_support(scenario)
     }
-    return [
+    boxes = [
         {"name": name, "kind": kind, "boxes": [box for one in given for box in one["parts"]]}
         for (name, kind), given in shapes.items()
     ]
+    return boxes + guide_structures(scenario)
 
 
 def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body: Json) -> Json:
@@ -121,6 +124,8 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         kind, shape = "hull", vessel_shape(scenario, name)
     elif name in (scenario.hinges or {}):
         kind = "hinge"
+    elif name in (guides := {guide_body(guide): one for guide, one in (scenario.guides or {}).items()}):
+        shape = guide_shape(guides[name])
     elif plain is None:
         kind = "sheave"
     elif plain.shape is not None:

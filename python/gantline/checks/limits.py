@@ -14,6 +14,7 @@ from gantline.checks import (
     cranes,
     crawlers,
     equalizers,
+    guides,
     hinges,
     hooks,
     loads,
@@ -390,6 +391,9 @@ LIMITS: dict[str, Measure] = {
     ),
     "fender_force_of_capacity": _utilisation(
         "largest force of a fender / its capacity", moorings.fender_of_capacity
+    ),
+    "guide_force_of_capacity": _utilisation(
+        "largest force of a landing guide, raised to the design weight / its capacity", guides.of_capacity
     ),
     "heel": Measure(
         "largest heel of a vessel to either side", "deg", 2, vessels.heel, is_listed=True, alarm=HEEL

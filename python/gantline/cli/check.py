@@ -115,6 +115,7 @@ def _stretch(kind: RopeMaterial) -> str:
 
 def _look_over(simulation: Simulation) -> None:
     """What a lift file describes, all of which has been found right."""
+    from gantline.cli.guides_table import guides_table
     from gantline.cli.lead_table import lead_table
     from gantline.cli.summary import heading, weights
     from gantline.cli.supports_table import supports_table
@@ -146,6 +147,7 @@ def _look_over(simulation: Simulation) -> None:
     lines += recorded_motions(rig)
     load = simulation.scenario.load
     lines += supports_table(simulation.assembly.under_load, None if load is None else load.stands_on)
+    lines += guides_table(simulation.assembly.guide_fits)
     typer.echo("\n".join([*lines, *_heave(demands)]))
     for doubt in simulation.assembly.doubts:
         warn(doubt.of(simulation.scenario.source))

@@ -31,6 +31,7 @@ def attitude(subject: Subject) -> list[tuple[str, str]]:
     rows += [(what, typeset(words)) for what, words in kept_plumb_in_words(recording)]
     rows += _hinges(subject)
     rows += _tag_lines(subject)
+    rows += _guides(subject)
     rows += _clearance(subject)
     if recording.attributes.get("status") == "failed":
         rows.append(("the run failed", str((recording.attributes.get("failure") or {}).get("cause", ""))))
@@ -104,6 +105,26 @@ def _tag_lines(subject: Subject) -> list[tuple[str, str]]:
         return []
     force, time, name = pulls[first_peak([one[0] for one in pulls])]
     return [("largest pull of a tag line", f"{name} {show(force, 'kN', 1)} at {show(time, 's', 1)}")]
+
+
+def _guides(subject: Subject) -> list[tuple[str, str]]:
+    """What the landing guides bear at most, and what that is of the weight that they guide."""
+    rig = subject.rig
+    weights = {load.name: load.weight for load in rig.loads}
+    presses = [
+        (peak, guide)
+        for guide in rig.guides
+        if (peak := subject.peak(subject.recording.column("guide_force", guide.name))) is not None
+    ]
+    if not presses:
+        return []
+    (force, time), guide = presses[first_peak([one[0][0] for one in presses])]
+    if force == 0.0:
+        return [("largest force of a guide", "none is touched")]
+    text = f"{guide.name} {show(force, 'kN', 1)} at {show(time, 's', 1)}"
+    shares = [f"{show(force / weights[guide.load], '%', 1)} of the weight"]
+    shares += [f"{show(used, '%', 0)} of capacity"] if (used := guide.used_by(force)) is not None else []
+    return [("largest force of a guide", f"{text}, {', '.join(shares)}")]
 
 
 #: Steps after which a load swings, and hangs where it was taken.

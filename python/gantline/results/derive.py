@@ -14,6 +14,7 @@ from gantline.results.crane import corner_loads, crane_events, hook_state
 from gantline.results.crawler import crawler_events, crawler_state
 from gantline.results.direct import commands, direct, only, round_path
 from gantline.results.flows import rope_flows
+from gantline.results.guides import guide_state
 from gantline.results.hinges import held_up, hinge_columns, hinge_state
 from gantline.results.hook_load import hook_loads
 from gantline.results.moorings import mooring_state
@@ -74,6 +75,7 @@ def _of_each_sample(columns: Columns, names: Names, lift: Rig) -> Iterator[Deriv
     yield chain_hoist_state(columns, names, lift)
     yield wind_at_loads(columns, names, {load.name: load.body for load in lift.loads}, lift.wind)
     yield mooring_state(columns, names, lift.mooring_lines, lift.fenders)
+    yield guide_state(columns, names, lift.guides)
     yield vessel_state(columns, names, lift.vessels, lift.sea)
 
 

@@ -54,6 +54,7 @@ _OVER: dict[tuple[str, ...], str] = {
     "vessel_freeboard vessel_displacement vessel_wave_elevation",
     ("time", "mooring_line"): "mooring_tension",
     ("time", "fender"): "fender_force",
+    ("time", "guide"): "guide_force",
     ("time", "hull"): "displaced_volume",
     ("time", "load"): "load_transferred load_tilt load_swing wind_at_load",
     ("time", "energy_kind"): "energy",
@@ -120,6 +121,7 @@ BY_RIG: dict[str, _Names] = {
     "contact": lambda rig: [
         *(contact for load in rig.loads for contact in load.contacts),
         *(fender.contact for fender in rig.fenders),
+        *(contact for guide in rig.guides for contact in guide.contacts),
         *(corner for crane in rig.crawlers for corner in crane.corners),
     ],
     "moving_sheave": lambda rig: [sheave for one in rig.equalizers for sheave in one.moving_sheaves],
@@ -135,6 +137,7 @@ BY_RIG: dict[str, _Names] = {
     "vessel": lambda rig: [vessel.name for vessel in rig.vessels],
     "mooring_line": lambda rig: [line.name for line in rig.mooring_lines],
     "fender": lambda rig: [fender.name for fender in rig.fenders],
+    "guide": lambda rig: [guide.name for guide in rig.guides],
     "tank": lambda rig: [tank.name for tank in rig.tanks],
     "sheave": lambda rig: [sheave.name for sheave in rig.sheaves],
     "wrapped_sheave": lambda rig: [sheave.name for sheave in rig.wrapped_sheaves],

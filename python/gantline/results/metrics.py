@@ -69,6 +69,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_tag_line_tension.<line>` [N]: largest tension of that tag line over all steps
 - `peak_fender_force.<fender>` [N]: largest force of that fender at any sample
 - `peak_fender_force_of_capacity` [1]: largest of them over the capacity of its fender, where that is known
+- `peak_guide_force.<guide>` [N]: largest force of that landing guide at any sample
+- `peak_guide_force_of_capacity` [1]: largest of them over the capacity of its guide, where that is known
 - `least_freeboard` [m]: least height of the deck edge and openings of any vessel above the water
 - `peak_sheave_tension_ratio`, `final_sheave_tension_ratio` [1]: largest ratio of the tensions on both sides
   of a sheave with losses, over the samples and at the last one; while the loads are clear, if they ever are
@@ -151,6 +153,7 @@ def metrics_of(recording: Recording) -> dict[str, float]:
         _supports,
         _vessels,
         _moorings,
+        _guides,
         _tag_lines,
         _hooks,
         _charts,
@@ -346,6 +349,15 @@ def _moorings(recording: Recording) -> Iterator[_Metric]:
         yield f"peak_fender_force.{name}", peak
     pressed = [share for one in fenders if (share := one.used_by(force[one.name])) is not None]
     yield "peak_fender_force_of_capacity", _largest(pressed)
+
+
+def _guides(recording: Recording) -> Iterator[_Metric]:
+    guides = recording.rig.guides
+    force = {one.name: float(recording.column("guide_force", one.name).max()) for one in guides}
+    for name, peak in force.items():
+        yield f"peak_guide_force.{name}", peak
+    pressed = [share for one in guides if (share := one.used_by(force[one.name])) is not None]
+    yield "peak_guide_force_of_capacity", _largest(pressed)
 
 
 def _hooks(recording: Recording) -> Iterator[_Metric]:

@@ -27,6 +27,7 @@ from gantline.results.gear import (
     Spreader,
     WrappedSheave,
 )
+from gantline.results.guides import Guide
 from gantline.results.hinges import Hinge
 from gantline.results.moorings import Fender, MooringLine
 from gantline.results.ranges import DriveRange
@@ -284,6 +285,7 @@ class Rig(FromJson):
         mooring_lines: Mooring lines.
         fenders: Fenders.
         tag_lines: Tag lines of the loads.
+        guides: Landing guides of the loads.
         hinges: Hinges and grippers in which loads turn.
         cranes: Goliath cranes, with what is particular to their hooks.
         booms: Booms, with what is particular to their hooks.
@@ -330,6 +332,7 @@ class Rig(FromJson):
     mooring_lines: Sequence[MooringLine] = ()
     fenders: Sequence[Fender] = ()
     tag_lines: Sequence[TagLine] = ()
+    guides: Sequence[Guide] = ()
     hinges: Sequence[Hinge] = ()
     cranes: Sequence[Crane] = ()
     booms: Sequence[Boom] = ()

@@ -10,6 +10,7 @@ from gantline.scenario.check_crawlers import check_crawlers
 from gantline.scenario.check_cut_lines import check_cut_lines
 from gantline.scenario.check_equalizer import check_equalizer
 from gantline.scenario.check_goliath import check_goliaths
+from gantline.scenario.check_guides import check_guides
 from gantline.scenario.check_hinges import check_hinges
 from gantline.scenario.check_in_water import check_in_water
 from gantline.scenario.check_load import check_load
@@ -29,6 +30,7 @@ from gantline.scenario.crane_parts import crane_parts
 from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
+from gantline.scenario.guide import guide_body
 from gantline.scenario.levels import check_levels
 from gantline.scenario.luffing import luffing_drum
 from gantline.scenario.mechanics import HalfTurn, HingeJoint, Mechanics, Slider
@@ -91,6 +93,7 @@ def check(scenario: Scenario) -> None:
     check_wind(findings)
     check_moorings(findings)
     check_tag_lines(findings)
+    check_guides(findings)
     check_hinges(findings)
     check_levels(findings)
     _check_hook_groups(findings)
@@ -153,6 +156,10 @@ def _named(scenario: Scenario) -> list[tuple[str, str, Path]]:
     if scenario.load is not None:
         named.append((scenario.load.name, "the load", ("load", "name")))
     named += [(name, "a hinge", ("hinges", name)) for name in scenario.hinges or {}]
+    named += [
+        (guide_body(name), "what of a guide is on the load", ("guides", name))
+        for name in scenario.guides or {}
+    ]
     named += [(name, "a group of supports", ("supports", name)) for name in scenario.supports or {}]
     named += [(name, "a structure", ("structures", name)) for name in scenario.structures or {}]
     if scenario.mechanics is not None:

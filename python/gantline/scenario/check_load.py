@@ -36,6 +36,7 @@ _THIS = {
     "lug": "this lug",
     "outfitting": "this outfitting",
     "tag line": "this end of the line",
+    "guide": "this part of the guide",
     "hinge": "this hinge",
 }
 
@@ -112,19 +113,22 @@ class Attached(NamedTuple):
 
 
 def attached(scenario: Scenario, load: Load) -> Iterator[Attached]:
-    """Lugs of a load, outfitting, ends of its tag lines, and its hinge."""
+    """Lugs of a load, outfitting, ends of its tag lines, what of guides is on it, and its hinge."""
     for name, lug in load.lugs.items():
         yield Attached(("load", "lugs", name, "at"), "lug", name, lug.at)
     for place, piece in enumerate(load.outfitting):
         yield Attached(("load", "outfitting", place, "at"), "outfitting", piece.name, piece.at)
     for name, line in (scenario.tag_lines or {}).items():
         yield Attached(("tag_lines", name, "at"), "tag line", name, line.at)
+    for name, guide in (scenario.guides or {}).items():
+        key, on_load = ("frame", guide.frame) if guide.frame is not None else ("bumper", guide.bumper_there)
+        yield Attached(("guides", name, key, "at"), "guide", name, on_load.at)
     for name, hinge in (scenario.hinges or {}).items():
         yield Attached(("hinges", name, "at"), "hinge", name, hinge.at)
 
 
 def check_attached(findings: Findings, load: Load, box: Extent) -> None:
-    """Note lugs, outfitting, ends of tag lines and hinges that are far outside the load's box."""
+    """Note lugs, outfitting, ends of tag lines, parts of guides and hinges far outside the load's box."""
     for one in attached(findings.scenario, load):
         off = one.off(box)
         if off > max(high - low for low, high in zip(*box, strict=True)) / 2:

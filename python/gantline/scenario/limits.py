@@ -214,6 +214,9 @@ class Limits(Element):
     fender_force_of_capacity: _Share | None = Field(
         None, description="Force of a fender of its capacity; 100 % if not given."
     )
+    guide_force_of_capacity: _Share | None = Field(
+        None, description="Force of a landing guide of its capacity; 100 % if not given."
+    )
     heel: PositiveAngle | None = Field(None, description="Heel of vessels to either side.")
     trim: PositiveAngle | None = Field(None, description="Trim of vessels by bow or stern.")
     freeboard: NotNegativeLength | None = Field(

@@ -18,6 +18,7 @@ from gantline.scenario.errors import PathPart, Problem, ScenarioError, StartErro
 from gantline.scenario.extension import ExtensionSheave
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
 from gantline.scenario.ground import Axes, Ground, LiftHead, SimulationSettings
+from gantline.scenario.guide import LandingGuide
 from gantline.scenario.hinge import LoadHinge
 from gantline.scenario.hook_group import HookGroup
 from gantline.scenario.hook_parts import HookType
@@ -114,6 +115,9 @@ class Scenario(Element):
     compensators: Named[Compensator] | None = Field(None, description="Gas springs between slings, by name.")
     tag_lines: Named[TagLine] | None = Field(
         None, description="Thin ropes that keep the heading of the load, by name."
+    )
+    guides: Named[LandingGuide] | None = Field(
+        None, description="Posts and walls that bring the load to its place as it lands, by name."
     )
     hinges: Named[LoadHinge] | None = Field(
         None, description="Hinge frames, foot pins and grippers in which the load turns, by name."

@@ -23,6 +23,9 @@ const GRAVE = [
   "emergency_stop",
 ];
 
+/** Contacts that lift nothing off: fenders bear and let go in every wave, along guides a load bounces. */
+const BESIDE = /^(fender|guide)\./;
+
 /** Events between which one steps; the rest comes too often to be of use. */
 const NOTABLE = [
   ...GRAVE,
@@ -177,9 +180,8 @@ export class Session {
   notable(): Notable[] {
     const { begin, end, header } = this.lift;
     const times = new Map<string, number[]>();
-    // Fenders, which bear and let go in every wave, lift nothing off.
     for (const [time, kind, name] of header.events)
-      if (NOTABLE.includes(kind) && !name.startsWith("fender.") && time >= begin && time <= end) {
+      if (NOTABLE.includes(kind) && !BESIDE.test(name) && time >= begin && time <= end) {
         const key = `${kind} ${name}`;
         if (!times.get(key)?.push(time)) times.set(key, [time]);
       }

@@ -196,7 +196,9 @@ fn check_names(spec: &SystemSpec) -> Result<(), BuildError> {
     unique("adjuster", spec.adjusters.iter().map(|adjuster| adjuster.name.as_str()))?;
     let contacts = spec.contacts.iter().map(|contact| contact.name.as_str());
     let supports = spec.supports.iter().map(|support| support.name.as_str());
-    unique("contact", contacts.chain(supports).chain(spec.pairs.iter().map(|pair| pair.name.as_str())))?;
+    let pairs = spec.pairs.iter().map(|pair| pair.name.as_str());
+    let landings = spec.landings.iter().map(|landing| landing.name.as_str());
+    unique("contact", contacts.chain(supports).chain(pairs).chain(landings))?;
     unique("shape", spec.shapes.iter().map(|shape| shape.name.as_str()))?;
     unique("watch", spec.watches.iter().map(|watch| watch.name.as_str()))?;
     unique("compensator", spec.compensators.iter().map(|one| one.name.as_str()))?;

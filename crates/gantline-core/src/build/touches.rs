@@ -7,13 +7,17 @@ use super::{BuildError, at_least_zero, error, finite, positive, unit};
 use crate::constraint::AnyConstraint;
 use crate::constraint::facing::Facing;
 use crate::constraint::touch::Touch;
+use crate::contact::landing::{Landing, PLACES, Post, Wall};
 use crate::contact::pad::{Pad, Side, top};
 use crate::contact::plane::Plane;
 use crate::contact::rim::{DOME, Rim};
 use crate::contact::shape::{Part, Shape};
 use crate::contact::spot::Spot;
 use crate::plan::{Due, Removal};
-use crate::spec::{PairSpec, PartSpec, RimSpec, ShapeSpec, SupportSpec, SystemSpec, WatchedSpec};
+use crate::spec::{
+    LandingSpec, PairSpec, PartSpec, PostSpec, RimSpec, ShapeSpec, SupportSpec, SystemSpec, WallSpec,
+    WatchedSpec,
+};
 use crate::system::{BodyShape, ContactGroup, Finder, Watch, Watched, WatchedRope};
 use crate::tree::Tree;
 
@@ -84,7 +88,7 @@ pub(super) struct Touches {
     pub spots: Vec<Spot>,
 }
 
-/// Adds the touches of supports, pairs and rims to the constraints and groups.
+/// Adds the touches of supports, pairs, rims and landing guides to the constraints and groups.
 pub(super) fn build_touches(
     spec: &SystemSpec,
     tree: &Tree,
@@ -154,6 +158,21 @@ pub(super) fn build_touches(
         let touch = add(given.name.clone(), &given.group, facing, law, false);
         made.finders.push(Finder::Rim(touch, plane));
     }
+    for given in &spec.landings {
+        let LandingSpec { name, post, wall, .. } = given;
+        let law = law(name, [given.stiffness, given.damping_time, given.friction])?;
+        let bodies =
+            [body_index(name, tree, post.body.as_ref())?, body_index(name, tree, wall.body.as_ref())?];
+        if bodies[0] == bodies[1] {
+            return error(name, "its post and its wall are on one body; a body does not guide itself");
+        }
+        let landing = Landing { post: build_post(name, post)?, wall: build_wall(name, wall)? };
+        let facing = Facing::new(bodies, tree);
+        let touches = (1..=PLACES)
+            .map(|place| add(format!("{name}/{place}"), &given.group, facing.clone(), law, false));
+        let touches: Vec<usize> = touches.collect();
+        made.finders.push(Finder::Landing(touches[0], Box::new(landing)));
+    }
     for (index, step) in spec.plan.iter().enumerate() {
         for name in &step.removes {
             let own = |finder: &Finder| matches!(finder, Finder::Pad(touch, _) if constraints[*touch].name() == name);
@@ -185,6 +204,40 @@ fn build_rim(given: &RimSpec) -> Result<(Rim, Plane), BuildError> {
     let normal = unit(name, "the plane's normal", given.plane_normal)?;
     let rim = Rim { centre: vector(given.at), axis, radius: given.radius, dome: DOME };
     Ok((rim, Plane::new(vector(given.plane_point), normal)))
+}
+
+fn build_post(name: &str, given: &PostSpec) -> Result<Post, BuildError> {
+    let PostSpec { base, radius, height, cone, tip_radius, .. } = *given;
+    finite(name, "the place of its post", &base)?;
+    positive(name, "the radius of its post", radius)?;
+    positive(name, "the height of its post", height)?;
+    at_least_zero(name, "the length of its cone", cone)?;
+    at_least_zero(name, "the radius of its tip", tip_radius)?;
+    if tip_radius > radius {
+        return error(name, format!("its tip has a radius of {tip_radius} m, more than that of its post"));
+    }
+    let axis = unit(name, "the axis of its post", given.axis)?;
+    Ok(Post { base: vector(base), axis, radius, height, cone, tip_radius })
+}
+
+fn build_wall(name: &str, given: &WallSpec) -> Result<Wall, BuildError> {
+    let WallSpec { knee, height, breadth, flare, angle, .. } = *given;
+    finite(name, "the place of its wall", &knee)?;
+    positive(name, "the height of its wall", height)?;
+    positive(name, "the breadth of its wall", breadth)?;
+    at_least_zero(name, "the length of its flare", flare)?;
+    if !(0.0..std::f64::consts::FRAC_PI_2).contains(&angle) {
+        return error(
+            name,
+            format!("its flare leans by {angle} rad; from 0 to less than a right angle is right"),
+        );
+    }
+    let normal = unit(name, "the normal of its wall", given.normal)?;
+    let up = unit(name, "the upward direction of its wall", given.up)?;
+    if normal.dot(up).abs() > FLAT {
+        return error(name, "the normal and the upward direction of its wall are not at right angles");
+    }
+    Ok(Wall { knee: vector(knee), normal, up, height, half: 0.5 * breadth, flare, angle })
 }
 
 /// The top of a support with what may lie on it.

@@ -1,5 +1,7 @@
-//! Geometry of contact: planes, tops of supports, rims of round bodies, shapes of bodies and what of them is near each other.
+//! Geometry of contact: planes, tops of supports, rims of round bodies, guides for landing, shapes of bodies and what of
+//! them is near each other.
 
+pub mod landing;
 pub mod pad;
 pub mod plane;
 pub mod rim;

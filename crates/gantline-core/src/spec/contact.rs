@@ -122,6 +122,72 @@ pub struct PairSpec {
     pub places: usize,
 }
 
+/// A round post on a body or the world.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PostSpec {
+    /// Name of the body; none is the world.
+    pub body: Option<String>,
+    /// Where its axis begins [m], body frame.
+    pub base: [f64; 3],
+    /// Direction of its axis, towards its tip.
+    pub axis: [f64; 3],
+    /// Its radius [m].
+    pub radius: f64,
+    /// From the base to where its cone begins [m].
+    pub height: f64,
+    /// Length of the cone along the axis [m]; 0 without one.
+    #[serde(default)]
+    pub cone: f64,
+    /// Radius of the tip of the cone [m].
+    #[serde(default)]
+    pub tip_radius: f64,
+}
+
+/// A wall on a body or the world that a post runs along.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WallSpec {
+    /// Name of the body; none is the world.
+    pub body: Option<String>,
+    /// Middle of the edge from which on it leans away [m], body frame.
+    pub knee: [f64; 3],
+    /// Direction out of its upright face, towards the post.
+    pub normal: [f64; 3],
+    /// Direction in that face, across the knee and away from the flare.
+    pub up: [f64; 3],
+    /// Length of the upright face [m].
+    pub height: f64,
+    /// Its breadth along the knee [m].
+    pub breadth: f64,
+    /// Length of the flare [m]; 0 without one.
+    #[serde(default)]
+    pub flare: f64,
+    /// By how much the flare leans away [rad].
+    #[serde(default)]
+    pub angle: f64,
+}
+
+/// A landing guide: a post and a wall that guide each other.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LandingSpec {
+    /// Unique name, in one set with contacts: its places are called `<name>/1` and `<name>/2`.
+    pub name: String,
+    /// Group of contacts that carry together.
+    pub group: String,
+    /// The post.
+    pub post: PostSpec,
+    /// The wall.
+    pub wall: WallSpec,
+    /// Normal and tangential stiffness of each place [N/m].
+    pub stiffness: f64,
+    /// Damping over stiffness [s].
+    pub damping_time: f64,
+    /// Coefficient of Coulomb friction.
+    pub friction: f64,
+}
+
 /// A distance that is recorded: the smallest between any of the first and any of the second.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -45,6 +45,9 @@ pub struct SystemSpec {
     /// Pairs of shapes that may touch.
     #[serde(default)]
     pub pairs: Vec<PairSpec>,
+    /// Landing guides: posts and walls that guide what lands.
+    #[serde(default)]
+    pub landings: Vec<LandingSpec>,
     /// Distances that are recorded.
     #[serde(default)]
     pub watches: Vec<WatchSpec>,

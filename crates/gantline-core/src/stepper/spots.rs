@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use crate::constraint::AnyConstraint;
 use crate::constraint::touch::Touch;
+use crate::contact::landing::{Landing, Near, PLACES};
 use crate::contact::pad::Pad;
 use crate::contact::plane::Plane;
 use crate::contact::shape::Meeting;
@@ -57,7 +58,7 @@ pub fn find(
     held: impl Fn(usize) -> bool,
     mut changed: impl FnMut(&Touch, &Spot, &Spot),
 ) {
-    let mut meetings = Vec::new();
+    let (mut meetings, mut nears) = (Vec::new(), Vec::new());
     for finder in &system.finders {
         match finder {
             Finder::Pad(index, pad) => {
@@ -96,6 +97,25 @@ pub fn find(
                         changed(touch, &found.0, &found.1);
                     }
                 });
+            }
+            Finder::Landing(first, landing) => {
+                let AnyConstraint::Touch(touch) = &system.constraints[*first] else { continue };
+                let poses = touch.facing.bodies.map(|body| kinematics.pose_of(body));
+                landing.near(poses, REACH, &mut nears);
+                meetings.clear();
+                meetings.extend(nears.iter().map(|near| near.meeting));
+                let own = &mut spots[touch.spot..touch.spot + PLACES];
+                assign(
+                    poses,
+                    own,
+                    &meetings,
+                    |_, _| false,
+                    |place, found| {
+                        if let AnyConstraint::Touch(touch) = &system.constraints[first + place] {
+                            changed(touch, &found.0, &found.1);
+                        }
+                    },
+                );
             }
         }
     }
@@ -251,9 +271,10 @@ pub fn note_lift_off(system: &System, state: &State, group: usize, time: f64, lo
 }
 
 /// The longest step in which no two shapes come closer than half of what their spots reach, no place that carries
-/// passes the edge of its support by more than [`EDGE`], and no rim that carries rolls farther than [`ROLLS`] [s], by how fast they move.
+/// passes the edge of its support, or the end of a side of its post, by more than [`EDGE`], and no rim that carries
+/// rolls farther than [`ROLLS`] [s], by how fast they move.
 pub fn limit(system: &System, kinematics: &Kinematics, twists: &[Twist], state: &State) -> f64 {
-    let mut most = f64::INFINITY;
+    let (mut most, mut nears) = (f64::INFINITY, Vec::new());
     for finder in &system.finders {
         let shapes = match finder {
             Finder::Pair { shapes, .. } => shapes,
@@ -269,6 +290,11 @@ pub fn limit(system: &System, kinematics: &Kinematics, twists: &[Twist], state: 
                     most =
                         most.min(ROLLS / twists[body].angular.reject_from_normalized(plane.normal).length());
                 }
+                continue;
+            }
+            Finder::Landing(first, landing) => {
+                most =
+                    most.min(along_landing(system, kinematics, twists, state, (*first, landing), &mut nears));
                 continue;
             }
         };
@@ -311,5 +337,42 @@ fn to_edge(
     let sides = pad.top.along(place).into_iter().zip(pad.top.tangents).zip(pad.half);
     let times =
         sides.map(|((along, tangent), half)| (half - along.abs()).max(EDGE) / tangent.dot(velocity).abs());
+    times.fold(f64::INFINITY, f64::min)
+}
+
+/// How long a post and a wall meet where they do: until a place that carries comes to the end of what meets there, or another
+/// is closed [s].
+fn along_landing(
+    system: &System,
+    kinematics: &Kinematics,
+    twists: &[Twist],
+    state: &State,
+    (first, landing): (usize, &Landing),
+    nears: &mut Vec<Near>,
+) -> f64 {
+    let AnyConstraint::Touch(touch) = &system.constraints[first] else { return f64::INFINITY };
+    let bodies = touch.facing.bodies;
+    let poses = bodies.map(|body| kinematics.pose_of(body));
+    landing.near(poses, REACH, nears);
+    if nears.is_empty() {
+        let speed = |side: usize| {
+            bodies[side].map_or(0.0, |body| {
+                twists[body].linear.length() + twists[body].angular.length() * landing.radius(side)
+            })
+        };
+        return (landing.apart(poses) - 0.5 * REACH).max(0.5 * REACH) / (speed(0) + speed(1));
+    }
+    let row = system.rows.first[first];
+    let carries = |feature: u64| {
+        (0..PLACES).any(|place| {
+            let spot = &state.spots[touch.spot + place];
+            spot.is_near && spot.feature == feature && state.modes[row + 3 * place].carries()
+        })
+    };
+    let times = nears.iter().map(|near| {
+        let velocities = bodies.map(|body| kinematics.point_velocity(twists, body, near.point));
+        let way = if carries(near.meeting.spot.feature) { near.left } else { near.meeting.gap };
+        way.max(EDGE) / (velocities[0] - velocities[1]).length()
+    });
     times.fold(f64::INFINITY, f64::min)
 }

@@ -161,6 +161,7 @@ pub fn system_of(bodies: Vec<BodySpec>) -> SystemSpec {
         shapes: Vec::new(),
         rims: Vec::new(),
         pairs: Vec::new(),
+        landings: Vec::new(),
         vessels: Vec::new(),
         watches: Vec::new(),
         forces: Vec::new(),

@@ -1,0 +1,139 @@
+"""Landing guides that miss each other where the load comes down, or are too flat to guide it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from gantline.assembly.parts import Parts
+from gantline.assembly.spatial import Array
+from gantline.scenario import Scenario
+from gantline.scenario.errors import Doubt
+from gantline.scenario.guide import (
+    SIDES,
+    GuideFrame,
+    GuidePost,
+    GuideWall,
+    LandingGuide,
+    guide_body,
+)
+from gantline.scenario.steps import MovingStep
+from gantline.units import format_quantity
+
+__all__ = ["GuideFit", "doubtful_guides", "guide_fits"]
+
+#: Verbs of steps that take a load along: where it comes down only the run knows.
+_TAKE_ALONG = ("traverse", "travel", "slew", "luff", "haul", "veer")
+#: A load to be upended lies otherwise at the start than as it lands: cosine of its own z to plumb.
+_UPRIGHT = 0.98
+#: What a face misses by less is caught: rounding [m].
+_JUST = 1e-6
+
+
+@dataclass(frozen=True)
+class GuideFit:
+    """How a guide fits from above as the load is at the start.
+
+    Attributes:
+        offset: from the middle of the frame to the axis of the post along x and y of the load, or from the
+            face of a wall to the bumper and from its middle along it [m].
+        catches: how far it may be off towards each of its faces to catch the load [m].
+        off: how far it is off towards each of them [m].
+        rim: what a face stands on that it just misses is so thick [m].
+    """
+
+    offset: tuple[float, float]
+    catches: Mapping[str, float]
+    off: Mapping[str, float]
+    rim: float
+
+    @property
+    def worst(self) -> tuple[str, float]:
+        """The face that it is nearest to missing, and by how much it misses it [m]; negative if not."""
+        missed = {side: off - self.catches[side] for side, off in self.off.items()}
+        side = max(missed, key=missed.__getitem__)
+        return side, missed[side]
+
+
+def _is_taken_along(scenario: Scenario) -> bool:
+    """Whether a step of the plan takes loads to another place."""
+    return any(isinstance(step, MovingStep) and step.verb in _TAKE_ALONG for step in scenario.plan)
+
+
+def guide_fits(parts: Parts, scenario: Scenario) -> dict[str, GuideFit]:
+    """How each guide fits, by its name, the load being where it is at the start; none if it lies there."""
+    fits: dict[str, GuideFit] = {}
+    for name, guide in (scenario.guides or {}).items():
+        place, turn = parts.pose(guide_body(name))
+        if turn[2, 2] < _UPRIGHT:
+            continue
+        if guide.frame is not None:
+            fits[name] = _of_frame(guide.frame, guide.post_there, place, turn)
+        else:
+            fits[name] = _of_wall(guide, guide.wall_there, place)
+    return fits
+
+
+def _of_frame(frame: GuideFrame, post: GuidePost, place: Array, turn: Array) -> GuideFit:
+    x, y, _ = (float(part) for part in turn.T @ (np.array(post.at) - place))
+    run = 0.0 if frame.flare is None else frame.flare.run
+    reach = post.diameter / 2 + frame.clearance + run - post.tip_radius
+    off = {side: x * SIDES[side][0] + y * SIDES[side][1] for side in frame.sides}
+    return GuideFit((x, y), dict.fromkeys(off, reach), off, 2 * post.tip_radius)
+
+
+def _of_wall(guide: LandingGuide, wall: GuideWall, place: Array) -> GuideFit:
+    out = np.array([math.cos(wall.faces), math.sin(wall.faces)])
+    apart = place[:2] - np.array(wall.at[:2])
+    radius = guide.bumper_there.diameter / 2
+    gap, aside = float(apart @ out) - radius, float(apart @ np.array([-out[1], out[0]]))
+    run = 0.0 if wall.slope is None else wall.slope.run
+    return GuideFit((gap, aside), {"wall": run}, {"wall": -gap}, 2 * radius)
+
+
+def doubtful_guides(scenario: Scenario, fits: Mapping[str, GuideFit]) -> Iterator[Doubt]:
+    """Each guide that the load comes down beside, and each whose faces hold it by friction."""
+    for name, guide in (scenario.guides or {}).items():
+        yield from _too_flat(name, guide)
+    if _is_taken_along(scenario):
+        return
+    for name, fit in fits.items():
+        side, missed = fit.worst
+        if missed <= _JUST:
+            continue
+        on_load = (scenario.guides or {})[name].frame is not None
+        off, catches = (format_quantity(one, "m", 2) for one in (fit.off[side], fit.catches[side]))
+        if on_load:
+            where = (
+                f"its post is {off} to {side} of the middle of its frame, which catches it up to {catches}"
+            )
+        else:
+            where = (
+                f"its bumper comes down {off} behind the face of its wall, which catches it up to {catches}"
+            )
+        rim = "the tip of the post" if on_load else "the top of the wall"
+        ends = f"would stand on the rim, {rim}" if missed < fit.rim else "would come down beside it"
+        moved = "as the load hangs at the start, from where no step takes it along"
+        yield Doubt(("guides", name), f"the load misses guide {name}: {where}, {moved}; it {ends}")
+
+
+def _too_flat(name: str, guide: LandingGuide) -> Iterator[Doubt]:
+    """Slopes on which friction holds a load that comes down on them."""
+    slopes = []
+    if guide.frame is not None:
+        post = guide.post_there
+        if guide.frame.flare is not None:
+            slopes.append((("frame", "flare"), guide.frame.flare.angle))
+        if post.cone is not None:
+            narrows = (post.diameter - post.cone.tip_diameter) / 2
+            slopes.append((("post", "cone"), math.atan2(narrows, post.cone.length)))
+    elif guide.wall_there.slope is not None:
+        slopes.append((("wall", "slope"), guide.wall_there.slope.angle))
+    for keys, angle in slopes:
+        if guide.friction * math.tan(angle) >= 1.0:
+            leans, friction = f"{math.degrees(angle):.0f} deg", f"friction {guide.friction:g}"
+            sentence = f"guide {name} leans by {leans} from upright: with {friction} a load stays on it"
+            yield Doubt(("guides", name, *keys), f"{sentence}; a steeper face, or less friction, guides it")

@@ -1,0 +1,21 @@
+"""Landing guides against their capacity."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from gantline.checks.forces import design_ratio, raised_of_capacity
+from gantline.checks.measure import Finding, Missing
+from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray
+
+
+def of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Force of a guide, raised to the design weight of what it guides, over its capacity."""
+    for guide in recording.rig.guides:
+        if guide.capacity is None:
+            yield Missing(guide.name, "no capacity")
+            continue
+        ratio = design_ratio(recording, guide.load)
+        force = recording.column("guide_force", guide.name)
+        yield from raised_of_capacity(recording, during, guide.name, force, ratio, guide.capacity)
