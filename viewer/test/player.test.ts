@@ -180,7 +180,13 @@ describe("playing", () => {
     (one.lift as { end: number }).end = 100;
     const lifted = [3, 7, 16, 25.9, 40, 60, 65];
     one.lift.header.events = lifted.map((time) => [time, "lift_off", "module"]);
-    one.lift.header.events.splice(2, 0, [8, "lift_off", "other"], [9, "lift_off", "fender.ps"], [9, "set_down", "guide.fore"]);
+    one.lift.header.events.splice(
+      2,
+      0,
+      [8, "lift_off", "other"],
+      [9, "lift_off", "fender.ps"],
+      [9, "set_down", "guide.fore"],
+    );
     expect(one.notable().map(({ time }) => time)).toEqual([3, 8, 25.9, 40, 60, 65]);
     one.lift.header.events = [1, 2, 3].map((time) => [time, "step_begin", "hoist"]);
     expect(one.notable().length).toBe(3);
