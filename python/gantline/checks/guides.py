@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gantline.checks.forces import design_ratio, raised_of_capacity
+from gantline.checks.design_weight import largest_ratios
+from gantline.checks.forces import raised_of_capacity
 from gantline.checks.measure import Finding, Missing
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
@@ -16,6 +17,6 @@ def of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         if guide.capacity is None:
             yield Missing(guide.name, "no capacity")
             continue
-        ratio = design_ratio(recording, guide.load)
+        ratios = largest_ratios(recording, [guide.load])
         force = recording.column("guide_force", guide.name)
-        yield from raised_of_capacity(recording, during, guide.name, force, ratio, guide.capacity)
+        yield from raised_of_capacity(recording, during, guide.name, force, ratios, guide.capacity)
