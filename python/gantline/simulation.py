@@ -58,7 +58,7 @@ from gantline.results.unfollowed import parted_neighbours, unfollowed
 from gantline.results.variable import Columns, FloatArray, Names
 from gantline.results.vessels import vessel_warnings, with_righting
 from gantline.scenario import Scenario, ScenarioError, load_scenario
-from gantline.scenario.hinge import failed_at
+from gantline.scenario.failed import failed_at
 from gantline.scenario.water import Water
 from gantline.statics import Statics
 from gantline.statics.hung import resting_loads
