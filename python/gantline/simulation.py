@@ -44,6 +44,7 @@ from gantline.results.rig import Resting, Rig, with_resting
 from gantline.results.run_warnings import (
     command_warnings,
     compensation_warnings,
+    ground_warnings,
     missed_bumps,
     missed_crests,
     missed_incidents,
@@ -424,6 +425,8 @@ class Simulation:
             ground = ground_in(self.assembly.scene)
             warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground, water.depth)
         warnings += pump_warnings(rig, columns, names)
+        if self.scenario.ground is not None:
+            warnings += ground_warnings(rig, self.scenario.ground.level, columns, names)
         warnings += command_warnings(columns, names)
         warnings += compensation_warnings(columns, names)
         warnings += stop_warnings(rig, columns, names)
