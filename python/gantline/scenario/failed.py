@@ -23,7 +23,7 @@ def failed_at(scenario: Scenario, element: str, cause: str) -> tuple[str, str]:
         element: Name of what it failed at.
         cause: What failed.
     """
-    if element in scenario.hooks and cause.startswith(_MET):
+    if cause.startswith(_MET) and element in scenario.hooks:
         met = "its hook block has come up to the sheaves above it (two-blocking), and nothing stops it there"
         return element, f"{met}: hoist it less far; 'highest' of a hook is checked"
     return failed_in_hinge(scenario, element, cause)
