@@ -45,6 +45,7 @@ from gantline.results.rig import Resting, Rig, with_resting
 from gantline.results.run_warnings import (
     command_warnings,
     compensation_warnings,
+    ground_warnings,
     missed_bumps,
     missed_crests,
     missed_incidents,
@@ -59,7 +60,7 @@ from gantline.results.unfollowed import parted_neighbours, unfollowed
 from gantline.results.variable import Columns, FloatArray, Names
 from gantline.results.vessels import vessel_warnings, with_righting
 from gantline.scenario import Scenario, ScenarioError, load_scenario
-from gantline.scenario.hinge import failed_at
+from gantline.scenario.failed import failed_at
 from gantline.scenario.water import Water
 from gantline.statics import Statics
 from gantline.statics.hung import resting_loads
@@ -426,6 +427,8 @@ class Simulation:
             ground = ground_in(self.assembly.scene)
             warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground, water.depth)
         warnings += pump_warnings(rig, columns, names)
+        if self.scenario.ground is not None:
+            warnings += ground_warnings(rig, self.scenario.ground.level, columns, names)
         warnings += command_warnings(columns, names)
         warnings += compensation_warnings(columns, names)
         warnings += stop_warnings(rig, columns, names)

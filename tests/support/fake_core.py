@@ -102,7 +102,7 @@ def core(monkeypatch: pytest.MonkeyPatch) -> type[FakeCore]:
         pass
 
     given = {"text": "format: 1\n", "source": "lift.yaml", "starts": "as_given"}
-    scenario = SimpleNamespace(**given, mechanics=None, water=None, vessels=None, hinges=None)
+    scenario = SimpleNamespace(**given, mechanics=None, ground=None, water=None, vessels=None, hinges=None)
     assembly = SimpleNamespace(
         document={},
         settings=SETTINGS,

@@ -40,9 +40,11 @@ from gantline.assembly.doubtful_stops import doubtful_stops
 from gantline.assembly.doubtful_strength import doubtful_strength
 from gantline.assembly.doubtful_supports import check_under_load, doubtful_supports
 from gantline.assembly.doubtful_tanks import doubtful_tanks
+from gantline.assembly.doubtful_tilts import doubtful_tilts
 from gantline.assembly.doubtful_turns import doubtful_turns
 from gantline.assembly.doubtful_vessels import doubtful_vessels
 from gantline.assembly.doubtful_waits import doubtful_waits
+from gantline.assembly.doubtful_ways import doubtful_ways
 from gantline.assembly.doubtful_weight import doubtful_weight
 from gantline.assembly.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.guides import add_guides
@@ -233,6 +235,8 @@ def _doubts(
         *doubtful_lee(parts, scenario),
         *doubtful_carried(parts, scenario),
         *doubtful_heights(scenario),
+        *doubtful_ways(parts, scenario),
+        *doubtful_tilts(scenario, rigging, lifted),
         *doubtful_stops(scenario),
         *doubtful_lead(scenario, rigging),
         *doubtful_rails(scenario),

@@ -10,6 +10,7 @@ import numpy as np
 from gantline.checks.alarms import FALLS
 from gantline.checks.forces import kilonewton
 from gantline.checks.measure import Finding, Found, Missing, Refused, extreme
+from gantline.results import series
 from gantline.results.boom import Boom
 from gantline.results.crane import Crane
 from gantline.results.gear import Hook
@@ -21,13 +22,15 @@ _OF_FALLS = "falls_out_of_plumb"
 #: Share of its largest load from which the pull at a hook counts [1]: as slings come taut one after another
 #: it goes to and fro.
 _BEARS = 0.25
+#: How far lugs may come aside from where they hung, until falls would lean [m]: those of 1.5 m by 2 deg.
+_IN_PLACE = 0.05
 
 
 def falls_out_of_plumb(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Angle of the falls of a hook from plumb; of one that stays where it is, that at which falls would hang.
 
     Of those that stay nothing is said that nobody asks for, as long as it is within the bound past which
-    falls warn.
+    falls warn, and nothing while they let go of a load below where it hung.
     """
     for hook in recording.rig.carried_hooks:
         yield from extreme(recording, recording.column("falls_out_of_plumb", hook.name), during, hook.name)
@@ -44,12 +47,35 @@ def _would_hang(recording: Recording, during: BoolArray, hook: Hook) -> Iterator
     aside, down = pull_aside(recording, hook), recording.column("hoist_load", hook.name)
     load = recording.column("hook_load", hook.name)
     bears = load > _BEARS * np.max(load, initial=0.0)
+    bears &= ~_is_let_go(recording, hook, bears)
 
     def text(at: int) -> str:
         pulls = f"{kilonewton(aside[at])} aside, {kilonewton(down[at])} down"
         return f"{pulls}: {hook.name} stays where falls would lean"
 
     yield from extreme(recording, np.arctan2(aside, down), during & bears, hook.name, text)
+
+
+def _is_let_go(recording: Recording, hook: Hook, bears: BoolArray) -> BoolArray:
+    """Samples at which a load stands again below where it hung in a hook that stays, shape (time,).
+
+    Slings of unlike lengths go slack one after another then, and the last ones pull aside at a hook that
+    cannot give way. Falls would lean until they hang over these, and by no more; a load that has been moved
+    aside since it hung pulls falls aside too, and counts.
+    """
+    ends = [
+        series.rope_ends(recording, sling.rope)
+        for sling in recording.rig.slings
+        if recording.rig.hook_of(sling) == hook.name and sling.over is None
+    ]
+    hung = np.asarray(series.is_clear(recording) & bears, dtype=np.bool_)
+    if not ends or not hung.any():
+        return np.zeros_like(bears)
+    aside = np.mean([upper[:, :2] - lower[:, :2] for upper, lower in ends], axis=0)
+    last = np.maximum.accumulate(np.where(hung, np.arange(len(hung)), -1))
+    moved = np.linalg.norm(aside - aside[last], axis=1)
+    let_go: BoolArray = ~series.is_clear(recording) & (last >= 0) & (moved < _IN_PLACE)
+    return let_go
 
 
 def height_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:

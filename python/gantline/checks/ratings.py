@@ -34,6 +34,8 @@ SEVERAL = "several_cranes_factor"
 #: What a chart may be limited to, and the variables that are held against it, by crane or by hook.
 _OF_CRANE = {"heel": "crane_heel", "trim": "crane_trim"}
 _OF_HOOK = {"off_lead": "off_lead", "side_lead": "side_lead"}
+#: Share of what slings of one crane pull up to which those of the others bear nothing [1]: slack ones sway.
+_BEARS_NOTHING = 1e-3
 #: Share of its most from which a hook bears so much that its lead pulls at the boom [1].
 _UNDER_LOAD = 0.25
 
@@ -45,6 +47,8 @@ def load_of_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]
         yield from cautions
         for group in rated_groups(chart):
             yield from _of_row(recording, during, chart, group, kept)
+            if kept > 1.0:
+                yield from _alone(recording, during, chart, group, kept)
     yield from _without_chart(recording)
 
 
@@ -59,6 +63,43 @@ def kept_back(recording: Recording, crane: str) -> tuple[float, list[Caution]]:
         said = f"{len(lifting)} cranes lift together, and no rule keeps capacity back; {keys}"
         return 1.0, [Caution(said)]
     return kept, []
+
+
+def _alone(
+    recording: Recording, during: BoolArray, chart: RatingChart, group: RatedGroup, kept: float
+) -> Iterator[Caution]:
+    """That a crane uses too much by the factor for several while it bears the load alone, and what without.
+
+    The rule is for cranes that share a load. None known says that it ends where others have let go: it stays.
+    """
+    alone = bears_alone(recording, chart.crane)
+    most, least = (
+        max((one.value for one in found if isinstance(one, Found)), default=0.0)
+        for found in ([*_of_row(recording, during & mask, chart, group, kept)] for mask in (alone, ~alone))
+    )
+    if most > recording.rig.limits.get("hoist_load_of_rating", 1.0):
+        beside = f", and with it at most {100 * least:.1f} % while others bear too" if least > 0.0 else ""
+        yield Caution(
+            f"the factor of {kept:.4g} is for cranes that share a load, and no rule known here says that it "
+            f"ends where one bears it alone, as {chart.crane} does for a while; {group.element} uses "
+            f"{100 * most / kept:.1f} % there without it{beside}"
+        )
+
+
+def bears_alone(recording: Recording, crane: str) -> BoolArray:
+    """Samples at which a crane bears what hangs, and slings of no other one do, shape (time,).
+
+    None where ropes or bodies of `mechanics` lead to another: what they bear of the load is not known.
+    """
+    rig = recording.rig
+    by_mechanics = {crane_of(rig, hook.name) for hook in rig.hooks if hook.bears_mechanics}
+    if (by_mechanics | {*rig.lifting_by_mechanics}) - {crane}:
+        return np.zeros(len(recording.time), dtype=np.bool_)
+    borne = {True: np.zeros(len(recording.time)), False: np.zeros(len(recording.time))}
+    for sling in rig.slings:
+        if hook := rig.hook_of(sling):
+            borne[crane_of(rig, hook) == crane] += series.sling_tension(recording, sling)
+    return np.asarray(borne[False] <= _BEARS_NOTHING * borne[True], dtype=np.bool_) & (borne[True] > 0.0)
 
 
 def crane_of(rig: Rig, hook: str) -> str:

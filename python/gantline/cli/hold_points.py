@@ -21,8 +21,10 @@ _OF_HOOKS = ("hook_load", "hoist_load", "crane_radius")
 #: Share of the most of a hold by which its end is less where that is told.
 _TOLD = 0.25
 
-#: Of a measure that nothing of a lift has.
+#: Of a measure that nothing of a lift has; and of one of hooks that hang in falls, where no hook does.
 _NOTHING = "nothing in this lift has one"
+_OF_FALLS = ("hook_height", "falls_out_of_plumb", "load_swing")
+_NO_FALLS = "known of hooks under trolleys and booms; those of this lift stay over their places"
 
 #: Of a measure its variable, unit and digits, and of each thing that has it its name there.
 _Source = tuple[str, str, int, dict[str, str]]
@@ -47,11 +49,19 @@ def hold_points(recording: Recording) -> list[str]:
         asked = [measure for measure in point.step.report if measure not in shown]
         span = _hold(recording, point.step, sample)
         measured = {measure: ", ".join(_measure(recording, measure, sample, span)) for measure in asked}
-        rows = [(measure.replace("_", " "), text or _NOTHING) for measure, text in measured.items()]
+        rows = [
+            (measure.replace("_", " "), text or _nothing(recording, measure))
+            for measure, text in measured.items()
+        ]
         if rows or readings or point.step.report:
             lines += pairs(f"At the end of '{point.step.step}', {show(point.time, 's', 2)}{moment}", rows)
             lines += _hooks(readings)
     return lines
+
+
+def _nothing(recording: Recording, measure: str) -> str:
+    """What is said of a measure that nothing of a lift has."""
+    return _NO_FALLS if measure in _OF_FALLS and recording.rig.hooks else _NOTHING
 
 
 def _hooks(readings: list[HookReading]) -> list[str]:

@@ -99,8 +99,9 @@ def run(
 ) -> None:
     """Simulate a lift; write its recording, pictures and report into a folder and print its table.
 
-    Ends with code 1 if a check failed, with 3 if the simulation could not go on, and with 4 if the checks
-    give no verdict. Ctrl-C stops the lift, saves what there is and ends with code 130.
+    Ends with code 1 if a check failed, with 3 if the simulation could not go on, which prints what is known
+    up to then, and with 4 if the checks give no verdict. Ctrl-C stops the lift, saves what there is and ends
+    with code 130.
     """
     clock = _Clock()
     settings = {} if integrator is None else {"integrator": _typed("--integrator", integrator)}
@@ -120,7 +121,7 @@ def run(
     clock.lap("prepare")
     with live_view(simulation, browser=browser, aside=as_json) if live else nullcontext() as view:
         with noted_interrupt() as is_interrupted:
-            recording = _simulate(simulation, folder, view)
+            recording = _simulate(simulation, folder, view, as_json=as_json)
             clock.lap("simulate")
             written = save_run(recording, folder)
             clock.lap("save")
@@ -166,7 +167,7 @@ def _typed(option: str, text: str, dimension: str | None = None) -> TypedSetting
     return TypedSetting(option, text, text if dimension is None else quantity_of(option, text, dimension))
 
 
-def _simulate(simulation: Simulation, folder: Path, view: LiveView | None) -> Recording:
+def _simulate(simulation: Simulation, folder: Path, view: LiveView | None, *, as_json: bool) -> Recording:
     from gantline.simulation import SimulationError
 
     try:
@@ -181,17 +182,22 @@ def _simulate(simulation: Simulation, folder: Path, view: LiveView | None) -> Re
     except SimulationError as problem:
         if view is not None:
             view.finish(problem.recording, "failed")
-        _save_failure(problem, folder)
+        _end_with(problem, simulation, folder, as_json=as_json)
     if view is not None:
         view.finish(recording, str(recording.attributes["status"]))
     return recording
 
 
-def _save_failure(problem: SimulationError, folder: Path) -> NoReturn:
-    written = save_run(problem.recording, folder)
+def _end_with(problem: SimulationError, simulation: Simulation, folder: Path, *, as_json: bool) -> NoReturn:
+    """Save what there is of a run that could not go on, and print what is known up to then."""
+    recording = problem.recording
+    written = save_run(recording, folder)
     state = folder / STATE
     with writing(state):
         replace_bytes(state, problem.state)
+    if len(recording.time):
+        _print_json(recording) if as_json else _print_table(recording, simulation)
+        warn(f"the table ends at {recording.time[-1]:.2f} s: what would have come after is not checked")
     stop(f"{problem}\n  recording up to then: {written}\n  last good state: {state}", COULD_NOT_GO_ON)
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.results.bodies import places_of
 from gantline.results.parting import stops_met
 from gantline.results.rig import Rig
 from gantline.results.variable import Columns, Names
@@ -17,6 +18,7 @@ from gantline.units import format_quantity
 __all__ = [
     "command_warnings",
     "compensation_warnings",
+    "ground_warnings",
     "missed_bumps",
     "missed_crests",
     "missed_incidents",
@@ -35,6 +37,8 @@ _LITTLE = 0.1
 _UNSEEN, _OF_PERIOD = 0.05, 0.1
 #: Of the largest sample of a bump both beside it have at least this share where no more than 5 % is missed.
 _BESIDE = 0.8
+#: How far below the ground a hook is told [m].
+_BELOW = 0.1
 
 
 def missed_incidents(
@@ -213,6 +217,20 @@ def compensation_warnings(columns: Columns, names: Names) -> list[str]:
         "more than that lets it"
         for hook, (limit, when) in first.items()
     ]
+
+
+def ground_warnings(rig: Rig, level: float, columns: Columns, names: Names) -> list[str]:
+    """A warning of each hook whose bearing goes below the ground, at a level [m], which stops no hook."""
+    time, found = columns["time"], []
+    bearings = {hook.name: hook.bearing for hook in rig.carried_hooks}
+    for hook in rig.hooks if len(time) else ():
+        height = places_of(columns, names, hook.name, bearings.get(hook.name, (0.0, 0.0, 0.0)))[:, 2]
+        below = height < level - _BELOW
+        if below.any():
+            deepest = format_quantity(level - float(height.min()), "m", 2)
+            first = f"{hook.name} goes below the ground at {time[int(np.argmax(below))]:.2f} s"
+            found.append(f"{first}, up to {deepest}: nothing stops it there; lower it less far")
+    return found
 
 
 def sheave_warnings(

@@ -367,7 +367,7 @@ class Equalizer(EqualizerParts):
     type: Name | None = Field(
         None, description="A name of 'equalizer_types' that gives what is not said here."
     )
-    hangs_from: Name = Field(description="The hook it hangs from.")
+    hangs_from: Name = Field(description="The hook it hangs from, by its name as steps have it.")
     heading: Angle = Field(
         0.0, description="Direction of the frame's length at the start, from world x towards y."
     )

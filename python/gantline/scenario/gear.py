@@ -313,8 +313,8 @@ class Sling(SlingDefaults):
     from_: Name | None = Field(
         None,
         alias="from",
-        description="Where its upper end is: a moving sheave like 'e1.3', a hook, a lug of a spreader like "
-        "'bar.B1', or a compensator, from whose rod it hangs.",
+        description="Where its upper end is: a moving sheave like 'e1.3', a hook by its name as steps of the "
+        "plan have it, a lug of a spreader like 'bar.B1', or a compensator, from whose rod it hangs.",
     )
     over: Name | None = Field(
         None, description="In place of 'from': the extension sheave that it runs over, from end to end."

@@ -26,6 +26,7 @@ from gantline.scenario.extension import (
 )
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
+from gantline.scenario.hooks import full_name
 from gantline.scenario.model import Scenario
 from gantline.scenario.rope_weight import RopeWeight, RopeWeightWord, check_rope_weight, rope_weight
 from gantline.scenario.sheave import SheaveLosses, SheaveWords, sheave_losses, taken_together
@@ -211,9 +212,8 @@ def _equalizer(findings: Findings, name: str) -> EqualizerRigging | None:
     for key in SHEAVES:
         words = taken_together([said for _, said in sheave_levels(findings.scenario, name, key)])
         losses[key] = sheave_losses(words, parts[key].pitch_diameter / 2, rope_mass, own_mass)
-    return EqualizerRigging(
-        name=name, hook=given.hangs_from, heading=given.heading, sheave_losses=losses, **parts
-    )
+    hook = full_name(given.hangs_from, findings.scenario.hooks) or given.hangs_from
+    return EqualizerRigging(name=name, hook=hook, heading=given.heading, sheave_losses=losses, **parts)
 
 
 def sheave_levels(scenario: Scenario, name: str, key: str) -> list[tuple[Path, SheaveWords]]:
@@ -257,8 +257,8 @@ def _equalizing_rope_weight(
 
 def _check_hook(findings: Findings, name: str, given: Equalizer) -> None:
     equalizers = findings.scenario.equalizers or {}
-    hook = given.hangs_from
-    if hook in findings.scenario.hooks:
+    hook, hooks = given.hangs_from, findings.scenario.hooks
+    if hook in hooks or (hook not in equalizers and full_name(hook, hooks) is not None):
         return
     chain = [name]
     while hook in equalizers and hook not in chain:
@@ -270,7 +270,7 @@ def _check_hook(findings: Findings, name: str, given: Equalizer) -> None:
     elif given.hangs_from in equalizers:
         sentence = f"'{given.hangs_from}' is an equalizer; an equalizer hangs from the hook of a crane"
     else:
-        sentence = f"'{given.hangs_from}' is not a hook; {nearest(given.hangs_from, findings.scenario.hooks)}"
+        sentence = f"'{given.hangs_from}' is not a hook; {nearest(given.hangs_from, hooks)}"
     findings.add(("equalizers", name, "hangs_from"), sentence)
 
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from gantline.scenario.errors import nearest
 from gantline.scenario.extension import SlingEnd
 from gantline.scenario.findings import Findings, Path
+from gantline.scenario.hooks import full_name
 from gantline.scenario.model import Scenario
 from gantline.scenario.spreader import spreader_lugs
 
@@ -46,6 +47,9 @@ def upper_end(findings: Findings, text: str, path: Path) -> Upper | None:
     if text in compensators:
         return Upper(compensator=text)
     split = split_reference(text, equalizers)
+    hook = full_name(text, hooks) if split is None else None
+    if hook is not None:
+        return Upper(hook)
     if split is None:
         lugs = spreader_lugs(findings.scenario)
         holders = [*(f"{name}.1" for name in equalizers), *hooks, *lugs, *compensators]
@@ -69,7 +73,8 @@ def upper_end(findings: Findings, text: str, path: Path) -> Upper | None:
         sentence = f"'{name}' has no moving sheave '{sheave}'; it has '{name}.1' to '{name}.{count}'"
         findings.add(path, sentence)
         return None
-    return Upper(equalizers[name].hangs_from, name, int(sheave))
+    above = equalizers[name].hangs_from
+    return Upper(full_name(above, hooks) or above, name, int(sheave))
 
 
 def _count_of_moving_sheaves(scenario: Scenario, name: str) -> int | None:
