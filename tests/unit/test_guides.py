@@ -100,6 +100,23 @@ def test_a_bumper_that_comes_down_behind_its_wall() -> None:
     )
 
 
+def test_a_bumper_that_comes_down_beside_the_ends_of_its_wall() -> None:
+    """Told where its whole round passes the end: half the breadth and its radius, 1.2 m aside."""
+    text = lift(f"{WALL}, {BUMPER}, friction: 0.2")
+    assert assemble(parse_scenario(text.replace("at: [0 m, -1.7 m", "at: [1.19 m, -1.7 m"))).warnings == ()
+    [warning] = assemble(parse_scenario(text.replace("at: [0 m, -1.7 m", "at: [1.21 m, -1.7 m"))).warnings
+    assert "its bumper comes down 1.21 m aside of the middle of its wall, which is 2.00 m broad" in warning
+    assert "it would come down beside it" in warning
+
+
+def test_a_plate_that_passes_beside_its_post() -> None:
+    """A frame of one side has nothing across: 0.43 m of half its breadth and 0.2 m of the post catch."""
+    text = lift(f"{POST}, {FRAME}, friction: 0.2").replace("clearance", "sides: fore, clearance")
+    assert assemble(parse_scenario(text.replace("0.1 m, 0 m], dia", "0.62 m, 0 m], dia"))).warnings == ()
+    [warning] = assemble(parse_scenario(text.replace("0.1 m, 0 m], dia", "0.64 m, 0 m], dia"))).warnings
+    assert "its post is 0.64 m aside of the middle of its frame, whose sides are 0.86 m broad" in warning
+
+
 @pytest.mark.parametrize(
     ("given", "message"),
     [

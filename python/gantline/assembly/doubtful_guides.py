@@ -20,6 +20,7 @@ from gantline.scenario.guide import (
     LandingGuide,
     guide_body,
 )
+from gantline.scenario.lead import LeadStep
 from gantline.scenario.steps import MovingStep
 from gantline.units import format_quantity
 
@@ -43,12 +44,24 @@ class GuideFit:
         catches: how far it may be off towards each of its faces to catch the load [m].
         off: how far it is off towards each of them [m].
         rim: what a face stands on that it just misses is so thick [m].
+        aside: how far the post or the bumper is from the middle of the face along it, of that which it passes
+            by least [m].
+        breadth: how broad that face is [m].
+        radius: of the post or the bumper [m].
     """
 
     offset: tuple[float, float]
     catches: Mapping[str, float]
     off: Mapping[str, float]
     rim: float
+    aside: float
+    breadth: float
+    radius: float
+
+    @property
+    def passes(self) -> bool:
+        """Whether the post or the bumper comes down beside the ends of all faces, and touches none."""
+        return self.aside > self.breadth / 2 + self.radius + _JUST
 
     @property
     def worst(self) -> tuple[str, float]:
@@ -60,7 +73,10 @@ class GuideFit:
 
 def _is_taken_along(scenario: Scenario) -> bool:
     """Whether a step of the plan takes loads to another place."""
-    return any(isinstance(step, MovingStep) and step.verb in _TAKE_ALONG for step in scenario.plan)
+    return any(
+        isinstance(step, LeadStep) or (isinstance(step, MovingStep) and step.verb in _TAKE_ALONG)
+        for step in scenario.plan
+    )
 
 
 def guide_fits(parts: Parts, scenario: Scenario) -> dict[str, GuideFit]:
@@ -82,7 +98,10 @@ def _of_frame(frame: GuideFrame, post: GuidePost, place: Array, turn: Array) -> 
     run = 0.0 if frame.flare is None else frame.flare.run
     reach = post.diameter / 2 + frame.clearance + run - post.tip_radius
     off = {side: x * SIDES[side][0] + y * SIDES[side][1] for side in frame.sides}
-    return GuideFit((x, y), dict.fromkeys(off, reach), off, 2 * post.tip_radius)
+    aside = min(abs(x * SIDES[side][1] - y * SIDES[side][0]) for side in frame.sides)
+    radius = post.diameter / 2
+    breadth = 2 * (radius + frame.clearance + run)
+    return GuideFit((x, y), dict.fromkeys(off, reach), off, 2 * post.tip_radius, aside, breadth, radius)
 
 
 def _of_wall(guide: LandingGuide, wall: GuideWall, place: Array) -> GuideFit:
@@ -91,7 +110,8 @@ def _of_wall(guide: LandingGuide, wall: GuideWall, place: Array) -> GuideFit:
     radius = guide.bumper_there.diameter / 2
     gap, aside = float(apart @ out) - radius, float(apart @ np.array([-out[1], out[0]]))
     run = 0.0 if wall.slope is None else wall.slope.run
-    return GuideFit((gap, aside), {"wall": run}, {"wall": -gap}, 2 * radius)
+    caught, off = {"wall": run}, {"wall": -gap}
+    return GuideFit((gap, aside), caught, off, 2 * radius, abs(aside), wall.breadth, radius)
 
 
 def doubtful_guides(scenario: Scenario, fits: Mapping[str, GuideFit]) -> Iterator[Doubt]:
@@ -101,23 +121,35 @@ def doubtful_guides(scenario: Scenario, fits: Mapping[str, GuideFit]) -> Iterato
     if _is_taken_along(scenario):
         return
     for name, fit in fits.items():
-        side, missed = fit.worst
-        if missed <= _JUST:
-            continue
-        on_load = (scenario.guides or {})[name].frame is not None
+        if missed := _missed(fit, (scenario.guides or {})[name].frame is not None):
+            where, ends = missed
+            moved = "as the load hangs at the start, from where no step takes it along"
+            yield Doubt(("guides", name), f"the load misses guide {name}: {where}, {moved}; it {ends}")
+
+
+def _missed(fit: GuideFit, on_load: bool) -> tuple[str, str] | None:
+    """Where what of a guide misses the other, and where that ends; nothing where it catches the load."""
+    side, missed = fit.worst
+    beside = "would come down beside it"
+    if missed > _JUST:
         off, catches = (format_quantity(one, "m", 2) for one in (fit.off[side], fit.catches[side]))
-        if on_load:
-            where = (
-                f"its post is {off} to {side} of the middle of its frame, which catches it up to {catches}"
-            )
-        else:
-            where = (
-                f"its bumper comes down {off} behind the face of its wall, which catches it up to {catches}"
-            )
         rim = "the tip of the post" if on_load else "the top of the wall"
-        ends = f"would stand on the rim, {rim}" if missed < fit.rim else "would come down beside it"
-        moved = "as the load hangs at the start, from where no step takes it along"
-        yield Doubt(("guides", name), f"the load misses guide {name}: {where}, {moved}; it {ends}")
+        where = (
+            f"its post is {off} to {side} of the middle of its frame"
+            if on_load
+            else f"its bumper comes down {off} behind the face of its wall"
+        )
+        ends = f"would stand on the rim, {rim}" if missed < fit.rim else beside
+        return f"{where}, which catches it up to {catches}", ends
+    if fit.passes:
+        aside, breadth = (format_quantity(one, "m", 2) for one in (fit.aside, fit.breadth))
+        where = (
+            f"its post is {aside} aside of the middle of its frame, whose sides are {breadth} broad"
+            if on_load
+            else f"its bumper comes down {aside} aside of the middle of its wall, which is {breadth} broad"
+        )
+        return where, beside
+    return None
 
 
 def _too_flat(name: str, guide: LandingGuide) -> Iterator[Doubt]:
