@@ -51,7 +51,9 @@ def test_a_load_that_comes_down_there_has() -> None:
 def test_a_frame_that_is_just_over_its_post_does_not_stand_on_it() -> None:
     """Upright sides at the rim of a post without a cone, no clearance: it runs down all of the post."""
     plan = "  - {step: down, lower: crane, speed: 3 m/min, by: 0.9 m}\n  - {step: rest, hold: until_end}\n"
-    recording = simulate(parse_scenario(guided_lift(guide(3.5, flare=""), plan=plan, duration=22.0), "x.yaml"))
+    recording = simulate(
+        parse_scenario(guided_lift(guide(3.5, flare=""), plan=plan, duration=22.0), "x.yaml")
+    )
     assert misses(recording) == []
     assert recording.column("body_position", "module")[-1, 2] == pytest.approx(0.1 + 1.0, abs=1e-3)
 

@@ -25,9 +25,10 @@ WALL = f"wall: {{at: [0 m, -2 m, 0 m], faces: 90 deg, breadth: 2 m, height: 1 m,
 BUMPER = "bumper: {at: [0 m, -1.7 m, 0 m], diameter: 0.4 m}"
 
 
-def lift(*guides: str) -> str:
-    """The load, 1 m over the ground, with guides called g1, g2, ..."""
-    return guided_lift("".join(f"  g{n}: {{{given}}}\n" for n, given in enumerate(guides, start=1)))
+def lift(*guides: str, height: float = 2.0) -> str:
+    """The load, over the ground and clear of its guides if not said otherwise, with guides called g1, g2, ..."""
+    lines = "".join(f"  g{n}: {{{given}}}\n" for n, given in enumerate(guides, start=1))
+    return guided_lift(lines, height=height)
 
 
 def test_a_post_and_a_frame() -> None:
@@ -115,6 +116,29 @@ def test_a_plate_that_passes_beside_its_post() -> None:
     assert assemble(parse_scenario(text.replace("0.1 m, 0 m], dia", "0.62 m, 0 m], dia"))).warnings == ()
     [warning] = assemble(parse_scenario(text.replace("0.1 m, 0 m], dia", "0.64 m, 0 m], dia"))).warnings
     assert "its post is 0.64 m aside of the middle of its frame, whose sides are 0.86 m broad" in warning
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        # Knee and shoulder are 1 m up: the post, 0.1 m to port, is 0.1 m less 30 mm of clearance in the side.
+        (
+            POST.replace("3.5 m, 0.1 m, 0 m", "3.5 m, 0.1 m, 0.2 m") + f", {FRAME}",
+            "post of guide g1 is 0.070 m",
+        ),
+        # 0.1 m of 0.5 m up the cone it has narrowed by 20 mm, which leaves 50 mm.
+        (
+            POST.replace("3.5 m, 0.1 m, 0 m", "3.5 m, 0.1 m, -0.1 m") + f", {FRAME}",
+            "post of guide g1 is 0.050 m",
+        ),
+        # The bumper's foot is at the knee: 0.2 m of it and 50 mm from the wall.
+        (f"{WALL}, {BUMPER}".replace("-1.7 m", "-1.85 m"), "bumper of guide g1 is 0.050 m inside its wall"),
+    ],
+)
+def test_guides_that_are_in_each_other_as_the_lift_begins(given: str, told: str) -> None:
+    """A force of their depth at once would throw the load aside, and nothing else said so."""
+    [warning] = assemble(parse_scenario(lift(f"{given}, friction: 0.2", height=1.0))).warnings
+    assert told in warning and "as the lift begins, which throws the load aside" in warning
 
 
 @pytest.mark.parametrize(
