@@ -20,13 +20,14 @@ POST = f"post: {{at: [3.5 m, 0.1 m, 0 m], diameter: 0.4 m, height: 1 m, {CONE}}}
 FRAME = (
     "frame: {at: [3.5 m, 0 m, 0 m], clearance: 30 mm, height: 0.6 m, flare: {length: 0.4 m, angle: 30 deg}}"
 )
+RAISED, LOWERED = (POST.replace("3.5 m, 0.1 m, 0 m", f"3.5 m, 0.1 m, {z} m") for z in (0.2, -0.1))
 SLOPE = "slope: {length: 0.6 m, angle: 20 deg}"
 WALL = f"wall: {{at: [0 m, -2 m, 0 m], faces: 90 deg, breadth: 2 m, height: 1 m, {SLOPE}}}"
 BUMPER = "bumper: {at: [0 m, -1.7 m, 0 m], diameter: 0.4 m}"
 
 
 def lift(*guides: str, height: float = 2.0) -> str:
-    """The load, over the ground and clear of its guides if not said otherwise, with guides called g1, g2, ..."""
+    """The load, clear of its guides if not said otherwise, with guides called g1, g2, ..."""
     lines = "".join(f"  g{n}: {{{given}}}\n" for n, given in enumerate(guides, start=1))
     return guided_lift(lines, height=height)
 

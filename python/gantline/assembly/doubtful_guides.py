@@ -123,7 +123,7 @@ def _of_frame(frame: GuideFrame, post: GuidePost, place: Array, turn: Array) -> 
 def _deepest(
     heights: Sequence[float], radii: Sequence[float], knees: Sequence[float], away: Sequence[float]
 ) -> float:
-    """Radius of a round less the way to a face at the height where that is most [m]; both are given by corners.
+    """Radius of a round less the way to a face where that is most [m]; both are given by corners.
 
     Minus infinity where no height has both of them.
     """
