@@ -1,8 +1,8 @@
-"""A load that waits low beside its guides was told to be on the wrong side of a post before it had come down.
+"""A load that waits low beside its guides was told to be on the wrong side of a post before it came down.
 
 Any load whose frame was lower than the tip of the post, in line with it and farther than its radius, was
-warned of at 0 s: so one that stands on a quay or a trailer before it is brought to its guides. And a frame whose
-upright sides begin at the rim of the tip, pressed into it from aside by rounding, was told to stand on it.
+warned of at 0 s: so one that stands on a quay or a trailer before it is brought to its guides. And a frame
+whose sides begin at the rim of the tip, pressed into it from aside by rounding, was told to stand on it.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""A frame that slid past the shoulder of its post pressed on a cone that went on below it, with `adaptive`.
+"""A frame that slid past the shoulder of its post pressed on a cone that went on below it, by `adaptive`.
 
-Steps ended as much as 1 mm beyond the end of a side. On a cone that narrows by 11 degrees a spot there is 0.2 mm
-deeper than on the cylinder, 4 kN of 20 MN/m: the largest force of the guide was 5.40 kN where `del` with steps
-of 0.2 ms has 3.19 kN.
+Steps ended as much as 1 mm beyond the end of a side. On a cone that narrows by 11 degrees a spot is 0.2 mm
+deeper there than on the cylinder, 4 kN of 20 MN/m: the largest force of the guide was 5.40 kN where `del`
+with steps of 0.2 ms has 3.19 kN.
 """
 
 from __future__ import annotations
