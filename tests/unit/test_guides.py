@@ -20,14 +20,16 @@ POST = f"post: {{at: [3.5 m, 0.1 m, 0 m], diameter: 0.4 m, height: 1 m, {CONE}}}
 FRAME = (
     "frame: {at: [3.5 m, 0 m, 0 m], clearance: 30 mm, height: 0.6 m, flare: {length: 0.4 m, angle: 30 deg}}"
 )
+RAISED, LOWERED = (POST.replace("3.5 m, 0.1 m, 0 m", f"3.5 m, 0.1 m, {z} m") for z in (0.2, -0.1))
 SLOPE = "slope: {length: 0.6 m, angle: 20 deg}"
 WALL = f"wall: {{at: [0 m, -2 m, 0 m], faces: 90 deg, breadth: 2 m, height: 1 m, {SLOPE}}}"
 BUMPER = "bumper: {at: [0 m, -1.7 m, 0 m], diameter: 0.4 m}"
 
 
-def lift(*guides: str) -> str:
-    """The load, 1 m over the ground, with guides called g1, g2, ..."""
-    return guided_lift("".join(f"  g{n}: {{{given}}}\n" for n, given in enumerate(guides, start=1)))
+def lift(*guides: str, height: float = 2.0) -> str:
+    """The load, clear of its guides if not said otherwise, with guides called g1, g2, ..."""
+    lines = "".join(f"  g{n}: {{{given}}}\n" for n, given in enumerate(guides, start=1))
+    return guided_lift(lines, height=height)
 
 
 def test_a_post_and_a_frame() -> None:
@@ -98,6 +100,46 @@ def test_a_bumper_that_comes_down_behind_its_wall() -> None:
     assert (
         "its bumper comes down 0.40 m behind the face of its wall, which catches it up to 0.21 m" in warning
     )
+
+
+def test_a_bumper_that_comes_down_beside_the_ends_of_its_wall() -> None:
+    """Told where its whole round passes the end: half the breadth and its radius, 1.2 m aside."""
+    text = lift(f"{WALL}, {BUMPER}, friction: 0.2")
+    assert assemble(parse_scenario(text.replace("at: [0 m, -1.7 m", "at: [1.19 m, -1.7 m"))).warnings == ()
+    [warning] = assemble(parse_scenario(text.replace("at: [0 m, -1.7 m", "at: [1.21 m, -1.7 m"))).warnings
+    assert "its bumper comes down 1.21 m aside of the middle of its wall, which is 2.00 m broad" in warning
+    assert "it would come down beside it" in warning
+
+
+def test_a_plate_that_passes_beside_its_post() -> None:
+    """A frame of one side has nothing across: 0.43 m of half its breadth and 0.2 m of the post catch."""
+    text = lift(f"{POST}, {FRAME}, friction: 0.2").replace("clearance", "sides: fore, clearance")
+    assert assemble(parse_scenario(text.replace("0.1 m, 0 m], dia", "0.62 m, 0 m], dia"))).warnings == ()
+    [warning] = assemble(parse_scenario(text.replace("0.1 m, 0 m], dia", "0.64 m, 0 m], dia"))).warnings
+    assert "its post is 0.64 m aside of the middle of its frame, whose sides are 0.86 m broad" in warning
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        # Knee and shoulder are 1 m up: the post, 0.1 m to port, is 0.1 m less 30 mm of clearance in the side.
+        (
+            POST.replace("3.5 m, 0.1 m, 0 m", "3.5 m, 0.1 m, 0.2 m") + f", {FRAME}",
+            "post of guide g1 is 0.070 m",
+        ),
+        # 0.1 m of 0.5 m up the cone it has narrowed by 20 mm, which leaves 50 mm.
+        (
+            POST.replace("3.5 m, 0.1 m, 0 m", "3.5 m, 0.1 m, -0.1 m") + f", {FRAME}",
+            "post of guide g1 is 0.050 m",
+        ),
+        # The bumper's foot is at the knee: 0.2 m of it and 50 mm from the wall.
+        (f"{WALL}, {BUMPER}".replace("-1.7 m", "-1.85 m"), "bumper of guide g1 is 0.050 m inside its wall"),
+    ],
+)
+def test_guides_that_are_in_each_other_as_the_lift_begins(given: str, told: str) -> None:
+    """A force of their depth at once would throw the load aside, and nothing else said so."""
+    [warning] = assemble(parse_scenario(lift(f"{given}, friction: 0.2", height=1.0))).warnings
+    assert told in warning and "as the lift begins, which throws the load aside" in warning
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,8 @@ __all__ = ["Guide", "guide_state", "missed_guides"]
 _OPPOSITE = (("fore", "aft"), ("port", "starboard"))
 #: A load that stands on the tip of a post is as near to it [m].
 _ON_TIP = 0.02
+#: Rounding of places [m].
+_JUST = 1e-6
 
 
 @dataclass(frozen=True)
@@ -137,9 +139,13 @@ def _missed(
     aside = np.abs(np.einsum("ti,ti->t", apart + top * axis, along))
     near = aside < wall["breadth"] / 2
     order = list(names["contact"])
-    pressed = columns["contact_force"][:, [order.index(contact) for contact in contacts]].max(axis=1) > 0.0
-    stands = near & pressed & (np.abs(over) < _ON_TIP) & (np.abs(inside) < radius)
-    beside = near & (over < -_ON_TIP) & (inside < -radius)
+    pressed = columns["contact_force"][:, [order.index(contact) for contact in contacts]].max(axis=1)
+    # A face that slides past the tip is pressed into it from aside, by its force over its stiffness.
+    onto = radius - pressed / pair["stiffness"] - _JUST
+    stands = near & (pressed > 0.0) & (np.abs(over) < _ON_TIP) & (np.abs(inside) < onto)
+    # What has not been over the tip yet has not come down: a load that waits elsewhere, lower than that.
+    was_over = np.logical_or.accumulate(over > 0.0)
+    beside = near & was_over & (over < -_ON_TIP) & (inside < -radius)
     face = "its wall" if side == "wall" else f"the {side} side of its frame"
     kinds = (
         (stands, f"{face} stands on the rim of the {'bumper' if side == 'wall' else 'post'}"),
