@@ -1,6 +1,6 @@
 """A top-heavy load that a step leads straight up never came clear, and no run said why.
 
-What tells it looked for steps that hoist by their name, while other checks know that a way straight up hoists.
+What tells it looked for steps that hoist by their name; other checks know that a way straight up hoists.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _HOISTED = "{step: up, hoist: [a.H, b.H], by: 0.25 m, speed: 3 m/min}"
 
 @pytest.mark.parametrize("step", [_LED, _HOISTED], ids=["led", "hoisted"])
 def test_a_load_that_heels_over_as_it_is_led_up_is_told(step: str) -> None:
-    """On plumb slings from one line of lugs a load is unstable with its centre of gravity above them: 0.2 m."""
+    """Its slings are plumb and its lugs in one line: a centre of gravity 0.2 m above them is unstable."""
     text = led_text(step, duration=40.0, rest="ground: {level: 5 m, friction: 0.4}\n")
     for old, new in (
         ("position: [0 m, 17 m, 5 m]", "position: [0 m, 17 m, 5 m]\n  stands_on: ground"),

@@ -1,7 +1,7 @@
 """A way of 1e-300 m, and a hook turned about itself, ended in a division by zero or in a step of no length.
 
-A hook alone that turns about its own place was refused without `about` only; with it at the hook, as with a way
-next to nothing, rounding was what the rate of the way was computed from.
+A hook alone that turns about its own place was refused without `about` only; with it at the hook, as with a
+way next to nothing, rounding was what the rate of the way was computed from.
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ __all__ = ["Leading", "leading"]
 _FIRST, _MOST = 32, 1024
 #: What the last quarter of the terms may be [m, rad]: rounding of the places of hooks a hundred metres away.
 _ROUNDING = 1e-13
-#: What is left where rounding is coarser, as far from the origin; more is a way that no series follows [m, rad].
+#: The same where rounding is coarser, as far from the origin; no series follows what leaves more [m, rad].
 _COARSE = 1e-9
 
 
@@ -56,7 +56,7 @@ def leading(scenario: Scenario, place: int, before: Places) -> Leading:
         before: Where cranes are before it.
 
     Raises:
-        ScenarioError: where a hook comes so near to the edge of what its crane reaches that no series follows.
+        ScenarioError: where a hook comes so near to the edge of its crane's reach that no series follows.
     """
     step = scenario.plan[place]
     assert isinstance(step, LeadStep)

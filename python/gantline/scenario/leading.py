@@ -20,7 +20,7 @@ from gantline.scenario.slewing import upper_body
 
 __all__ = ["Beyond", "LedHook", "Pose", "Way", "led_hooks", "movers_of_lead", "pose_before", "way_of"]
 
-#: So near to square to its way, as a share of all, is a boom that is [rad, 1]: rounding of an angle of 90 degrees.
+#: So near to square to its way is a boom at 90 degrees but for rounding [rad, and as a share of its reach].
 _SQUARE = 1e-9
 #: Where things are before a step: the last place that the plan says, as `to` counts it, and whether they are.
 Places = Mapping[str, tuple[float, bool]]
@@ -141,7 +141,9 @@ class LedHook:
         if is_square and abs(abs(across) - distance) < _SQUARE * distance:
             return Pose(before.angle, before.slew, along)
         if is_square or abs(across) >= distance:
-            sentence = f"{abs(across):.2f} m aside of the way of '{self.crane}'; at its radius, which it keeps, "
+            sentence = (
+                f"{abs(across):.2f} m aside of the way of '{self.crane}'; at its radius, which it keeps, "
+            )
             told = "its boom is square to that way, and goes straight along it only"
             raise Beyond(sentence + (told if is_square else f"it reaches {distance:.2f} m"))
         forward = math.sqrt(distance**2 - across**2)
