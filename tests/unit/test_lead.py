@@ -234,6 +234,15 @@ def test_a_hook_that_stays_behind_is_a_warning() -> None:
     ]
 
 
+def test_a_hook_that_is_led_beside_does_not_stay_behind() -> None:
+    """Two steps that begin together, each with a hook: nobody is left; the second after the first is."""
+    first, other = LED.replace("[a.H, b.H]", "a.H"), LED.replace("[a.H, b.H]", "b.H").replace("over", "other")
+    for starts, left in (("with_previous", 0), ("after_previous", 2)):
+        beside = other.replace("}", f", starts: {starts}}}")
+        doubts = [str(one.sentence) for one in Simulation(led(first, beside, duration=200.0)).assembly.doubts]
+        assert sum("stays behind" in one for one in doubts) == left
+
+
 def test_the_table_of_check_says_what_cranes_do() -> None:
     """Radius from 17 m to |(3, 22)| = 22.2 m, slew from 90 to atan(22/3) = 82.2 deg."""
     head, *rows = lead_table(led())

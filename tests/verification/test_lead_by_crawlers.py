@@ -109,6 +109,27 @@ def test_a_crane_that_stands_abeam_does_not_travel_and_slew() -> None:
     """With its boom square to its way the root of (LD5) is at its end: the load would go off it at once."""
     text = lift("[c1, c2]").replace("slew: -60 deg", "slew: -90 deg")
     with pytest.raises(
-        gantline.ScenarioError, match="aside of the way of 'c1'; at its radius, which it keeps"
+        gantline.ScenarioError,
+        match="aside of the way of 'c1'; at its radius, which it keeps, its boom is square",
     ):
         parse_scenario(text)
+
+
+def test_a_crane_that_stands_abeam_goes_straight_along() -> None:
+    """With s = r all along (LD5) leaves the tracks the whole way of 10 m, and the slew where it is."""
+    text = (
+        lift("[c1, c2]")
+        .replace("slew: -60 deg", "slew: -90 deg")
+        .replace("10 m, 3 m, 0 m]", "10 m, 0 m, 0 m]")
+    )
+    # 16 m abeam of the beam, and ahead of it by nothing in place of 8 m.
+    text = (
+        text.replace("13.856406460551018 m", "16 m")
+        .replace("[-18 m", "[-10 m")
+        .replace("[2 m, 16 m", "[10 m, 16 m")
+    )
+    recording = gantline.simulate(parse_scenario(text))
+    for crane in ("c1", "c2"):
+        assert recording.column("slew_angle", crane) == pytest.approx(-math.pi / 2, abs=1e-14)
+        joint = recording.column("joint_position", f"{crane}/along")
+        assert joint[-1] == pytest.approx(10.0, abs=30 * BETWEEN)

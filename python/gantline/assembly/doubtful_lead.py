@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.charts import Chart, boom_charts
 from gantline.scenario.errors import Doubt
-from gantline.scenario.findings import Path
 from gantline.scenario.hooks import full_names
 from gantline.scenario.kept_plumb import slings_under
 from gantline.scenario.lead import LeadStep
 from gantline.scenario.leading import LedHook, led_hooks, pose_before, way_of
+from gantline.scenario.plan import Step
 from gantline.scenario.positions import places_of_cranes
 from gantline.scenario.slinging import slings_on
 from gantline.units import format_quantity
@@ -41,7 +41,7 @@ def doubtful_lead(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
     for place, (step, on) in enumerate(zip(scenario.plan, slings_on(scenario), strict=True)):
         if not isinstance(step, LeadStep):
             continue
-        yield from _left_behind(scenario, rigging, ("plan", place, "lead"), step, on)
+        yield from _left_behind(scenario, rigging, place, step, on)
         hooks = led_hooks(scenario, step)
         way = way_of(step, hooks, before[place])
         for index, led in enumerate(hooks):
@@ -66,12 +66,22 @@ def doubtful_lead(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
 
 
 def _left_behind(
-    scenario: Scenario, rigging: Rigging, path: Path, step: LeadStep, on: frozenset[str]
+    scenario: Scenario, rigging: Rigging, place: int, step: LeadStep, on: frozenset[str]
 ) -> Iterator[Doubt]:
-    """Hooks in which the load hangs as well, and which the step does not name."""
+    """Hooks in which the load hangs as well, and which neither the step nor one beside it leads."""
+    beside = (one for one in _beside(scenario, place) if isinstance(one, LeadStep))
+    elsewhere = {name for one in beside for name in full_names(one.lead, scenario.hooks)}
     named = full_names(step.lead, scenario.hooks)
     holds = [name for name in scenario.hooks if any(one.name in on for one in slings_under(rigging, name))]
-    left = [f"'{name}'" for name in holds if name not in named]
+    left = [f"'{name}'" for name in holds if name not in named and name not in elsewhere]
     if left and set(holds) & set(named):
         hangs = f"the load hangs in {' and '.join(left)} as well, which stays behind and pulls at it"
-        yield Doubt(path, f"{hangs}; lead all hooks that have slings on")
+        yield Doubt(("plan", place, "lead"), f"{hangs}; lead all hooks that have slings on")
+
+
+def _beside(scenario: Scenario, place: int) -> Sequence[Step]:
+    """Steps that begin together with that at a place of the plan, and this itself."""
+    plan = scenario.plan
+    starts = [at for at, step in enumerate(plan) if getattr(step, "starts", "") != "with_previous"]
+    first = max((at for at in starts if at <= place), default=0)
+    return plan[first : min((at for at in starts if at > place), default=len(plan))]

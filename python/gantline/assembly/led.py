@@ -26,6 +26,8 @@ __all__ = ["Leading", "leading"]
 _FIRST, _MOST = 32, 1024
 #: What the last quarter of the terms may be [m, rad]: rounding of the places of hooks a hundred metres away.
 _ROUNDING = 1e-13
+#: The same where rounding is coarser, as far from the origin; no series follows what leaves more [m, rad].
+_COARSE = 1e-9
 
 
 @dataclass(frozen=True)
@@ -45,20 +47,31 @@ class Leading:
     series: Sequence[list[float]]
 
 
-def leading(scenario: Scenario, step: LeadStep, before: Places) -> Leading:
+def leading(scenario: Scenario, place: int, before: Places) -> Leading:
     """The drives of a step that leads.
 
     Args:
         scenario: The lift.
-        step: The step, which has been checked.
+        place: of the step in the plan; it has been checked.
         before: Where cranes are before it.
+
+    Raises:
+        ScenarioError: where a hook comes so near to the edge of its crane's reach that no series follows.
     """
+    step = scenario.plan[place]
+    assert isinstance(step, LeadStep)
     hooks = led_hooks(scenario, step)
     way = way_of(step, hooks, before)
     movers, series = [], []
     for index, led in enumerate(hooks):
         movers += led.movers
-        series += _series(partial(_drives, way, index, led, before))
+        found, missed = _series(partial(_drives, way, index, led, before))
+        if missed > _COARSE:
+            edge = "its boom square to the way of its tracks" if led.travels else "its boom flat"
+            sentence = f"'{led.name}' would come to the very edge of what '{led.crane}' reaches, {edge}"
+            right = "its drives would have to move all at once there; a way that keeps off that is right"
+            raise scenario.error(("plan", place, "turn" if step.turn else "by"), f"{sentence}: {right}")
+        series += found
     return Leading(step.speed / way.length, step.acceleration / way.length, movers, series)
 
 
@@ -82,8 +95,8 @@ def _second(led: LedHook, pose: Pose) -> float:
     return pose.angle if led.boom.gear is None else led.boom.gear.taken_up(pose.angle)
 
 
-def _series(drives: Callable[[Sequence[float]], np.ndarray]) -> list[list[float]]:
-    """Coefficients of each drive, as many as it needs."""
+def _series(drives: Callable[[Sequence[float]], np.ndarray]) -> tuple[list[list[float]], float]:
+    """Coefficients of each drive, as many as it needs, and the largest of the last quarter."""
     terms = _FIRST
     while True:
         nodes = chebyshev.chebpts1(terms)  # rising
@@ -94,9 +107,9 @@ def _series(drives: Callable[[Sequence[float]], np.ndarray]) -> list[list[float]
             * (drives([float(one) for one in (nodes + 1.0) / 2.0]).T @ chebyshev.chebvander(nodes, terms - 1))
         )
         found[:, 0] /= 2.0
-        tail = np.abs(found[:, 3 * terms // 4 :]).max()
+        tail = float(np.abs(found[:, 3 * terms // 4 :]).max())
         if tail <= _ROUNDING or terms >= _MOST:
-            return [_without_noise(one) for one in found]
+            return [_without_noise(one) for one in found], tail
         terms *= 2
 
 

@@ -76,7 +76,7 @@ def operations(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]
         elif isinstance(step, PumpStep):
             made = _pumping(scenario, step)
         elif isinstance(step, LeadStep):
-            made = _leading(scenario, step, cranes[place])
+            made = _leading(scenario, place, step, cranes[place])
         else:
             made = _moving(scenario, step, before, after)
         if isinstance(step, AlongStep) and step.keep_plumb:
@@ -196,9 +196,9 @@ def _pumping(scenario: Scenario, step: PumpStep) -> Json:
     return made
 
 
-def _leading(scenario: Scenario, step: LeadStep, before: Places) -> Json:
+def _leading(scenario: Scenario, place: int, step: LeadStep, before: Places) -> Json:
     """Drives of several cranes that go the way of a load together."""
-    found = leading(scenario, step, before)
+    found = leading(scenario, place, before)
     moves = [
         # What a drive may do has been looked at along the way; it does what its series says.
         {"drive": drive, "velocity": 1.0, "acceleration": 1.0, "shape": "linear"}

@@ -94,7 +94,7 @@ def heels_over(recording: Recording) -> list[TopHeavy]:
     Args:
         recording: Of a run.
     """
-    kinds = {step.kind for step in recording.rig.plan}
+    kinds = {step.acts_as for step in recording.rig.plan}
     if recording.is_equilibrium or "hoist" not in kinds or "lower" in kinds or not len(recording.time):
         return []
     found = []
@@ -110,7 +110,7 @@ def heels_over(recording: Recording) -> list[TopHeavy]:
 def _stops_short(recording: Recording, load: Load) -> bool:
     """Whether the last step that hoists ends by its condition with a load on its supports, as wanted then."""
     ends = {name: time for time, _, name in recording.events("step_end")}
-    last = [step for step in recording.rig.plan if step.kind == "hoist"][-1]
+    last = [step for step in recording.rig.plan if step.acts_as == "hoist"][-1]
     if last.ends_by != "until" or last.step not in ends:
         return False
     at = min(int(np.searchsorted(recording.time, ends[last.step])), len(recording.time) - 1)

@@ -23,6 +23,8 @@ __all__ = ["Drive", "check_lead", "drives_along", "fastest"]
 _ROUNDING = 1 + 1e-9
 #: So many parts of a way are looked at, each for the speed of every drive.
 _PARTS = 200
+#: Hooks that go less far go nowhere [m].
+_NOWHERE = 1e-6
 #: An upper structure turns by more than this between two looks only as its hook passes the axis [rad].
 _LARGEST_TURN = 0.2
 #: What drives do, in messages.
@@ -124,6 +126,11 @@ def _check_way(
                 findings.add((*path, "lead"), f"{sentence}; {right}")
                 return
     way = way_of(step, hooks, before)
+    if way.length < _NOWHERE:
+        sentence = "takes no hook anywhere, or by less than a micrometre"
+        right = "a longer way, or an axis 'about' aside of the hook, is right"
+        findings.add((*path, "turn" if step.turn else "by"), f"{sentence}; {right}")
+        return
     for index, led in enumerate(hooks):
         try:
             drives = drives_along(step, way, index, led, pose_before(led, before))

@@ -20,6 +20,8 @@ from gantline.scenario.slewing import upper_body
 
 __all__ = ["Beyond", "LedHook", "Pose", "Way", "led_hooks", "movers_of_lead", "pose_before", "way_of"]
 
+#: So near to square to its way is a boom at 90 degrees but for rounding [rad, and as a share of its reach].
+_SQUARE = 1e-9
 #: Where things are before a step: the last place that the plan says, as `to` counts it, and whether they are.
 Places = Mapping[str, tuple[float, bool]]
 
@@ -126,15 +128,24 @@ class LedHook:
         return Pose(math.acos(cosine) - raised, _next_to(before.slew, turn), before.travel)
 
     def _travel_to(self, place: tuple[float, float], before: Pose) -> Pose:
-        """(LD5): the radius stays; how far aside of its way the place is gives slew and travel."""
+        """(LD5): the radius stays; how far aside of its way the place is gives slew and travel.
+
+        A boom square to the way stays so: the root is 0 there, but for rounding, and has no slope.
+        """
         ahead = self.radius(before.angle)
         distance, lead = math.hypot(ahead, self.aside), math.atan2(self.aside, ahead)
         cosine, sine = math.cos(self.heading), math.sin(self.heading)
         east, north = place[0] - self.base[0], place[1] - self.base[1]
         along, across = east * cosine + north * sine, north * cosine - east * sine
-        if abs(across) >= distance:
-            sentence = f"{abs(across):.2f} m aside of the way of '{self.crane}'"
-            raise Beyond(f"{sentence}; at its radius, which it keeps, it reaches {distance:.2f} m")
+        is_square = abs(math.cos(before.slew + lead)) < _SQUARE
+        if is_square and abs(abs(across) - distance) < _SQUARE * distance:
+            return Pose(before.angle, before.slew, along)
+        if is_square or abs(across) >= distance:
+            sentence = (
+                f"{abs(across):.2f} m aside of the way of '{self.crane}'; at its radius, which it keeps, "
+            )
+            told = "its boom is square to that way, and goes straight along it only"
+            raise Beyond(sentence + (told if is_square else f"it reaches {distance:.2f} m"))
         forward = math.sqrt(distance**2 - across**2)
         forward = math.copysign(forward, math.cos(before.slew + lead))
         turn = math.atan2(across, forward) - lead
