@@ -17,7 +17,7 @@ fn prism(sides: u32, radius: f64, length: f64) -> Vec<DVec3> {
 }
 
 proptest! {
-    // Three hundred of the kinds of places below were wrong in twenty thousand.
+    // Of such places seven in a thousand were wrong.
     #![proptest_config(ProptestConfig::with_cases(4000))]
 
     /// A prism over the top of a box, on its end, on a side or on an edge, is as far from it as it was put: the lowest
@@ -48,12 +48,12 @@ proptest! {
         let mut found = Vec::new();
         hull.meet(&deck, poses, 0.05, &mut found);
         prop_assert!(!found.is_empty());
-        // Rounding of numbers of up to 30 m, and parry's own tolerance, 1e-6 of what it has.
+        // Gaps are those of corners: rounding of numbers of up to 45 m.
         prop_assert!((found[0].gap - gap).abs() < 1e-9, "{:e} of {gap:e}", found[0].gap);
-        let apart = hull.apart(&deck, poses);
-        prop_assert!((apart.distance - gap).abs() < 1e-9, "{:e} of {gap:e}", apart.distance);
-        let distance = hull.distance(&deck, poses);
-        prop_assert!((distance - gap).abs() < 1e-9, "{distance:e} of {gap:e}");
+        // Distances are found as squares: to the square root of rounding, 1.5e-8 of 45 m.
+        for distance in [hull.distance(&deck, poses), hull.apart(&deck, poses).distance] {
+            prop_assert!((distance - gap).abs() < 1e-6, "{distance:e} of {gap:e}");
+        }
         let normal = found[0].spot.in_world(poses).1;
         prop_assert!(normal.z > 0.999, "{normal}");
     }

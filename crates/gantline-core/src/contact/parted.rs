@@ -37,8 +37,10 @@ impl SupportMap for Shrunk<'_> {
     }
 }
 
-/// How the second of two convex parts has to be shifted, in the frame of the first [m], for them to be just apart; `None`
-/// where they overlap by more than they do without doubt, half a millimetre at most, and of what is not convex.
+/// How the second of two convex parts has to be shifted, in the frame of the first [m], for them to be just apart.
+///
+/// `None` where both, each a little smaller, still overlap: the parts themselves may then overlap by any depth. If they do
+/// not, the parts overlap by no more than both shrink, half a millimetre. `None` too of what is not convex.
 pub fn parted(between: &ParryPose, one: &SharedShape, other: &SharedShape) -> Option<Vector> {
     let (own, its) = (Shrunk::new(one)?, Shrunk::new(other)?);
     let found = closest_points_support_map_support_map(between, &own, &its, f64::MAX);
