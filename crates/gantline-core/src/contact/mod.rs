@@ -3,6 +3,7 @@
 
 pub mod landing;
 pub mod pad;
+mod parted;
 pub mod plane;
 pub mod rim;
 pub mod shape;

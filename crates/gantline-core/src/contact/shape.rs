@@ -12,6 +12,7 @@ use parry3d_f64::query::{
 };
 use parry3d_f64::shape::{PackedFeatureId, PolygonalFeature, SharedShape};
 
+use super::parted::parted;
 use super::plane::Plane;
 use super::spot::{Crossing, Spot};
 use crate::tree::pose::Pose;
@@ -174,18 +175,13 @@ impl Shape {
                 if !bounds.loosened(reach).intersects(&other_part.compute_aabb(&other_pose)) {
                     continue;
                 }
-                manifolds.clear();
-                let between = pose.inv_mul(&other_pose);
-                let made = DefaultQueryDispatcher.contact_manifolds(
-                    &between,
-                    part.as_ref(),
-                    other_part.as_ref(),
-                    reach,
-                    &mut manifolds,
-                    &mut None,
-                );
-                if made.is_err() {
-                    continue;
+                let mut between = pose.inv_mul(&other_pose);
+                fill(&mut manifolds, &between, [part, other_part], reach);
+                if is_doubtful(&manifolds)
+                    && let Some(shift) = parted(&between, part, other_part)
+                {
+                    between.translation += shift;
+                    fill(&mut manifolds, &between, [part, other_part], reach);
                 }
                 let parts = ((index as u64) << 20) ^ other_index as u64;
                 for manifold in &manifolds {
@@ -202,6 +198,31 @@ impl Shape {
         found.sort_by(|a, b| a.gap.total_cmp(&b.gap).then(a.spot.feature.cmp(&b.spot.feature)));
         drop_repeated(found, poses);
     }
+}
+
+/// Where two parts are not farther apart than `reach` [m], the second at a pose in the frame of the first; nothing of
+/// kinds that parry has no answer for.
+fn fill(
+    manifolds: &mut Vec<ContactManifold<(), ()>>,
+    between: &ParryPose,
+    [one, other]: [&SharedShape; 2],
+    reach: f64,
+) {
+    manifolds.clear();
+    let (one, other) = (one.as_ref(), other.as_ref());
+    let made = DefaultQueryDispatcher.contact_manifolds(between, one, other, reach, manifolds, &mut None);
+    if made.is_err() {
+        manifolds.clear();
+    }
+}
+
+/// True where parts may in truth touch to rounding: deeper than [`SAME`], or nothing with the normal that parry gives
+/// where it has failed.
+fn is_doubtful(manifolds: &[ContactManifold<(), ()>]) -> bool {
+    manifolds.iter().any(|manifold| {
+        manifold.points.is_empty() && manifold.local_n1 == Vector::X
+            || manifold.points.iter().any(|point| point.dist < -SAME)
+    })
 }
 
 /// The smallest distance of parts of two shapes [m], and which two have it.
@@ -239,7 +260,20 @@ fn distance(one: Placed, other: Placed) -> f64 {
 
 /// Where two parts that meet do so most.
 fn deepest(one: Placed, other: Placed) -> Option<query::Contact> {
-    query::contact(&one.0, one.1.as_ref(), &other.0, other.1.as_ref(), 0.0).ok().flatten()
+    let contact = |other: Placed, reach| {
+        query::contact(&one.0, one.1.as_ref(), &other.0, other.1.as_ref(), reach).ok().flatten()
+    };
+    let found = contact(other, 0.0);
+    if found.is_some_and(|found| found.dist >= -SAME) {
+        return found;
+    }
+    let Some(shift) = parted(&one.0.inv_mul(&other.0), one.1, other.1) else { return found };
+    let shift = one.0.transform_vector(shift);
+    let mut moved = other.0;
+    moved.translation += shift;
+    let anew = contact((moved, other.1), SAME)?;
+    let dist = anew.dist - shift.dot(anew.normal1);
+    Some(query::Contact { dist, point2: anew.point2 - shift, ..anew })
 }
 
 fn apart((distance, parts): (f64, Option<[Placed; 2]>)) -> Apart {
