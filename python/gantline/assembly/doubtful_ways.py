@@ -9,7 +9,8 @@ from gantline.scenario import Scenario
 from gantline.scenario.check_travel import Bounds, bounds_after
 from gantline.scenario.errors import Doubt
 from gantline.scenario.hooks import Hook
-from gantline.scenario.movers import boom_angles_at_end, mover
+from gantline.scenario.movers import mover
+from gantline.scenario.positions import boom_angles_at_end
 from gantline.scenario.steps import HookStep
 from gantline.units import format_quantity
 

@@ -20,11 +20,7 @@ Whole = npt.NDArray[np.int64]
 __all__ = ["cells_along", "drawn", "hull", "rims", "sides", "surface", "touching"]
 
 #: How far a hull that is touched and watched may be within the round body, and the sides on supports [m].
-_HULL_ERROR, _SIDES_ERROR = 0.99e-3, 2e-4
-#: How far within it all that is touched is, beside that [m]: of two convex bodies whose skins coincide to
-#: rounding, as of a load that stands on a deck to the letter, the contact library may find one 30 m deep in
-#: the other.
-_SKIN = 1e-5
+_HULL_ERROR, _SIDES_ERROR = 1e-3, 2e-4
 #: Flat sides of pictures; at least and at most of what is touched, a multiple of four: one is lowest.
 _DRAWN, _FEWEST, _MOST = 48, 32, 400
 #: Plates of an end, of four corners each, how far the hull ends within them [m], more than what makes two
@@ -48,16 +44,15 @@ def touching(given: Cylinder) -> tuple[Array, ...]:
     plates = []
     for which in range(_PLATES):
         square = _turned(4, math.pi / 2.0 * which / _PLATES)
-        whole = _between(given, _SKIN, square)
+        whole = _between(given, 0.0, square)
         thick = _between(given, min(_THICK * given.widest, 0.5 * given.length), square)
         plates += [np.concatenate([whole[:4], thick[:4]]), np.concatenate([whole[4:], thick[4:]])]
     return (inner, *plates)
 
 
 def _between(given: Cylinder, inset: float, around: Array) -> Array:
-    """Both ends moved inwards [m], places around each a skin within the circle (2 n, 3) [m]."""
-    ends = enumerate(given.radii)
-    first, last = (_rim(given, end, radius - min(_SKIN, 0.1 * radius), around) for end, radius in ends)
+    """Both ends moved inwards [m], with places around each (2 n, 3) [m]."""
+    first, last = (_rim(given, end, radius, around) for end, radius in enumerate(given.radii))
     way = min(inset / given.length, 0.5) * (last - first)
     return np.concatenate([first + way, last - way])
 

@@ -216,12 +216,15 @@ fn fill(
     }
 }
 
-/// True where parts may in truth touch to rounding: deeper than [`SAME`], or nothing with the normal that parry gives
-/// where it has failed.
+/// True where parts may in truth touch to rounding: deeper than [`SAME`], along no direction, or nothing with the normal
+/// that parry gives where it has failed.
 fn is_doubtful(manifolds: &[ContactManifold<(), ()>]) -> bool {
     manifolds.iter().any(|manifold| {
-        manifold.points.is_empty() && manifold.local_n1 == Vector::X
-            || manifold.points.iter().any(|point| point.dist < -SAME)
+        if manifold.points.is_empty() {
+            return manifold.local_n1 == Vector::X;
+        }
+        let has_direction = (manifold.local_n1.length_squared() - 1.0).abs() < SAME;
+        !has_direction || manifold.points.iter().any(|point| point.dist < -SAME)
     })
 }
 
