@@ -64,7 +64,8 @@ def test_a_step_that_does_nothing_is_told_what_there_is() -> None:
         (
             "{box: [8 m, 6 m, 3 m]}",
             "{cylinder: [3 m, 8 m]}",
-            "load.shape: found 'cylinder'; a shape is 'box: [10 m, 10 m, 5 m]' or 'cad: load.3docx'",
+            "load.shape.cylinder: found a list; a cylinder is a mapping with keys such as diameter, length, "
+            "along, end_diameter, wall",
         ),
         (
             "{top: wb40, bottom: wb40}",
