@@ -17,8 +17,8 @@ from matplotlib.figure import Figure
 
 import gantline
 from gantline.plot.style import RC, colour
-from gantline.results.lift_off import lift_off_time
-from gantline.scenario.reading import parse_scenario
+from gantline.results.loads.lift_off import lift_off_time
+from gantline.scenario.file.reading import parse_scenario
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tests" / "support")]

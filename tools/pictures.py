@@ -19,7 +19,7 @@ from gantline.cli.lost_load import figures_of
 from gantline.plot import comparison_figures, figures
 from gantline.plot.seas import seas_picture
 from gantline.plot.style import RC
-from gantline.results.saved_seas import SavedSeas
+from gantline.results.file.saved_seas import SavedSeas
 from gantline.scenario import load_scenario
 from gantline.study import lose_load, run_seas
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from gantline import statics as statics
     from gantline import study as study
     from gantline import units as units
-    from gantline.assembly.commands import CommandError
+    from gantline.assembly.plan.commands import CommandError
     from gantline.overrides import SettingError
     from gantline.report import Report, write_report
     from gantline.results.comparison import Comparison, compare
@@ -74,7 +74,7 @@ _PARTS = (
 )
 
 _HOMES = {
-    "CommandError": "gantline.assembly.commands",
+    "CommandError": "gantline.assembly.plan.commands",
     "SettingError": "gantline.overrides",
     "Comparison": "gantline.results.comparison",
     "compare": "gantline.results.comparison",

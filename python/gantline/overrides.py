@@ -11,11 +11,11 @@ from typing import Any, TypeGuard
 import numpy as np
 
 from gantline.assembly import integrator_settings
-from gantline.assembly.recorded_motion import ends_too_early
+from gantline.assembly.afloat.recorded_motion import ends_too_early
 from gantline.scenario import Scenario, resolve
 from gantline.scenario.ground import INTEGRATOR_KEYS
+from gantline.scenario.plan.times import wrong_times
 from gantline.scenario.quantities import SMALLEST
-from gantline.scenario.times import wrong_times
 
 __all__ = ["SettingError", "is_number", "overridden", "with_adjusting_factor", "with_locked_equalizers"]
 

@@ -12,21 +12,14 @@ from typing import Any
 
 from gantline import _core
 from gantline.assembly import assemble
-from gantline.assembly.commands import CommandError, command_of, commanded
+from gantline.assembly.afloat.side_by_side import shared_files
+from gantline.assembly.afloat.vessels import adrift, misplaced, off_their_decks, vessel_hulls
 from gantline.assembly.origin import refused
-from gantline.assembly.side_by_side import shared_files
-from gantline.assembly.vessels import adrift, misplaced, off_their_decks, vessel_hulls
+from gantline.assembly.plan.commands import CommandError, command_of, commanded
 from gantline.interrupt import noted_interrupt
 from gantline.overrides import is_number, overridden, with_adjusting_factor, with_locked_equalizers
-from gantline.results.beyond_curve import beyond_curve
-from gantline.results.clearances import clearance_events, contact_warnings
-from gantline.results.crawler import tipping_warnings
-from gantline.results.crossing import crossed_ropes
-from gantline.results.derive import present_of, recording_of
-from gantline.results.flows import drum_warnings
-from gantline.results.grounding import grounding_warnings
-from gantline.results.guides import missed_guides
-from gantline.results.immersion import (
+from gantline.results.afloat.grounding import grounding_warnings
+from gantline.results.afloat.immersion import (
     askew_in_water,
     dry_hulls,
     feels_water,
@@ -36,12 +29,22 @@ from gantline.results.immersion import (
     never_wet,
     out_of_water,
 )
-from gantline.results.layout import DIMS
-from gantline.results.longer_falls import longer_falls
+from gantline.results.afloat.pressed import pressed_through
+from gantline.results.afloat.tanks import pump_warnings
+from gantline.results.afloat.unfollowed import parted_neighbours, unfollowed
+from gantline.results.afloat.vessels import vessel_warnings, with_righting
+from gantline.results.cranes.crawler import tipping_warnings
+from gantline.results.derive import present_of, recording_of
+from gantline.results.file.layout import DIMS
+from gantline.results.loads.clearances import clearance_events, contact_warnings
+from gantline.results.loads.guides import missed_guides
 from gantline.results.metrics import energy_bound
-from gantline.results.pressed import pressed_through
 from gantline.results.recording import Recording
 from gantline.results.rig import Resting, Rig, with_resting
+from gantline.results.ropes.beyond_curve import beyond_curve
+from gantline.results.ropes.crossing import crossed_ropes
+from gantline.results.ropes.flows import drum_warnings
+from gantline.results.ropes.longer_falls import longer_falls
 from gantline.results.run_warnings import (
     command_warnings,
     compensation_warnings,
@@ -55,13 +58,10 @@ from gantline.results.run_warnings import (
     stop_warnings,
 )
 from gantline.results.surroundings import ground_in
-from gantline.results.tanks import pump_warnings
-from gantline.results.unfollowed import parted_neighbours, unfollowed
 from gantline.results.variable import Columns, FloatArray, Names
-from gantline.results.vessels import vessel_warnings, with_righting
 from gantline.scenario import Scenario, ScenarioError, load_scenario
+from gantline.scenario.afloat.water import Water
 from gantline.scenario.failed import failed_at
-from gantline.scenario.water import Water
 from gantline.statics import Statics
 from gantline.statics.hung import resting_loads
 from gantline.statics.righted import righting_at_end, righting_at_start

@@ -19,7 +19,7 @@ import gantline
 from gantline.export import gltf_binary
 from gantline.report import render_live, write_report
 from gantline.results import Recording
-from gantline.results.saved import Beside, SavedCase, SavedCases
+from gantline.results.file.saved import Beside, SavedCase, SavedCases
 from gantline.viewer import BundleMissing, bundle
 from gantline.viewer.chromium import NAMES, chromium
 from gantline.viewer.decimate import frames

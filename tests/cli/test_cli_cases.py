@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from gantline.results.saved import SavedCases
+from gantline.results.file.saved import SavedCases
 from lift_text import changed
 from plumb_lift import WEIGHT, plumb_lift
 from verbs import gantline
@@ -248,7 +248,7 @@ def test_a_sweep_takes_no_options_of_one_equilibrium(lift: Path) -> None:
 
 
 def test_cases_are_saved_for_a_report_and_do_not_depend_on_the_workers(lift: Path, tmp_path: Path) -> None:
-    from gantline.results.saved import CASES
+    from gantline.results.file.saved import CASES
     from gantline.study import run_cases
 
     folder = tmp_path / "out"

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from column_in_waves import ALIKE, SEA, column
-from gantline.results.saved_seas import SavedSeas
+from gantline.results.file.saved_seas import SavedSeas
 from gantline.study import Gumbel
 from verbs import gantline
 

@@ -19,7 +19,7 @@ import shown
 from gantline.assembly import assemble
 from gantline.cli.app import app
 from gantline.scenario import parse_scenario
-from gantline.scenario.shipped import shipped
+from gantline.scenario.file.shipped import shipped
 from shown import PAGES, ROOT, NotSaidError, Shown, lift_that_runs, lifts_on, renewed, shown_on, stale, unsaid
 
 #: Tables of runs of lifts that come with gantline are held in tests/verification/test_every_scenario.py.

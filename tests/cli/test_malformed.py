@@ -12,7 +12,7 @@ from boom_lift import TACKLES, boom_lift
 from crawler_lift import crawler_lift
 from gantline.cli.app import app
 from gantline.scenario import ScenarioError, load_scenario
-from gantline.scenario.tree import LARGEST_FILE
+from gantline.scenario.file.tree import LARGEST_FILE
 from lift_text import AFLOAT, BASE, MECHANICS, MOORED, spoiled
 from luffing_along import by_a_boom, luffed_along
 from upending import between_trolleys, by_crawlers, upended

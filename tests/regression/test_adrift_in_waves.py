@@ -17,8 +17,8 @@ import pytest
 import waves
 from afloat import LENGTH
 from gantline.assembly import assemble
+from gantline.results.afloat.unfollowed import unfollowed
 from gantline.results.rotation import heading
-from gantline.results.unfollowed import unfollowed
 from gantline.scenario import load_scenario
 from gantline.simulation import simulate
 from mechanics import adaptive

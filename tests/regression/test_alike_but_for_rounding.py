@@ -15,8 +15,8 @@ from gantline.checks import Check, foremost, governing
 from gantline.checks.check import Verdict
 from gantline.results import series
 from gantline.results.comparison import peak_sling
+from gantline.results.loads.tilting import LooseTilt
 from gantline.results.recording import Recording
-from gantline.results.tilting import LooseTilt
 from gantline.statics.motion import in_words
 from of_recording import checks_of
 from sample_lift import WEIGHT, Array, sample_recording, sample_rig

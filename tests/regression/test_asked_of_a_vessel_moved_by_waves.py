@@ -16,7 +16,7 @@ from gantline.cli.vessels import vessels
 from gantline.hydro.raos import write_raos
 from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.subject import Subject
-from gantline.results.vessels import AS_CARRIED
+from gantline.results.afloat.vessels import AS_CARRIED
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import simulate
 from gantline.study.ballast_question import vessel_of

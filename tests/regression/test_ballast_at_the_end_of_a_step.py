@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from gantline.scenario import load_scenario
-from gantline.scenario.variants import with_values, without_cases
+from gantline.scenario.file.variants import with_values, without_cases
 from gantline.statics import Statics
 from gantline.study import solve_ballast
 from gantline.study.afloat import Afloat

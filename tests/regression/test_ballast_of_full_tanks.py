@@ -14,7 +14,7 @@ import pytest
 from ballasted import barge, lift, pump, tank
 from floating import SEA
 from gantline.scenario import parse_scenario
-from gantline.scenario.tanks import tanks_of
+from gantline.scenario.afloat.tanks import tanks_of
 from gantline.study import solve_ballast
 
 BOX = (2.0, 2.0, 2.0007)

@@ -10,7 +10,7 @@ import pytest
 
 from gantline.assembly.origin import with_advice
 from gantline.scenario import Scenario, load_scenario, shipped
-from gantline.scenario.stream import Wind
+from gantline.scenario.afloat.stream import Wind
 from gantline.statics import NoEquilibriumError, Statics
 
 NO_STEP = "no step brings its forces closer to balance"

@@ -12,7 +12,7 @@ import math
 from gantline.report.first_page import FirstPage
 from gantline.report.rest import Cases
 from gantline.report.subject import Subject
-from gantline.results.saved import Beside, SavedCase, SavedCases, SavedWorst
+from gantline.results.file.saved import Beside, SavedCase, SavedCases, SavedWorst
 from sample_lift import ringing_lift, sample_rig
 
 

@@ -14,8 +14,8 @@ import pytest
 
 from gantline.assembly import assemble
 from gantline.scenario import ScenarioError, load_scenario
-from gantline.scenario.crawler import Crawler
-from gantline.scenario.rating import Rating
+from gantline.scenario.cranes.crawler import Crawler
+from gantline.scenario.cranes.rating import Rating
 
 
 def told(lift: str, **changes: object) -> list[str]:

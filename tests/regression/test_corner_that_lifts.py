@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from gantline.checks import Check, Verdict
-from gantline.results.crane import Crane, corner_loads
+from gantline.results.cranes.crane import Crane, corner_loads
 from gantline.results.recording import Recording
 from gantline.results.variable import Variable
 from of_recording import check_of

@@ -18,7 +18,7 @@ import gantline
 from crawler_lift import AHEAD, BALLAST, BASE, BEHIND, BOOM, CENTRE, GAUGE, HOOK_BLOCK, crawler_lift
 from gantline.assembly import assemble
 from gantline.checks import Check, Verdict, check_recording
-from gantline.results.track_pressure import tipping_utilisation
+from gantline.results.cranes.track_pressure import tipping_utilisation
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
 

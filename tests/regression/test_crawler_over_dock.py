@@ -14,7 +14,7 @@ import gantline
 from crawler_lift import GAUGE, TRACK, crawler_lift
 from gantline.checks import Check, Verdict, check_recording
 from gantline.scenario import parse_scenario
-from gantline.scenario.crawler import Crawler
+from gantline.scenario.cranes.crawler import Crawler
 
 #: Of the crane of `crawler_lift`: its slewing axis [m].
 X, Y = 3.0, -2.0

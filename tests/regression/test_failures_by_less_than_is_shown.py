@@ -12,7 +12,7 @@ from gantline.checks import Check, Verdict
 from gantline.cli.check_table import check_table
 from gantline.report.attitude import attitude
 from gantline.report.subject import Subject
-from gantline.results.clearances import contact_warnings
+from gantline.results.loads.clearances import contact_warnings
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.variable import Variable

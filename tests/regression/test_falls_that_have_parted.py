@@ -15,8 +15,8 @@ import gantline
 from gantline.checks import Check, Verdict
 from gantline.checks.hooks import falls_margin
 from gantline.checks.measure import Found, Missing
-from gantline.results.parting import while_there
 from gantline.results.recording import Recording
+from gantline.results.ropes.parting import while_there
 from gantline.results.variable import BoolArray, Variable
 from gantline.scenario import parse_scenario
 from of_recording import checks_of

@@ -18,9 +18,9 @@ from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.carried import hook_row
 from gantline.report.first_page import stop_if
 from gantline.report.subject import Subject
+from gantline.results.afloat.vessels import Vessel
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
-from gantline.results.vessels import Vessel
 from gantline.scenario import load_scenario, parse_scenario
 from recorded_motion import written_record
 from shown import ROOT

@@ -16,7 +16,7 @@ import numpy as np
 import gantline
 from compensated import EASE, HOOK, VESSEL, deck_below, head_of, place_of, slow
 from gantline.scenario import parse_scenario
-from gantline.scenario.heave import FILTER
+from gantline.scenario.cranes.heave import FILTER
 from lift_text import changed
 
 #: When the step ends that keeps the hook still above the deck [s].

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from gantline.results.saved import SavedCases
+from gantline.results.file.saved import SavedCases
 from gantline.scenario import parse_scenario
 from gantline.study import run_cases
 from gantline.study.side_by_side import SideBySide

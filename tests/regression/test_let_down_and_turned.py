@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from gantline.checks import Verdict
-from gantline.results.hung_so import has_hung_so
+from gantline.results.loads.hung_so import has_hung_so
 from gantline.results.recording import Recording
 from of_recording import check_of
 from sample_lift import WEIGHT, ringing_lift, sample_rig

@@ -16,7 +16,7 @@ from gantline import Recording, simulate
 from gantline.cli.summary import summary
 from gantline.report.attitude import attitude
 from gantline.report.subject import Subject
-from gantline.results.lift_off import lift_off_in_words
+from gantline.results.loads.lift_off import lift_off_in_words
 from gantline.scenario import parse_scenario
 from lift_text import changed
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import gantline
 from gantline.plot.views import system
 from gantline.report import render_report
-from gantline.results.families import shortened_inside
+from gantline.results.ropes.families import shortened_inside
 from long_names import LONG_NAMES, SLING
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import pytest
 
 import gantline
-from gantline.results.tilting import loose_tilt
+from gantline.results.loads.tilting import loose_tilt
 
 LIFT = """
 format: 1

@@ -9,7 +9,7 @@ from __future__ import annotations
 import pytest
 
 from gantline.checks import Verdict, check_recording
-from gantline.results.parting import partings
+from gantline.results.ropes.parting import partings
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from upending import between_trolleys

@@ -11,7 +11,7 @@ import pytest
 from gantline.checks import Verdict, check_recording
 from gantline.report.steps import step_rows
 from gantline.report.subject import Subject
-from gantline.results.parting import partings
+from gantline.results.ropes.parting import partings
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 

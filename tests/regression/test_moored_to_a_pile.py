@@ -11,7 +11,7 @@ import pytest
 
 from gantline.assembly import assemble
 from gantline.scenario import StartError, parse_scenario
-from gantline.scenario.mooring import is_moored, lines_at
+from gantline.scenario.afloat.mooring import is_moored, lines_at
 from gantline.simulation import Simulation
 
 FIXED = "joint: {type: fixed}, mass: 1 t"

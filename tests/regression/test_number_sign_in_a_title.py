@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from gantline.scenario import ScenarioError, parse_scenario
-from gantline.scenario.tree import parse_text
+from gantline.scenario.file.tree import parse_text
 
 LIFT = (Path(__file__).resolve().parents[2] / "scenarios" / "equalizer" / "scenario.yaml").read_text("utf-8")
 TITLE = parse_scenario(LIFT).lift.title

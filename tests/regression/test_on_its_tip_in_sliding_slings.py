@@ -19,8 +19,8 @@ import pytest
 
 import gantline
 from gantline.checks import Check, Verdict, check_recording, verdict_of
+from gantline.results.loads.upright import top_heavy
 from gantline.results.recording import Recording
-from gantline.results.upright import top_heavy
 from gantline.scenario import parse_scenario
 from of_recording import checks_of
 

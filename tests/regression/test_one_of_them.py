@@ -10,7 +10,7 @@ from gantline.cad.mass_properties import MassProperties
 from gantline.cad.mesh import TriangleMesh
 from gantline.cli.cad_table import cad_table
 from gantline.report import render_report
-from gantline.results.saved import Beside, SavedCase, SavedCases
+from gantline.results.file.saved import Beside, SavedCase, SavedCases
 from sample_lift import ringing_lift
 
 

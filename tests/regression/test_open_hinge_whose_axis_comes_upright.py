@@ -10,7 +10,7 @@ from __future__ import annotations
 import pytest
 
 from gantline.scenario import parse_scenario
-from gantline.scenario.hinge import failed_at
+from gantline.scenario.loads.hinge import failed_at
 from gantline.simulation import SimulationError, simulate
 from hinged_mast import mast
 

@@ -15,7 +15,7 @@ import pytest
 import gantline
 from gantline.results import series
 from gantline.results.alike import earliest_peak
-from gantline.results.upper_end import peak_at_upper_end
+from gantline.results.ropes.upper_end import peak_at_upper_end
 from gantline.scenario import parse_scenario
 from sample_lift import sample_recording
 

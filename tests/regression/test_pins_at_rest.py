@@ -12,8 +12,8 @@ from __future__ import annotations
 import pytest
 
 import gantline
-from gantline.results.skew import skew_loads
-from gantline.results.tilting import loose_tilt
+from gantline.results.loads.skew import skew_loads
+from gantline.results.loads.tilting import loose_tilt
 
 #: What the plan does, whether pins hold at the start, at its end.
 PLANS = {

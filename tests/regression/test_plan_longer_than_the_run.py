@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 
 from gantline.cli.app import app
 from gantline.scenario import parse_scenario
-from gantline.scenario.plan_time import earliest_ends
+from gantline.scenario.plan.plan_time import earliest_ends
 from hooked_lift import hooked_lift
 
 #: 30 s of way, 20 s beside 10 s of it, a condition, a hold, and what waits for a time.

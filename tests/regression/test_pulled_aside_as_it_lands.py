@@ -15,7 +15,7 @@ import pytest
 import gantline
 from gantline.checks import Verdict, hold_points
 from gantline.cli.hold_points import hold_points as lines_of
-from gantline.results.pulled_aside import pull_aside
+from gantline.results.cranes.pulled_aside import pull_aside
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from hooked_lift import hooked_lift

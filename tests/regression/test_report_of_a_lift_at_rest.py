@@ -26,7 +26,7 @@ from gantline.report.subject import Subject
 from gantline.report.tables import Energy, Equalizers
 from gantline.report.turning import turnings
 from gantline.results import series
-from gantline.results.upending import kept_plumb_in_words
+from gantline.results.loads.upending import kept_plumb_in_words
 
 
 @pytest.fixture(scope="module")

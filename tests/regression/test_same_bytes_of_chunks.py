@@ -10,7 +10,7 @@ import zlib
 
 import numpy as np
 
-from gantline.results.netcdf import _LEVEL, _filtered
+from gantline.results.file.netcdf import _LEVEL, _filtered
 
 ROWS, WIDTH = 300, 400
 

@@ -15,7 +15,7 @@ import pytest
 from column_in_waves import ALIKE, column
 from gantline.cli.seas_table import seas_table
 from gantline.plot.seas import seas_picture
-from gantline.results.saved_seas import SavedSeas
+from gantline.results.file.saved_seas import SavedSeas
 from gantline.scenario import parse_scenario
 from gantline.study import run_seas
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from gantline.results.gear import Rope
-from gantline.results.skew import perfect_forces_of, skew_loads
+from gantline.results.loads.skew import perfect_forces_of, skew_loads
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
 from on_a_curve import on_a_curve

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from gantline.assembly import assemble
-from gantline.assembly.doubtful_masses import doubtful_masses
+from gantline.assembly.doubts.masses import doubtful_masses
 from gantline.scenario import load_scenario, parse_scenario
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"

@@ -13,7 +13,7 @@ import pytest
 
 from four_slings import HANDED_OVER, LIFT
 from gantline.assembly import assemble
-from gantline.assembly.doubtful_weight import doubtful_weight
+from gantline.assembly.doubts.weight import doubtful_weight
 from gantline.scenario import StartError, load_scenario, parse_scenario, resolve
 from gantline.scenario.errors import Doubt
 from lift_text import BASE, changed

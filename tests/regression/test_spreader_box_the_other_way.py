@@ -14,8 +14,8 @@ import pytest
 
 from gantline.assembly import assemble
 from gantline.checks import Verdict
+from gantline.results.loads.spreaders import thrust
 from gantline.results.recording import Recording
-from gantline.results.spreaders import thrust
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
 from of_recording import checks_of

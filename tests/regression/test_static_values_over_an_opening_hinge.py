@@ -11,8 +11,8 @@ from __future__ import annotations
 import pytest
 
 from gantline.results import series
-from gantline.results.hinges import shut_as_at
-from gantline.results.hung_so import has_hung_so
+from gantline.results.loads.hinges import shut_as_at
+from gantline.results.loads.hung_so import has_hung_so
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate

@@ -14,7 +14,7 @@ import pytest
 import gantline
 from crawler_lift import HEEL, crawler_lift
 from gantline.checks import Check, Verdict
-from gantline.results.overlaps import overlaps
+from gantline.results.loads.overlaps import overlaps
 from gantline.results.recording import Recording
 from gantline.results.solids import box_faces
 from gantline.scenario import parse_scenario

@@ -11,7 +11,7 @@ import math
 import pytest
 
 import gantline
-from gantline.results.spreaders import thrust
+from gantline.results.loads.spreaders import thrust
 
 BAR = 20e3  # kg
 G = 9.81

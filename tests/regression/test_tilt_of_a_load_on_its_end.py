@@ -12,7 +12,7 @@ import re
 import pytest
 
 import gantline
-from gantline.results.tilting import loose_tilt
+from gantline.results.loads.tilting import loose_tilt
 from gantline.study import margins_of, tilting_of
 
 WEIGHT, DEPTH = 20e3 * 9.81, 5.0

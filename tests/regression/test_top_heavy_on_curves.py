@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import pytest
 
-from gantline.results.upright import top_heavy
+from gantline.results.loads.upright import top_heavy
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
 from on_a_curve import on_a_curve

@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 import waves
 from afloat import BREADTH, LENGTH
 from gantline.assembly import assemble
-from gantline.assembly.doubtful_lee import distance_in_plan
+from gantline.assembly.doubts.lee import distance_in_plan
 from gantline.scenario import load_scenario
 
 SWELL = {"swell": {"height": "1 m", "period": "8 s", "direction": "0 deg"}}

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from gantline.results import Recording
 from gantline.scenario import Scenario, parse_scenario
-from gantline.scenario.heave import FILTER
+from gantline.scenario.cranes.heave import FILTER
 from lift_text import changed
 
 BARGE = files("gantline.scenarios") / "crane_barge_in_swell.yaml"

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from gantline.results.derive import recording_of
 from gantline.results.direct import DIRECT
-from gantline.results.layout import COUNTED, DIMS, FIXED
+from gantline.results.file.layout import COUNTED, DIMS, FIXED
 from gantline.results.recording import Recording
 
 Array = npt.NDArray[np.float64]

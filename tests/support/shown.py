@@ -35,7 +35,7 @@ from gantline.cli.check_table import styled
 from gantline.cli.summary import summary
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
-from gantline.scenario.shipped import shipped
+from gantline.scenario.file.shipped import shipped
 from hooked_lift import two_hooks
 
 ROOT = Path(__file__).resolve().parents[2]

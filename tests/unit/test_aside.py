@@ -12,7 +12,14 @@ from gantline.report.attitude import attitude
 from gantline.report.plots import Attitude
 from gantline.report.subject import Subject
 from gantline.results import Recording
-from gantline.results.aside import SMALLEST_TILT, SMALLEST_WAY, drift_of, not_worth_a_plot, swing_of, tilt_of
+from gantline.results.loads.aside import (
+    SMALLEST_TILT,
+    SMALLEST_WAY,
+    drift_of,
+    not_worth_a_plot,
+    swing_of,
+    tilt_of,
+)
 from gantline.results.variable import Variable
 from gantline.viewer.curves import curves
 from sample_lift import ringing_lift

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from gantline.assembly.resting import TipsOver, rest_on_ground
+from gantline.assembly.loads.resting import TipsOver, rest_on_ground
 from gantline.assembly.spatial import Array, rotation_matrix, rotation_vector
 
 WEIGHT = 300e3 * 9.81

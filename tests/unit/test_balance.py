@@ -9,7 +9,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from gantline.assembly.balance import Hung, Line, Pose, _energy, balance
+from gantline.assembly.ropes.balance import Hung, Line, Pose, _energy, balance
 from gantline.assembly.spatial import rotation_matrix, rotation_quaternion, rotation_vector
 from gantline.scenario.gear import RopeMaterial
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from afloat import BREADTH, DRAFT, LENGTH, MASS, barge, lift_of
-from gantline.assembly.by_itself import about_point, mass_aboard, pumped_content, stiffness_by_water
+from gantline.assembly.afloat.by_itself import about_point, mass_aboard, pumped_content, stiffness_by_water
 from gantline.assembly.parts import Parts
 from gantline.results.variable import FloatArray
 from gantline.scenario import Scenario, parse_scenario
-from gantline.scenario.vessel import Vessel
-from gantline.scenario.water import BallastTank
+from gantline.scenario.afloat.vessel import Vessel
+from gantline.scenario.afloat.water import BallastTank
 
 G = 9.81
 #: 20 × 10 m, 3 m deep: 512.5 t of sea water are 2.5 m of them; at a place that is nowhere in the middle.

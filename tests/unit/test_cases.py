@@ -7,10 +7,10 @@ import json
 import pytest
 
 from gantline.scenario import ScenarioError, StartError, load_scenario, parse_scenario
+from gantline.scenario.file.tree import MapNode, parse_text
+from gantline.scenario.file.tree_path import PathError, node_at, put, text_node
+from gantline.scenario.file.variants import variants_of, without_cases
 from gantline.scenario.tolerance import Tolerance
-from gantline.scenario.tree import MapNode, parse_text
-from gantline.scenario.tree_path import PathError, node_at, put, text_node
-from gantline.scenario.variants import variants_of, without_cases
 from gantline.statics import Statics
 from gantline.study import run_cases, run_sweep, values_of
 from gantline.study.moment import begin_of_step

@@ -16,8 +16,8 @@ from gantline.checks import check_recording, values_of
 from gantline.cli.chain_hoist_table import chain_hoist_table
 from gantline.report.chain_hoists import ChainHoists
 from gantline.report.subject import Subject
-from gantline.results.chain_hoists import sling_lengths
-from gantline.results.upper_end import own_weight
+from gantline.results.cranes.chain_hoists import sling_lengths
+from gantline.results.ropes.upper_end import own_weight
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.statics import Statics
 from gantline.study import adjust_lengths

@@ -43,8 +43,8 @@ def with_travel(up: float = 0.0, down: float = 0.0) -> Check:
 
 
 def test_every_limit_of_a_lift_file_can_be_checked() -> None:
-    from gantline.scenario.bounds import Require
     from gantline.scenario.limits import Limits
+    from gantline.scenario.plan.bounds import Require
 
     # The rule says from where limits come, the bound of equalising by what a time is counted.
     known = (set(Limits.model_fields) | set(Require.model_fields)) - {"rule", "equalised_below"}

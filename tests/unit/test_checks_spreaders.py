@@ -7,8 +7,8 @@ import math
 import pytest
 
 from gantline.checks import Verdict, values_of
+from gantline.results.loads.spreaders import thrust
 from gantline.results.recording import Recording
-from gantline.results.spreaders import thrust
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from gantline.statics import Statics

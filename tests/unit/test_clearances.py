@@ -13,7 +13,7 @@ from gantline.checks.measure import Finding, Found, Missing
 from gantline.report.attitude import attitude
 from gantline.report.subject import Subject
 from gantline.results import series
-from gantline.results.clearances import clearance_events, contact_warnings, peak_support_force
+from gantline.results.loads.clearances import clearance_events, contact_warnings, peak_support_force
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.variable import FloatArray, Variable

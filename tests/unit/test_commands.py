@@ -7,7 +7,7 @@ import math
 import pytest
 
 import gantline
-from gantline.assembly.commands import CommandError
+from gantline.assembly.plan.commands import CommandError
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from goliath_lift import goliath_lift

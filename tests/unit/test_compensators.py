@@ -18,7 +18,7 @@ from gantline.plot.traces import rod_out
 from gantline.report.first_page import stop_if
 from gantline.report.subject import Subject
 from gantline.results import Recording
-from gantline.results.compensators import borne, counted, in_words, met_while
+from gantline.results.cranes.compensators import borne, counted, in_words, met_while
 from gantline.scenario import Scenario, ScenarioError, parse_scenario
 from gantline.simulation import simulate
 from gantline.statics import Statics

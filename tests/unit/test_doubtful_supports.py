@@ -11,17 +11,17 @@ import numpy as np
 import pytest
 
 from cad_loads import LEVEL, cad_lift
-from gantline.assembly.doubtful_supports import (
+from gantline.assembly.doubts.supports import (
     bears_nothing,
     check_under_load,
     doubtful_supports,
     shown_gap,
     too_low,
 )
-from gantline.assembly.load_body import LoadBody, load_body
-from gantline.assembly.under_load import UnderLoad, under_load
+from gantline.assembly.loads.load_body import LoadBody, load_body
+from gantline.assembly.loads.under_load import UnderLoad, under_load
 from gantline.scenario import Scenario, ScenarioError, load_scenario
-from gantline.scenario.load import Load
+from gantline.scenario.loads.load import Load
 from hull_lift import text
 from solids import box
 

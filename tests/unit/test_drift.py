@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gantline.results.drift import is_taken_along, load_drift
+from gantline.results.loads.drift import is_taken_along, load_drift
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.variable import FloatArray, Variable

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from gantline.scenario.edit import text_with
+from gantline.scenario.file.edit import text_with
 
 TEXT = """\
 # A remark with content: 1 t

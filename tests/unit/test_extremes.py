@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from gantline.checks import Check, Verdict
-from gantline.results.saved_seas import SavedExtreme
+from gantline.results.file.saved_seas import SavedExtreme
 from gantline.study import Gumbel, Sea, SeaRecord
 
 VALUES = (10.0, 12.0, 11.0, 15.0, 10.5)

@@ -9,9 +9,9 @@ import pytest
 from matplotlib.figure import Figure
 
 from gantline.plot import figures
-from gantline.results.families import MOST, families
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
+from gantline.results.ropes.families import MOST, families
 from gantline.viewer.curves import curves
 from gantline.viewer.decimate import peaks
 from sample_lift import ringing_lift, sample_rig

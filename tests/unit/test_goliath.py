@@ -9,7 +9,7 @@ import pytest
 
 from gantline.assembly import assemble
 from gantline.checks import check_recording
-from gantline.results.crane import Crane, corner_loads, crane_events, hook_state
+from gantline.results.cranes.crane import Crane, corner_loads, crane_events, hook_state
 from gantline.results.strength import Rating
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation

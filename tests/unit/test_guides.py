@@ -11,7 +11,7 @@ from gantline.checks import check_recording
 from gantline.cli.guides_table import guides_table
 from gantline.report.attitude import attitude
 from gantline.report.subject import Subject
-from gantline.results.guides import Guide, guide_state
+from gantline.results.loads.guides import Guide, guide_state
 from gantline.scenario import ScenarioError, parse_scenario
 from guided_lift import guided_lift
 

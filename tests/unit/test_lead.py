@@ -14,11 +14,11 @@ from gantline.cli.lead_table import lead_table
 from gantline.report.steps import step_rows
 from gantline.report.subject import Subject
 from gantline.scenario import ScenarioError, parse_scenario
-from gantline.scenario.check_lead import drives_along
-from gantline.scenario.lead import LeadStep
-from gantline.scenario.leading import Beyond, LedHook, Pose, Way, led_hooks, pose_before, way_of
-from gantline.scenario.movers import Mover
-from gantline.scenario.positions import boom_angles, places_of_cranes
+from gantline.scenario.consistency.lead import drives_along
+from gantline.scenario.plan.lead import LeadStep
+from gantline.scenario.plan.leading import Beyond, LedHook, Pose, Way, led_hooks, pose_before, way_of
+from gantline.scenario.plan.movers import Mover
+from gantline.scenario.plan.positions import boom_angles, places_of_cranes
 from gantline.simulation import Simulation
 from led_pair import LED, led, led_text
 

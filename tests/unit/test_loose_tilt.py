@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from gantline.results.loads.tilting import loose_tilt
 from gantline.results.recording import Recording
-from gantline.results.tilting import loose_tilt
 from sample_lift import WEIGHT, ringing_lift, sample_rig
 
 

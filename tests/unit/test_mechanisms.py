@@ -13,7 +13,7 @@ from gantline.cli.summary import summary
 from gantline.overrides import SettingError
 from gantline.plot import figures
 from gantline.scenario import ScenarioError
-from gantline.scenario.reading import parse_scenario
+from gantline.scenario.file.reading import parse_scenario
 from lift_text import BASE, spoiled
 
 FRAME = {"mass": 5e3, "depth": 2.0}

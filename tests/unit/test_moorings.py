@@ -12,7 +12,7 @@ from gantline.assembly import assemble
 from gantline.assembly.origin import origin_of
 from gantline.checks import check_recording
 from gantline.scenario import ScenarioError, load_scenario, parse_scenario
-from gantline.scenario.mooring import is_moored, lines_at
+from gantline.scenario.afloat.mooring import is_moored, lines_at
 from gantline.simulation import Simulation
 from gantline.statics import Statics
 from goliath_lift import TO_SHEAVES, goliath_lift

@@ -16,8 +16,8 @@ from gantline.report.sketch import sketches
 from gantline.report.subject import Subject
 from gantline.results.rig import Rig
 from gantline.scenario import ScenarioError, parse_scenario
+from gantline.scenario.plan.slinging import first_put_on, slings_on, starts_off
 from gantline.scenario.rigging import resolve
-from gantline.scenario.slinging import first_put_on, slings_on, starts_off
 from gantline.simulation import Simulation
 from gantline.study.state import State, values_of
 from hooked_lift import hooked_lift

@@ -15,13 +15,13 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.forces import UNRAISED
 from gantline.checks.ratings import kept_back
 from gantline.checks.run import check_recording
-from gantline.results.rating import overloads
-from gantline.results.rating_chart import RatingChart
+from gantline.results.cranes.rating import overloads
+from gantline.results.cranes.rating_chart import RatingChart
 from gantline.results.recording import Recording
 from gantline.rule_data import several_cranes
 from gantline.scenario import parse_scenario
-from gantline.scenario.rating import Rating
-from gantline.scenario.tree import ListNode, MapNode, TextNode
+from gantline.scenario.cranes.rating import Rating
+from gantline.scenario.file.tree import ListNode, MapNode, TextNode
 from of_recording import check_of
 from rated_lift import RADII, RATED, T, recording
 

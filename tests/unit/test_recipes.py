@@ -10,8 +10,9 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from gantline.assembly import assemble, rope_rig
+from gantline.assembly import assemble
 from gantline.assembly.joints import start_of
+from gantline.assembly.ropes import rope_rig
 from gantline.assembly.spatial import rotation_matrix
 from gantline.checks import LIMITS
 from gantline.results import metrics
@@ -24,9 +25,9 @@ from gantline.scenario import (
     parse_scenario,
     shipped,
 )
-from gantline.scenario.bounds import Require
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.limits import Limits
+from gantline.scenario.plan.bounds import Require
 from gantline.scenario.rope_weight import RopeWeight
 from gantline.simulation import simulate
 

@@ -17,11 +17,11 @@ from typer.testing import CliRunner
 
 import gantline
 from gantline.cli.app import app
-from gantline.results.form import FormError
-from gantline.results.gaps import gaps
-from gantline.results.layout import DIMS
+from gantline.results.file.form import FormError
+from gantline.results.file.gaps import gaps
+from gantline.results.file.layout import DIMS
+from gantline.results.file.validity import hold_recording
 from gantline.results.recording import Recording
-from gantline.results.validity import hold_recording
 from gantline.results.variable import Variable
 from sample_lift import ringing_lift, sample_recording
 

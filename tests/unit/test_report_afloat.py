@@ -18,7 +18,7 @@ from gantline.report.plots import Tanks
 from gantline.report.sketch import sketches
 from gantline.report.subject import Subject
 from gantline.results import Recording
-from gantline.results.saved import Beside, SavedCase, SavedCases, SavedLostLoad, SavedSwing
+from gantline.results.file.saved import Beside, SavedCase, SavedCases, SavedLostLoad, SavedSwing
 from gantline.results.surroundings import Ground, Hole, is_cut, water_cut
 from gantline.viewer.curves import curves
 

@@ -15,7 +15,7 @@ from gantline.report.first_page import stop_if
 from gantline.report.plots import Vessels
 from gantline.report.subject import Subject
 from gantline.results import Recording
-from gantline.results.sea import WaveTrain
+from gantline.results.afloat.sea import WaveTrain
 from gantline.viewer import pack
 from gantline.viewer.curves import curves
 from packed_arrays import unpacked

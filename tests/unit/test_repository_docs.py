@@ -105,7 +105,7 @@ def test_every_variable_of_a_recording_is_documented() -> None:
 
     text = page("reference/recording.md")
     made = set(sample_lift.ringing_lift())
-    for module in (ROOT / "python/gantline/results").glob("*.py"):
+    for module in (ROOT / "python/gantline/results").rglob("*.py"):
         made |= variables_made(ast.parse(module.read_text(encoding="utf-8")))
     assert made >= {"rope_tension", "hook_height", "boom_angle", "ground_pressure", "groove_slip"}
     assert sorted(name for name in made if f"`{name}`" not in text) == []
@@ -116,7 +116,7 @@ def test_every_kind_of_event_is_documented() -> None:
     text = page("reference/recording.md")
     core = (ROOT / "crates/gantline-core/src/event/mod.rs").read_text(encoding="utf-8")
     kinds = set(re.findall(r'Self::\w+ => "(\w+)"', core))
-    for module in (ROOT / "python/gantline/results").glob("*.py"):
+    for module in (ROOT / "python/gantline/results").rglob("*.py"):
         for node in ast.walk(ast.parse(module.read_text(encoding="utf-8"))):
             if isinstance(node, ast.FunctionDef) and re.search("events|overloads", node.name):
                 triples = [one.elts for one in ast.walk(node) if isinstance(one, ast.Tuple)]

@@ -13,7 +13,7 @@ import pytest
 
 import gantline
 from gantline.scenario import json_schema
-from gantline.scenario.tree import parse_text
+from gantline.scenario.file.tree import parse_text
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]

@@ -12,7 +12,7 @@ import xarray
 
 import gantline
 from gantline.results.derive import recording_of
-from gantline.results.netcdf import load_rig
+from gantline.results.file.netcdf import load_rig
 from gantline.results.recording import Recording, open_recording
 from gantline.results.series import sling_direction
 from gantline.results.variable import Variable

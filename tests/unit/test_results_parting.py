@@ -7,8 +7,8 @@ import pytest
 
 from gantline.checks import Verdict, check_recording, has_failed
 from gantline.cli.summary import summary
-from gantline.results.parting import Met, partings, stops_met
 from gantline.results.recording import Recording
+from gantline.results.ropes.parting import Met, partings, stops_met
 from of_recording import checks_of
 from sample_lift import ringing_lift, sample_rig
 

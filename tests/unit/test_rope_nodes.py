@@ -11,9 +11,9 @@ import pytest
 import gantline
 from gantline.plot.pictures import PICTURES
 from gantline.plot.scene import snapshot
-from gantline.results.nodes import joined
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
+from gantline.results.ropes.nodes import joined
 from gantline.scenario import parse_scenario
 from hanging import Catenary, lift, run
 from lift_text import BASE

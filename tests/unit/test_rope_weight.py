@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 import gantline
 from gantline.assembly import Assembly, assemble
-from gantline.assembly.catenary import end_mass, hang, node_masses
 from gantline.assembly.parts import Parts, end, sheave
-from gantline.assembly.route import route_lengths
+from gantline.assembly.ropes.catenary import end_mass, hang, node_masses
+from gantline.assembly.ropes.route import route_lengths
 from gantline.assembly.spatial import inertia_matrix
 from gantline.scenario import parse_scenario
 from lift_text import BASE, MECHANICS, spoiled
@@ -323,7 +323,7 @@ def test_a_place_at_rest_is_found_wherever_the_ends_are(
 
 
 def test_a_rope_that_cannot_be_placed_is_said_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("gantline.assembly.catenary._MOST_STEPS", 0)
+    monkeypatch.setattr("gantline.assembly.ropes.catenary._MOST_STEPS", 0)
     text = PLAIN.replace("length: 8 m", "length: 8 m\n      rope_weight: distributed")
     with pytest.raises(gantline.ScenarioError, match=r"mechanics.ropes.rope: no place was found"):
         assemble(parse_scenario(text))

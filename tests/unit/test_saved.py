@@ -15,7 +15,7 @@ from gantline.report.first_page import FirstPage
 from gantline.report.rest import Cases, Modes, Rest
 from gantline.report.subject import Subject
 from gantline.results import Recording
-from gantline.results.saved import CASES, EQUILIBRIUM, LOST_LOAD, SavedCases, digest_of, read_beside
+from gantline.results.file.saved import CASES, EQUILIBRIUM, LOST_LOAD, SavedCases, digest_of, read_beside
 from hostile import EVIL
 from sample_lift import ringing_lift
 

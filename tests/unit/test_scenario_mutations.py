@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gantline.scenario import ScenarioError, parse_scenario, template
-from gantline.scenario.tree import parse_text
+from gantline.scenario.file.tree import parse_text
 from gantline.simulation import Simulation, SimulationError
 from lift_text import BASE, CASES, MECHANICS
 

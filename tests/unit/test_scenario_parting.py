@@ -9,7 +9,7 @@ import pytest
 
 from gantline.assembly import assemble
 from gantline.scenario import ScenarioError, parse_scenario
-from gantline.scenario.parting import partings
+from gantline.scenario.plan.parting import partings
 from lift_text import BASE, MECHANICS, spoiled
 
 SLING = "S1: {from: e1.1,"

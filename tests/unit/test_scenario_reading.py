@@ -9,9 +9,9 @@ import pytest
 
 from gantline.assembly import assemble
 from gantline.scenario import Scenario, ScenarioError, load_scenario, parse_scenario, resolve, template
-from gantline.scenario.bounds import Bound
+from gantline.scenario.plan.bounds import Bound
+from gantline.scenario.plan.steps import HoistStep, HoldStep
 from gantline.scenario.sling_ends import split_reference
-from gantline.scenario.steps import HoistStep, HoldStep
 from lift_text import BASE, MECHANICS, spoiled
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -11,7 +11,7 @@ import pytest
 from ruamel.yaml import YAML
 
 from gantline.scenario import json_schema, schema_text, template
-from gantline.scenario.tree import parse_text
+from gantline.scenario.file.tree import parse_text
 from lift_text import BASE, MECHANICS, spoiled
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -13,7 +13,7 @@ from column_in_waves import ALIKE, SEA, column
 from gantline import Simulation, simulate
 from gantline.checks import Outcome, check_recording
 from gantline.cli.seas_table import seas_table
-from gantline.results.saved_seas import SavedSea, SavedSeas, degrees
+from gantline.results.file.saved_seas import SavedSea, SavedSeas, degrees
 from gantline.scenario import Scenario, parse_scenario
 from gantline.study import SeasResult, run_seas
 from gantline.study.seas import NoSeaError

@@ -20,7 +20,7 @@ from gantline.assembly import assemble
 from gantline.hydro import DatabaseError, HydrodynamicDatabase, read_database, write_database
 from gantline.hydro.database.model import AXES, Coupling
 from gantline.hydro.side_by_side import asymmetries, forces_side_by_side
-from gantline.results.unfollowed import parted_neighbours
+from gantline.results.afloat.unfollowed import parted_neighbours
 from gantline.scenario import ScenarioError, load_scenario
 from gantline.simulation import simulate
 
@@ -434,7 +434,7 @@ def test_a_load_that_stands_aboard_moves_with_its_vessel(
         seen.append(bodies)
         return forces_side_by_side(bodies, *rest)
 
-    monkeypatch.setattr("gantline.assembly.side_by_side.forces_side_by_side", watched)
+    monkeypatch.setattr("gantline.assembly.afloat.side_by_side.forces_side_by_side", watched)
     path = two_hulls.in_waves(tmp_path, SWELL, right={"masses": hull}, load=load, mechanics=mechanics)
     assemble(load_scenario(path))
     inertia = seen[0][1].inertia
@@ -467,7 +467,7 @@ def test_a_file_of_another_water(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
         asked.append((of, forces_side_by_side(*of)))
         return asked[-1][1]
 
-    monkeypatch.setattr("gantline.assembly.side_by_side.forces_side_by_side", watched)
+    monkeypatch.setattr("gantline.assembly.afloat.side_by_side.forces_side_by_side", watched)
     assemble(load_scenario(two_hulls.in_waves(tmp_path, SWELL)))
     assert len(asked) == 2
     for (bodies, *rest), found in asked:

@@ -15,8 +15,8 @@ from gantline.checks import values_of
 from gantline.checks.forces import sling_forces
 from gantline.overrides import SettingError
 from gantline.results import series
+from gantline.results.loads.skew import largest_skew, perfect_forces, skew_loads
 from gantline.results.recording import Recording
-from gantline.results.skew import largest_skew, perfect_forces, skew_loads
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from lift_text import BASE, MECHANICS

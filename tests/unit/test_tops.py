@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from cad_loads import convex
+from gantline.assembly.loads.tops import Sides
 from gantline.assembly.spatial import rotation_matrix
-from gantline.assembly.tops import Sides
 from gantline.cad.simplify import hull_sides
 from gantline.results.variable import FloatArray
 

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as some
 from scipy.spatial.transform import Rotation
 
-from gantline.results.trains import Trains
+from gantline.results.afloat.trains import Trains
 
 SEA = Trains.from_json(
     {

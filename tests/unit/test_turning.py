@@ -10,7 +10,7 @@ from gantline.report import render_report
 from gantline.report.subject import Subject
 from gantline.report.turning import turnings
 from gantline.results import Recording
-from gantline.results.turning import AtTilt, at_tilts
+from gantline.results.loads.turning import AtTilt, at_tilts
 from gantline.scenario import parse_scenario
 from lift_text import changed
 from mechanics import G

@@ -9,10 +9,10 @@ import pytest
 
 from afloat import KG, MASS, barge, lift_of, sheerleg, written
 from gantline.assembly import assemble
-from gantline.assembly.deck import deck_edge
-from gantline.assembly.hulls import HullMesh
+from gantline.assembly.afloat.deck import deck_edge
+from gantline.assembly.afloat.hulls import HullMesh
 from gantline.hydro import box_hull, raked_barge
-from gantline.results.vessels import Vessel, vessel_state
+from gantline.results.afloat.vessels import Vessel, vessel_state
 from gantline.scenario import ScenarioError, load_scenario
 
 

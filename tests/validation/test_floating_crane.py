@@ -18,7 +18,7 @@ from gantline.plot.views import stages
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 from gantline.scenario import Scenario, load_scenario, parse_scenario
-from gantline.scenario.mooring import line_weight
+from gantline.scenario.afloat.mooring import line_weight
 from gantline.simulation import Simulation, SimulationError
 from gantline.statics import Equilibrium, Statics
 from gantline.statics.inclining import metacentric_heights

@@ -15,7 +15,7 @@ import pytest
 from gantline.results import series
 from gantline.results.rotation import axes, heading
 from gantline.scenario import Scenario, load_scenario, parse_scenario
-from gantline.scenario.variants import with_value
+from gantline.scenario.file.variants import with_value
 from gantline.statics import Equilibrium, Losses, Statics
 from gantline.study import tilting_of
 from hand_lifts import FLOATING_HOOKS, GOLIATH_HOOKS, floating_lift, goliath_lift

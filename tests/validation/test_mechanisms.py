@@ -64,7 +64,7 @@ def test_above_a_factor_of_two_slings_carry_in_turn() -> None:
 
 def test_lengths_grow_beyond_any_stroke() -> None:
     """Slings of 28 m need 3 m of travel down where there are 1.9 m; lengths are adjusted all the same."""
-    from gantline.scenario.reading import parse_scenario
+    from gantline.scenario.file.reading import parse_scenario
 
     text = (SCENARIOS / "mechanisms" / "scenario.yaml").read_text(encoding="utf-8")
     for old, new in (

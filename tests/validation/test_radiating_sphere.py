@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from floating import buoyancy
-from gantline.assembly.radiation import memory_terms
+from gantline.assembly.afloat.radiation import memory_terms
 from gantline.hydro import float_free, read_hull
 from gantline.hydro.database import HydrodynamicDatabase, read_database
 from gantline.hydro.memory import Memory, fit_memory

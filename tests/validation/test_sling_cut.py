@@ -12,7 +12,7 @@ import pytest
 
 import gantline
 from gantline.checks import Verdict
-from gantline.results.parting import partings, stops_met
+from gantline.results.ropes.parting import partings, stops_met
 from gantline.results.rotation import axes
 from gantline.results.series import rope_ends, sling_direction
 from gantline.scenario import parse_scenario

@@ -10,7 +10,7 @@ import pytest
 
 from gantline.results import series
 from gantline.scenario import load_scenario, parse_scenario
-from gantline.scenario.variants import without_cases
+from gantline.scenario.file.variants import without_cases
 from gantline.statics import Statics
 from gantline.study import CasesResult, State, run_cases, values_of
 from gantline.study.moment import begin_of_step

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gantline.assembly.catenary import end_mass, hang, node_masses
+from gantline.assembly.ropes.catenary import end_mass, hang, node_masses
 from hanging import Catenary, lift, run
 from mechanics import Floats
 

@@ -17,8 +17,8 @@ from gantline import simulate
 from gantline.checks import check_recording, values_of
 from gantline.cli.app import app
 from gantline.results import series
+from gantline.results.loads.skew import skew_loads
 from gantline.results.recording import Recording
-from gantline.results.skew import skew_loads
 from gantline.scenario import parse_scenario
 from of_recording import checks_of
 from sample_lift import sample_recording, sample_rig

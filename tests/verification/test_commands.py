@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from gantline.assembly.commands import CommandError
+from gantline.assembly.plan.commands import CommandError
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 from goliath_lift import FALLS, goliath_lift

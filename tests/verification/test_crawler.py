@@ -25,8 +25,8 @@ from crawler_lift import (
     own_moment,
     tipping_mass,
 )
+from gantline.results.cranes.track_pressure import line_pressures
 from gantline.results.recording import Recording
-from gantline.results.track_pressure import line_pressures
 from gantline.results.variable import FloatArray
 from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation

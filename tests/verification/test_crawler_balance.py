@@ -21,7 +21,7 @@ from gantline.scenario import parse_scenario
 from gantline.simulation import Simulation
 
 G = 9.81
-#: Half length and half gauge of the tracks [m]; order of `gantline.results.track_pressure.CORNERS`.
+#: Half length and half gauge of the tracks [m]; order of `gantline.results.cranes.track_pressure.CORNERS`.
 ENDS = np.array([(4.5, 4.2, 0.0), (-4.5, 4.2, 0.0), (4.5, -4.2, 0.0), (-4.5, -4.2, 0.0)])
 #: Speed of the wind [m/s], ½ ρ C A of the load's end and side [kg/m], their height over its base [m].
 WIND = 8.0 * np.array([math.cos(math.radians(70.0)), math.sin(math.radians(70.0)), 0.0])

@@ -16,8 +16,8 @@ import pytest
 from adjustment import DAMPING, DURATION, GAP, STIFFNESS, course, system
 from gantline._core import Simulation
 from gantline.results.derive import recording_of
-from gantline.results.equalising import equalising
 from gantline.results.recording import Recording
+from gantline.results.ropes.equalising import equalising
 from mechanics import Json
 
 SLINGS = [f"f{i}" for i in range(3)]

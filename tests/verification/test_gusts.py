@@ -14,8 +14,8 @@ from scipy.integrate import quad, solve_ivp
 
 import gantline
 from gantline.assembly import assemble
+from gantline.results.afloat.wind import Wind
 from gantline.results.rig import Rig
-from gantline.results.wind import Wind
 from gantline.scenario import load_scenario
 from gantline.statics import Statics
 from json_lift import plain_lift

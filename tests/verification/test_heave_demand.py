@@ -10,7 +10,7 @@ import pytest
 import gantline
 from compensated import BARGE, HOOK, VESSEL, compensated, compensated_text, head_of, place_of
 from gantline.scenario import Scenario, parse_scenario
-from gantline.scenario.heave import FILTER
+from gantline.scenario.cranes.heave import FILTER
 from gantline.study.heave_demand import LASTS, heave_demands
 from lift_text import changed
 

@@ -18,7 +18,7 @@ from scipy.integrate import solve_ivp
 from afloat import BREADTH, DRAFT, KG, LENGTH, MASS, barge, lift_of, written
 from carried_barge import carried, table
 from floating import SEA
-from gantline.results.hinges import axial_force, hinge_force, hinge_moment, radial_force
+from gantline.results.loads.hinges import axial_force, hinge_force, hinge_moment, radial_force
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.scenario import parse_scenario

@@ -12,7 +12,7 @@ from extension_lifts import DEEP, PAIRED
 from gantline.results import series
 from gantline.results.rotation import axes
 from gantline.scenario import Scenario, load_scenario, parse_scenario
-from gantline.scenario.variants import with_value
+from gantline.scenario.file.variants import with_value
 from gantline.statics import Equilibrium, Statics
 from gantline.study import CannotBeError, adjust_lengths, plumb_hooks
 from hooked_lift import TWO_HOOKS_LUGS, hooked_lift, two_hooks

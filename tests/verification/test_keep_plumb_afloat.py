@@ -35,7 +35,7 @@ from luffing_along import (
 )
 from luffing_in_waves import in_waves
 
-#: Glances of a look afloat, as `python/gantline/assembly/followed.py` has it.
+#: Glances of a look afloat, as `python/gantline/assembly/plan/followed.py` has it.
 GLANCES = 10
 
 

@@ -22,7 +22,7 @@ from gantline.results.progress import spans
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 from gantline.scenario import parse_scenario
-from gantline.scenario.luffing import LuffingGear
+from gantline.scenario.cranes.luffing import LuffingGear
 from lift_text import changed
 from luffing_along import (
     BOOM,

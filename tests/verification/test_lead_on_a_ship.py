@@ -11,9 +11,9 @@ import pytest
 
 import gantline
 from gantline.results.recording import Recording
-from gantline.scenario.lead import LeadStep
-from gantline.scenario.leading import led_hooks, pose_before, way_of
-from gantline.scenario.positions import places_of_cranes
+from gantline.scenario.plan.lead import LeadStep
+from gantline.scenario.plan.leading import led_hooks, pose_before, way_of
+from gantline.scenario.plan.positions import places_of_cranes
 from mechanics import G
 
 SCENARIO = gantline.load_scenario(Path(__file__).parents[2] / "scenarios" / "heavy_lift_ship")

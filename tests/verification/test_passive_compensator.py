@@ -18,7 +18,7 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.interpolate import CubicSpline
 
-from gantline.assembly.compensators import gas_kind
+from gantline.assembly.cranes.compensators import gas_kind
 from gantline.results.recording import Recording
 from gantline.scenario import Scenario, load_scenario, parse_scenario
 from gantline.simulation import simulate

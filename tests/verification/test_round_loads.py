@@ -12,12 +12,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import gantline
-from gantline.assembly import round_body
-from gantline.assembly.cells import lattices
+from gantline.assembly.loads import round_body
+from gantline.assembly.loads.cells import lattices
 from gantline.cad.mass_properties import MassProperties
-from gantline.scenario.cylinder import Cylinder, segment_area, segment_moment
-from gantline.scenario.in_water import InWater
-from gantline.scenario.load import Load
+from gantline.scenario.loads.cylinder import Cylinder, segment_area, segment_moment
+from gantline.scenario.loads.in_water import InWater
+from gantline.scenario.loads.load import Load
 from hull_lift import G, shares_of_springs
 from in_water import RHO, share
 from round_lift import assembled, round_lift, simulated

@@ -13,7 +13,7 @@ import pytest
 
 from gantline import _core
 from gantline.scenario import Scenario, parse_scenario
-from gantline.scenario.variants import with_value
+from gantline.scenario.file.variants import with_value
 from gantline.statics import Equilibrium, Losses, Statics
 from hooked_lift import TWO_HOOKS, two_hooks
 from mechanics import Floats, G, Json, body, document, end, free, half_turn, rope, slider

@@ -27,7 +27,7 @@ from scipy.linalg import eigh
 from scipy.optimize import fsolve
 from scipy.spatial.transform import Rotation
 
-from gantline.results.skew import skew_loads
+from gantline.results.loads.skew import skew_loads
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from gantline.statics import Statics

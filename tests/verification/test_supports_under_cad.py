@@ -13,8 +13,8 @@ import gantline
 from box_on_tops import STIFFNESS as STIFFNESS_OF_TOP
 from box_on_tops import force, support, turn
 from cad_loads import LEVEL, ROWS, assembled, cad_lift, convex, half_cylinder, prism
+from gantline.assembly.loads.tops import Sides
 from gantline.assembly.spatial import rotation_matrix
-from gantline.assembly.tops import Sides
 from gantline.cad.simplify import hull_sides
 from hull_lift import G, shares_of_springs, simulated
 from mechanics import adaptive, body, document, free

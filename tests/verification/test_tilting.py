@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from gantline.scenario import Scenario, load_scenario, parse_scenario
-from gantline.scenario.variants import with_value
+from gantline.scenario.file.variants import with_value
 from gantline.statics import Statics
 from gantline.study import Tilting, margins_of, tilting_of
 from hooked_lift import hooked_lift

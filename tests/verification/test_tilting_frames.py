@@ -27,7 +27,7 @@ import pytest
 import gantline
 from gantline.checks import Check, Verdict, check_recording
 from gantline.results import series
-from gantline.results.skew import skew_loads
+from gantline.results.loads.skew import skew_loads
 from gantline.scenario import Scenario, parse_scenario
 from gantline.statics import Statics
 from lift_text import spoiled

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gantline.assembly.resting import rest_on_ground
-from gantline.results.track_pressure import line_pressures, tipping_utilisation
+from gantline.assembly.loads.resting import rest_on_ground
+from gantline.results.cranes.track_pressure import line_pressures, tipping_utilisation
 
 LENGTH, GAUGE, WIDTH, MATS = 9.0, 8.4, 1.5, 6.0
 G = 9.81

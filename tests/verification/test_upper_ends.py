@@ -13,7 +13,7 @@ import pytest
 import gantline
 from gantline.checks import check_recording
 from gantline.results.recording import Recording
-from gantline.results.upper_end import peak_at_upper_end, utilisation
+from gantline.results.ropes.upper_end import peak_at_upper_end, utilisation
 from gantline.scenario import parse_scenario
 from mechanics import G
 

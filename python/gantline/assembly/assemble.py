@@ -9,74 +9,74 @@ from functools import cached_property
 from operator import add
 from typing import Any
 
-from gantline.assembly.between import add_between
-from gantline.assembly.boom import add_booms, hang_in_tackles
-from gantline.assembly.crawler import add_crawlers
-from gantline.assembly.critical_damping import add_critical_damping
-from gantline.assembly.doubtful import doubtful_cranes
-from gantline.assembly.doubtful_baskets import doubtful_baskets
-from gantline.assembly.doubtful_beside import doubtful_beside
-from gantline.assembly.doubtful_booms import doubtful_booms
-from gantline.assembly.doubtful_carried import doubtful_carried
-from gantline.assembly.doubtful_compensators import doubtful_compensators
-from gantline.assembly.doubtful_contacts import doubtful_contacts
-from gantline.assembly.doubtful_drums import doubtful_drums
-from gantline.assembly.doubtful_empty import doubtful_empty, doubtful_pins
-from gantline.assembly.doubtful_fenders import doubtful_fenders
-from gantline.assembly.doubtful_following import doubtful_following
-from gantline.assembly.doubtful_gear import doubtful_gear
-from gantline.assembly.doubtful_ground import doubtful_ground
-from gantline.assembly.doubtful_guides import GuideFit, doubtful_guides, guide_fits
-from gantline.assembly.doubtful_heights import doubtful_heights
-from gantline.assembly.doubtful_hinges import doubtful_hinges
-from gantline.assembly.doubtful_lead import doubtful_lead
-from gantline.assembly.doubtful_lee import doubtful_lee
-from gantline.assembly.doubtful_levels import doubtful_levels
-from gantline.assembly.doubtful_masses import doubtful_masses
-from gantline.assembly.doubtful_rails import doubtful_rails
-from gantline.assembly.doubtful_ratings import doubtful_ratings
-from gantline.assembly.doubtful_sheaves import doubtful_sheaves
-from gantline.assembly.doubtful_stops import doubtful_stops
-from gantline.assembly.doubtful_strength import doubtful_strength
-from gantline.assembly.doubtful_supports import check_under_load, doubtful_supports
-from gantline.assembly.doubtful_tanks import doubtful_tanks
-from gantline.assembly.doubtful_tilts import doubtful_tilts
-from gantline.assembly.doubtful_turns import doubtful_turns
-from gantline.assembly.doubtful_vessels import doubtful_vessels
-from gantline.assembly.doubtful_waits import doubtful_waits
-from gantline.assembly.doubtful_ways import doubtful_ways
-from gantline.assembly.doubtful_weight import doubtful_weight
-from gantline.assembly.goliath import add_goliaths, rest_on_girders
-from gantline.assembly.guides import add_guides
-from gantline.assembly.heave import add_compensation, compensators
-from gantline.assembly.in_water import add_in_water
-from gantline.assembly.lifted import LiftedLoad, add_load, lifted_load
-from gantline.assembly.long_waves import add_doubts_of_hulls
-from gantline.assembly.moorings import add_moorings
-from gantline.assembly.on_load import kept_on_load
-from gantline.assembly.operations import emergency_stop, operations
-from gantline.assembly.parting import add_partings
+from gantline.assembly.afloat.critical_damping import add_critical_damping
+from gantline.assembly.afloat.long_waves import add_doubts_of_hulls
+from gantline.assembly.afloat.moorings import add_moorings
+from gantline.assembly.afloat.streams import add_streams
+from gantline.assembly.afloat.vessels import add_vessels, watch_vessels
+from gantline.assembly.afloat.water import add_load_tanks, add_water
+from gantline.assembly.afloat.waves import add_waves
+from gantline.assembly.cranes.boom import add_booms, hang_in_tackles
+from gantline.assembly.cranes.crawler import add_crawlers
+from gantline.assembly.cranes.goliath import add_goliaths, rest_on_girders
+from gantline.assembly.cranes.heave import add_compensation, compensators
+from gantline.assembly.cranes.reeving import hang_in_ropes, reeved_hooks
+from gantline.assembly.doubts.baskets import doubtful_baskets
+from gantline.assembly.doubts.beside import doubtful_beside
+from gantline.assembly.doubts.booms import doubtful_booms
+from gantline.assembly.doubts.carried import doubtful_carried
+from gantline.assembly.doubts.compensators import doubtful_compensators
+from gantline.assembly.doubts.contacts import doubtful_contacts
+from gantline.assembly.doubts.cranes import doubtful_cranes
+from gantline.assembly.doubts.drums import doubtful_drums
+from gantline.assembly.doubts.empty import doubtful_empty, doubtful_pins
+from gantline.assembly.doubts.fenders import doubtful_fenders
+from gantline.assembly.doubts.following import doubtful_following
+from gantline.assembly.doubts.gear import doubtful_gear
+from gantline.assembly.doubts.ground import doubtful_ground
+from gantline.assembly.doubts.guides import GuideFit, doubtful_guides, guide_fits
+from gantline.assembly.doubts.heights import doubtful_heights
+from gantline.assembly.doubts.hinges import doubtful_hinges
+from gantline.assembly.doubts.lead import doubtful_lead
+from gantline.assembly.doubts.lee import doubtful_lee
+from gantline.assembly.doubts.levels import doubtful_levels
+from gantline.assembly.doubts.masses import doubtful_masses
+from gantline.assembly.doubts.rails import doubtful_rails
+from gantline.assembly.doubts.ratings import doubtful_ratings
+from gantline.assembly.doubts.sheaves import doubtful_sheaves
+from gantline.assembly.doubts.stops import doubtful_stops
+from gantline.assembly.doubts.strength import doubtful_strength
+from gantline.assembly.doubts.supports import check_under_load, doubtful_supports
+from gantline.assembly.doubts.tanks import doubtful_tanks
+from gantline.assembly.doubts.tilts import doubtful_tilts
+from gantline.assembly.doubts.turns import doubtful_turns
+from gantline.assembly.doubts.vessels import doubtful_vessels
+from gantline.assembly.doubts.waits import doubtful_waits
+from gantline.assembly.doubts.ways import doubtful_ways
+from gantline.assembly.doubts.weight import doubtful_weight
+from gantline.assembly.loads.guides import add_guides
+from gantline.assembly.loads.in_water import add_in_water
+from gantline.assembly.loads.lifted import LiftedLoad, add_load, lifted_load
+from gantline.assembly.loads.on_load import kept_on_load
+from gantline.assembly.loads.supports import removals
+from gantline.assembly.loads.under_load import UnderLoad, cut_to_load, under_load
 from gantline.assembly.parts import Parts
 from gantline.assembly.plain import add_mechanics
-from gantline.assembly.reeving import hang_in_ropes, reeved_hooks
+from gantline.assembly.plan.operations import emergency_stop, operations
+from gantline.assembly.plan.parting import add_partings
+from gantline.assembly.plan.slinging import warn_of_cuts
 from gantline.assembly.rig import rig
-from gantline.assembly.rope_rig import rope_kinds
+from gantline.assembly.ropes.between import add_between
+from gantline.assembly.ropes.rope_rig import rope_kinds
+from gantline.assembly.ropes.tag_lines import add_tag_lines
 from gantline.assembly.scene import scene
 from gantline.assembly.shapes import add_shapes, add_touching, add_watches
-from gantline.assembly.slinging import warn_of_cuts
-from gantline.assembly.streams import add_streams
-from gantline.assembly.supports import removals
-from gantline.assembly.tag_lines import add_tag_lines
-from gantline.assembly.under_load import UnderLoad, cut_to_load, under_load
-from gantline.assembly.vessels import add_vessels, watch_vessels
-from gantline.assembly.water import add_load_tanks, add_water
-from gantline.assembly.waves import add_waves
 from gantline.assembly.yard import add_equalizers, add_hooks, add_slings
 from gantline.scenario import Rigging, Scenario, StartError, resolve
 from gantline.scenario.errors import Doubt, Problem
 from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
-from gantline.scenario.hinge import hinge_pins
-from gantline.scenario.pins import Pins, pins_of
+from gantline.scenario.loads.hinge import hinge_pins
+from gantline.scenario.plan.pins import Pins, pins_of
 
 __all__ = ["Assembly", "assemble", "integrator_settings"]
 

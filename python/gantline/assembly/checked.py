@@ -6,9 +6,9 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from gantline.assembly.lifting import lifting_cranes
+from gantline.assembly.cranes.lifting import lifting_cranes
+from gantline.assembly.cranes.reeving import reeved_hooks
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.reeving import reeved_hooks
 from gantline.rule_data import (
     FACTORS,
     LIFT_FILE,
@@ -21,14 +21,14 @@ from gantline.rule_data import (
     several_cranes,
 )
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.charts import boom_charts
-from gantline.scenario.crane import FixedHook
-from gantline.scenario.goliath import Goliath
-from gantline.scenario.hooks import Hook, trolley_name
+from gantline.scenario.cranes.charts import boom_charts
+from gantline.scenario.cranes.crane import FixedHook
+from gantline.scenario.cranes.goliath import Goliath
+from gantline.scenario.cranes.hooks import Hook, trolley_name
+from gantline.scenario.cranes.rating import Rating
+from gantline.scenario.cranes.reeving import hoist_drum
 from gantline.scenario.levels import HookLevels, levelled_hooks
 from gantline.scenario.limits import Rules
-from gantline.scenario.rating import Rating
-from gantline.scenario.reeving import hoist_drum
 
 __all__ = ["bends", "limits_and_rules", "rating_charts", "ratings"]
 

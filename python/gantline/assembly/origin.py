@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from gantline.assembly.foundering import foundered
+from gantline.assembly.afloat.foundering import foundered
 from gantline.scenario import Scenario
+from gantline.scenario.afloat.mooring import is_moored
+from gantline.scenario.afloat.stream import Wind
 from gantline.scenario.errors import PathPart, Problem, StartError
 from gantline.scenario.mechanics import Mechanics
-from gantline.scenario.mooring import is_moored
+from gantline.scenario.plan.slinging import starts_off
 from gantline.scenario.rigging import resolve
-from gantline.scenario.slinging import starts_off
-from gantline.scenario.stream import Wind
 from gantline.units import format_quantity
 
 __all__ = ["FALLS", "origin_of", "refused", "with_advice"]

@@ -18,8 +18,8 @@ from gantline.assembly.spatial import (
     unit,
 )
 from gantline.cad.mass_properties import point_inertia
+from gantline.scenario.cranes.drum import RopeOnDrum
 from gantline.scenario.curve import energy_stiffness
-from gantline.scenario.drum import RopeOnDrum
 from gantline.scenario.errors import Doubt, PathPart
 from gantline.scenario.gear import RopeMaterial
 

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 
 from gantline.assembly.parts import Json, Parts, drum_layers, end, eye, half_turn, material, sheave
-from gantline.assembly.rope_weight import add_free_rope, lump_rope
-from gantline.assembly.route import most_strain, route_length, route_lengths, too_far
-from gantline.assembly.sheave import add_sheave_flow
+from gantline.assembly.ropes.rope_weight import add_free_rope, lump_rope
+from gantline.assembly.ropes.route import most_strain, route_length, route_lengths, too_far
+from gantline.assembly.ropes.sheave import add_sheave_flow
 from gantline.assembly.spatial import IDENTITY, about_axis, unit
 from gantline.scenario import Scenario
-from gantline.scenario.drum import Drum
+from gantline.scenario.cranes.drum import Drum
 from gantline.scenario.errors import Doubt
 from gantline.scenario.gear import RopeMaterial
 from gantline.scenario.mechanics import (

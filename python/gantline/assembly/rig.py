@@ -7,45 +7,45 @@ from typing import Any
 
 import numpy as np
 
-from gantline.assembly.boom import boom_rig
-from gantline.assembly.chain_hoists import chain_hoist_rig
+from gantline.assembly.afloat.gusts import wind_of_limit, wind_rig
+from gantline.assembly.afloat.moorings import mooring_rig
+from gantline.assembly.afloat.vessels import vessel_rig
 from gantline.assembly.checked import bends, limits_and_rules, rating_charts, ratings
-from gantline.assembly.compensators import hung_mass
-from gantline.assembly.crawler import crawler_rig
-from gantline.assembly.goliath import crane_rig
-from gantline.assembly.guides import guide_rig
-from gantline.assembly.gusts import wind_of_limit, wind_rig
-from gantline.assembly.hinges import hinge_rig
-from gantline.assembly.in_water import in_water_name
-from gantline.assembly.lifted import LiftedLoad
-from gantline.assembly.lifting import lifting_by_mechanics
-from gantline.assembly.moorings import mooring_rig
-from gantline.assembly.operations import moved_drives
+from gantline.assembly.cranes.boom import boom_rig
+from gantline.assembly.cranes.chain_hoists import chain_hoist_rig
+from gantline.assembly.cranes.compensators import hung_mass
+from gantline.assembly.cranes.crawler import crawler_rig
+from gantline.assembly.cranes.goliath import crane_rig
+from gantline.assembly.cranes.lifting import lifting_by_mechanics
+from gantline.assembly.cranes.reeving import falls_on_upper_sheaves, reeved_hooks
+from gantline.assembly.loads.guides import guide_rig
+from gantline.assembly.loads.hinges import hinge_rig
+from gantline.assembly.loads.in_water import in_water_name
+from gantline.assembly.loads.lifted import LiftedLoad
+from gantline.assembly.loads.supports import every_support, support_contact
 from gantline.assembly.parts import Json, Parts
 from gantline.assembly.plain import bodies_in_hook, ropes_ending_at, ropes_over
-from gantline.assembly.ranges import range_rig
-from gantline.assembly.reeving import falls_on_upper_sheaves, reeved_hooks
-from gantline.assembly.rope_rig import drum_rig, rope_rig, sheaves_with_flow, wrapped_sheaves
+from gantline.assembly.plan.operations import moved_drives
+from gantline.assembly.plan.ranges import range_rig
+from gantline.assembly.plan.waits import waited_for
+from gantline.assembly.ropes.rope_rig import drum_rig, rope_rig, sheaves_with_flow, wrapped_sheaves
+from gantline.assembly.ropes.tag_lines import tag_rig
 from gantline.assembly.shapes import watch_name
-from gantline.assembly.supports import every_support, support_contact
-from gantline.assembly.tag_lines import tag_rig
-from gantline.assembly.vessels import vessel_rig
-from gantline.assembly.waits import waited_for
 from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.bounds import Bound
-from gantline.scenario.compensator import gas_rope, rod_of
-from gantline.scenario.crane import FixedHook
+from gantline.scenario.afloat.stream import Wind
+from gantline.scenario.afloat.tanks import SEA, ends_of_pump, load_tanks, tanks_of
+from gantline.scenario.afloat.water import Water
+from gantline.scenario.cranes.compensator import gas_rope, rod_of
+from gantline.scenario.cranes.crane import FixedHook
+from gantline.scenario.cranes.hooks import full_name
+from gantline.scenario.cranes.reeving import hoist_drum
 from gantline.scenario.gear import Shackle
-from gantline.scenario.hooks import full_name
-from gantline.scenario.lead import LeadStep
-from gantline.scenario.lug import Lug
-from gantline.scenario.reeving import hoist_drum
+from gantline.scenario.loads.lug import Lug
+from gantline.scenario.plan.bounds import Bound
+from gantline.scenario.plan.lead import LeadStep
+from gantline.scenario.plan.steps import AlongStep, HoldStep, MovingStep, PumpStep
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
-from gantline.scenario.steps import AlongStep, HoldStep, MovingStep, PumpStep
-from gantline.scenario.stream import Wind
-from gantline.scenario.tanks import SEA, ends_of_pump, load_tanks, tanks_of
-from gantline.scenario.water import Water
 
 __all__ = ["rig"]
 

@@ -7,30 +7,30 @@ from collections.abc import Collection, Sequence
 
 import numpy as np
 
-from gantline.assembly.boom import boom_shape
-from gantline.assembly.compensators import compensator_shapes
-from gantline.assembly.crawler import crawler_shape
-from gantline.assembly.goliath import crane_shape
-from gantline.assembly.guides import guide_shape, guide_structures
-from gantline.assembly.hulls import hull_mesh, hull_shape
+from gantline.assembly.afloat.hulls import hull_mesh, hull_shape
+from gantline.assembly.afloat.vessels import vessel_shape
+from gantline.assembly.cranes.boom import boom_shape
+from gantline.assembly.cranes.compensators import compensator_shapes
+from gantline.assembly.cranes.crawler import crawler_shape
+from gantline.assembly.cranes.goliath import crane_shape
+from gantline.assembly.cranes.reeving import ReevedHook, reeved_hooks, upper_sheaves
 from gantline.assembly.joints import translates
-from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.loads.guides import guide_shape, guide_structures
+from gantline.assembly.loads.lifted import LiftedLoad
+from gantline.assembly.loads.supports import every_support, support_contact
 from gantline.assembly.parts import Json, Parts, box_shape
-from gantline.assembly.reeving import ReevedHook, reeved_hooks, upper_sheaves
 from gantline.assembly.shapes import frame_shape, load_parts, members, spreader_shape
 from gantline.assembly.spatial import Array
-from gantline.assembly.supports import every_support, support_contact
-from gantline.assembly.vessels import vessel_shape
 from gantline.assembly.yard import lower_end
 from gantline.cad.assumptions import STEEL
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.compensator import gas_rope, rod_of
-from gantline.scenario.crane_parts import crane_bodies
+from gantline.scenario.afloat.tanks import bodies_afloat
+from gantline.scenario.afloat.water import Water
+from gantline.scenario.cranes.compensator import gas_rope, rod_of
+from gantline.scenario.cranes.crane_parts import crane_bodies
 from gantline.scenario.extension import ends_below
-from gantline.scenario.guide import guide_body
-from gantline.scenario.structures import Dock, dock_of
-from gantline.scenario.tanks import bodies_afloat
-from gantline.scenario.water import Water
+from gantline.scenario.loads.guide import guide_body
+from gantline.scenario.loads.structures import Dock, dock_of
 
 __all__ = ["scene"]
 

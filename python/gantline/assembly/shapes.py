@@ -12,22 +12,22 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from gantline.assembly.boom import boom_shape
-from gantline.assembly.compensators import compensator_shapes
-from gantline.assembly.crawler import crawler_shape, crawlers
-from gantline.assembly.goliath import crane_shape, goliaths
-from gantline.assembly.lifted import LiftedLoad
+from gantline.assembly.afloat.vessels import vessel_shape
+from gantline.assembly.cranes.boom import boom_shape
+from gantline.assembly.cranes.compensators import compensator_shapes
+from gantline.assembly.cranes.crawler import crawler_shape, crawlers
+from gantline.assembly.cranes.goliath import crane_shape, goliaths
+from gantline.assembly.loads.lifted import LiftedLoad
+from gantline.assembly.loads.supports import every_support, pad_shape, support_contact
 from gantline.assembly.parts import Json, Parts, box_shape
-from gantline.assembly.supports import every_support, pad_shape, support_contact
-from gantline.assembly.vessels import vessel_shape
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.compensator import rod_of
-from gantline.scenario.crane import EqualizerFrame
-from gantline.scenario.crawler import tracks_body
+from gantline.scenario.cranes.compensator import rod_of
+from gantline.scenario.cranes.crane import EqualizerFrame
+from gantline.scenario.cranes.crawler import tracks_body
+from gantline.scenario.cranes.slewing import upper_body
 from gantline.scenario.errors import PathPart, nearest
 from gantline.scenario.ground import Ground
-from gantline.scenario.slewing import upper_body
-from gantline.scenario.structures import Dock, dock_of
+from gantline.scenario.loads.structures import Dock, dock_of
 from gantline.scenario.watch import Watch
 
 __all__ = [

@@ -7,14 +7,14 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from gantline.assembly.chain_hoists import add_chain_hoist, paid_out_by
-from gantline.assembly.hook_aside import hook_aside
+from gantline.assembly.cranes.chain_hoists import add_chain_hoist, paid_out_by
+from gantline.assembly.cranes.hook_aside import hook_aside
+from gantline.assembly.cranes.reeving import add_reeved_hook, reeved_hooks
 from gantline.assembly.parts import ORIGIN, Json, Parts, end, eye, half_turn, material
-from gantline.assembly.reeving import add_reeved_hook, reeved_hooks
-from gantline.assembly.rope_weight import add_free_rope, lump_rope, mass_at_end
-from gantline.assembly.route import end_to_end, most_strain, route_length, too_far
-from gantline.assembly.sheave import add_sheave_flow
-from gantline.assembly.slinging import check_reach, hangs_load, warn_of_off
+from gantline.assembly.plan.slinging import check_reach, hangs_load, warn_of_off
+from gantline.assembly.ropes.rope_weight import add_free_rope, lump_rope, mass_at_end
+from gantline.assembly.ropes.route import end_to_end, most_strain, route_length, too_far
+from gantline.assembly.ropes.sheave import add_sheave_flow
 from gantline.assembly.spatial import inertia_list, solid_box
 from gantline.scenario import Scenario, StartError
 from gantline.scenario.errors import Problem

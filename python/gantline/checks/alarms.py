@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 
 from gantline.checks.measure import Alarm
-from gantline.results.carried import carried_round
+from gantline.results.loads.carried import carried_round
 from gantline.results.recording import Recording
 
 __all__ = [

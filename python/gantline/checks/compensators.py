@@ -8,7 +8,7 @@ from functools import partial
 from gantline.checks.equalizers import hanging_of_capacity
 from gantline.checks.forces import over, sum_force
 from gantline.checks.measure import Caution, Finding, Missing, extreme
-from gantline.results.compensators import borne, counted, met_while, slings_below
+from gantline.results.cranes.compensators import borne, counted, met_while, slings_below
 from gantline.results.gear import Compensator
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray

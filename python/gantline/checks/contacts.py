@@ -10,7 +10,7 @@ import numpy as np
 from gantline.checks.design_weight import largest_ratios
 from gantline.checks.forces import raised_of_capacity
 from gantline.checks.measure import Finding, Missing, extreme
-from gantline.results.clearances import watched_during
+from gantline.results.loads.clearances import watched_during
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 

@@ -11,10 +11,10 @@ from gantline.checks.alarms import FALLS
 from gantline.checks.forces import kilonewton
 from gantline.checks.measure import Finding, Found, Missing, Refused, extreme
 from gantline.results import series
-from gantline.results.boom import Boom
-from gantline.results.crane import Crane
+from gantline.results.cranes.boom import Boom
+from gantline.results.cranes.crane import Crane
+from gantline.results.cranes.pulled_aside import hooks_that_stay, pull_aside
 from gantline.results.gear import Hook
-from gantline.results.pulled_aside import hooks_that_stay, pull_aside
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
 

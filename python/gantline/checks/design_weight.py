@@ -17,7 +17,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from gantline.results import series
-from gantline.results.hung_so import left_by_water
+from gantline.results.loads.hung_so import left_by_water
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.variable import BoolArray, FloatArray

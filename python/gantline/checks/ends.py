@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from gantline.results import progress
-from gantline.results.parting import partings
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
+from gantline.results.ropes.parting import partings
 from gantline.results.variable import BoolArray, FloatArray
 
 __all__ = ["about_end_of_step", "end_of_step", "one_sample", "second_half_of_hold"]

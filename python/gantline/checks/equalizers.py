@@ -20,10 +20,10 @@ from gantline.checks.forces import (
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
 from gantline.results.gear import Compensator, Equalizer, Sling, Spreader
-from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
+from gantline.results.ropes.parting import stops_met
+from gantline.results.ropes.travel import Way, ways
 from gantline.results.rotation import axes
-from gantline.results.travel import Way, ways
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
 

@@ -21,12 +21,12 @@ from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
 from gantline.results.alike import earliest_peak
 from gantline.results.gear import Compensator, Sling, Spreader
-from gantline.results.hung_so import has_hung_as_heavy
-from gantline.results.pinned import pinned_as_at
+from gantline.results.loads.hung_so import has_hung_as_heavy
+from gantline.results.loads.skew import skew_loads
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
-from gantline.results.skew import skew_loads
-from gantline.results.upper_end import own_weight, peak_at_upper_end
+from gantline.results.ropes.pinned import pinned_as_at
+from gantline.results.ropes.upper_end import own_weight, peak_at_upper_end
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 

@@ -11,7 +11,7 @@ from gantline.checks.design_weight import largest_ratios
 from gantline.checks.forces import raised_of_capacity
 from gantline.checks.measure import Finding, Missing
 from gantline.results import series
-from gantline.results.hinges import HINGE_OPENED, hinge_force, is_shut
+from gantline.results.loads.hinges import HINGE_OPENED, hinge_force, is_shut
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.variable import BoolArray

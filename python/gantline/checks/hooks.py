@@ -12,11 +12,11 @@ from gantline.checks.forces import HUNG_OTHERWISE, NO_STATIC, Raised, as_it_is, 
 from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.checks.ratings import SEVERAL, crane_of, kept_back
 from gantline.results import series
+from gantline.results.cranes.pulled_aside import hooks_that_stay, pull_aside
 from gantline.results.gear import Hook
-from gantline.results.hung_so import has_hung_so
-from gantline.results.parting import DETACHED, while_there
-from gantline.results.pulled_aside import hooks_that_stay, pull_aside
+from gantline.results.loads.hung_so import has_hung_so
 from gantline.results.recording import Recording
+from gantline.results.ropes.parting import DETACHED, while_there
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 

@@ -12,12 +12,12 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.lugs import BEARS
 from gantline.checks.measure import Caution, Finding, Missing, extreme, named
 from gantline.results import series
+from gantline.results.loads.through import Through, slings_through_loads
+from gantline.results.loads.tilting import loose_tilt
+from gantline.results.loads.upending import is_turned
+from gantline.results.loads.upright import heels_over, top_heavy, unknown_whether_upright
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
-from gantline.results.through import Through, slings_through_loads
-from gantline.results.tilting import loose_tilt
-from gantline.results.upending import is_turned
-from gantline.results.upright import heels_over, top_heavy, unknown_whether_upright
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
 

@@ -10,7 +10,7 @@ import numpy as np
 from gantline.checks.forces import NO_DYNAMIC, NO_STATIC
 from gantline.checks.lugs import LugForce, consequence_of, lug_forces, pull_at_lug
 from gantline.results import series
-from gantline.results.form import Vector
+from gantline.results.file.form import Vector
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.variable import FloatArray

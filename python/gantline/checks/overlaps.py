@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gantline.checks.check import Check, Verdict
-from gantline.results.overlaps import overlaps
+from gantline.results.loads.overlaps import overlaps
 from gantline.results.recording import Recording
 
 __all__ = ["run_into"]

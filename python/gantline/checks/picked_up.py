@@ -8,7 +8,7 @@ import numpy as np
 
 from gantline.checks.check import Check, Verdict
 from gantline.results import progress
-from gantline.results.lift_off import hangs_from_the_start
+from gantline.results.loads.lift_off import hangs_from_the_start
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 

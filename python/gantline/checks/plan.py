@@ -12,10 +12,10 @@ from gantline.checks.measure import named
 from gantline.checks.picked_up import what_helps
 from gantline.results import progress, series
 from gantline.results.gear import Drum
-from gantline.results.lift_off import hangs_from_the_start, lift_off_time
-from gantline.results.parting import PLANNED, partings
+from gantline.results.loads.lift_off import hangs_from_the_start, lift_off_time
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
+from gantline.results.ropes.parting import PLANNED, partings
 from gantline.results.status import INCOMPLETE
 from gantline.results.variable import FloatArray
 from gantline.units import format_quantity

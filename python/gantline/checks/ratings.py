@@ -11,8 +11,7 @@ import numpy as np
 from gantline.checks.forces import UNRAISED, UNRAISED_IN_WATER, Force, factor, hook_force, kilonewton
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
-from gantline.results.hinges import is_shut
-from gantline.results.rating import (
+from gantline.results.cranes.rating import (
     RatedGroup,
     at_one_place,
     bears,
@@ -24,7 +23,8 @@ from gantline.results.rating import (
     rows_at,
     within_rows,
 )
-from gantline.results.rating_chart import RatingChart
+from gantline.results.cranes.rating_chart import RatingChart
+from gantline.results.loads.hinges import is_shut
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.variable import BoolArray, FloatArray

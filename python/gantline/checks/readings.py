@@ -9,8 +9,8 @@ import numpy as np
 
 from gantline.checks.ends import end_of_step
 from gantline.checks.run import values_of
-from gantline.results.rating import RatedGroup, chart_load, rated_groups, rated_load
-from gantline.results.rating_chart import RatingChart
+from gantline.results.cranes.rating import RatedGroup, chart_load, rated_groups, rated_load
+from gantline.results.cranes.rating_chart import RatingChart
 from gantline.results.recording import Recording
 from gantline.results.rig import Step
 from gantline.results.variable import BoolArray

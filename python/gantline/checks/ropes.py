@@ -20,7 +20,7 @@ from gantline.checks.slings import bending_factor, bending_text, no_slings, slin
 from gantline.results import series
 from gantline.results.gear import Rope
 from gantline.results.recording import Recording
-from gantline.results.upper_end import peak_at_upper_end
+from gantline.results.ropes.upper_end import peak_at_upper_end
 from gantline.results.variable import BoolArray
 
 _NO_STRENGTH = "minimum breaking force not known"

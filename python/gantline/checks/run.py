@@ -35,10 +35,10 @@ from gantline.checks.tag_lines import left_behind, never_taut
 from gantline.checks.vessels import turn_over
 from gantline.results import series
 from gantline.results.alike import first_largest
-from gantline.results.gaps import gaps
-from gantline.results.parting import PLANNED, Parting, partings
+from gantline.results.file.gaps import gaps
 from gantline.results.recording import Recording, recorded
 from gantline.results.rig import Step
+from gantline.results.ropes.parting import PLANNED, Parting, partings
 from gantline.results.variable import BoolArray
 from gantline.rule_data import LIFT_FILE
 from gantline.units import format_quantity

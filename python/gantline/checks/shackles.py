@@ -27,8 +27,8 @@ from gantline.checks.measure import Caution, Finding, Found, Missing, Refused
 from gantline.results import series
 from gantline.results.gear import Sling
 from gantline.results.recording import Recording
+from gantline.results.ropes.upper_end import own_weight
 from gantline.results.strength import Shackle, SideLoad
-from gantline.results.upper_end import own_weight
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 

@@ -6,9 +6,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from gantline.checks.run import values_of
-from gantline.results import series, upper_end
+from gantline.results import series
 from gantline.results.gear import Sling
 from gantline.results.recording import Recording
+from gantline.results.ropes import upper_end
 
 __all__ = ["SlingFigures", "sling_figures"]
 

@@ -14,10 +14,10 @@ from gantline.checks.lugs import ropes_that_bear
 from gantline.checks.measure import Caution, Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
-from gantline.results.hung_so import has_hung_so
-from gantline.results.parting import DETACHED, partings
+from gantline.results.loads.hung_so import has_hung_so
+from gantline.results.loads.skew import Skew, skew_loads
 from gantline.results.recording import Recording
-from gantline.results.skew import Skew, skew_loads
+from gantline.results.ropes.parting import DETACHED, partings
 from gantline.results.variable import BoolArray
 from gantline.rule_data import FOUR_SLINGS
 from gantline.units import format_quantity

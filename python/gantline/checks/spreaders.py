@@ -10,9 +10,9 @@ from gantline.checks.equalizers import hanging_of_capacity
 from gantline.checks.forces import as_it_is, sum_force
 from gantline.checks.measure import Finding, extreme
 from gantline.results import series
+from gantline.results.loads.spreaders import thrust
 from gantline.results.recording import Recording
 from gantline.results.rotation import tilt
-from gantline.results.spreaders import thrust
 from gantline.results.variable import BoolArray
 
 #: Share of its largest tension from which a sling below a spreader counts [1]: as slings come taut one after

@@ -8,7 +8,7 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.measure import named
 from gantline.results import series
 from gantline.results.recording import Recording
-from gantline.results.tag_lines import TagLine
+from gantline.results.ropes.tag_lines import TagLine
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
 

@@ -46,7 +46,7 @@ def cases(
     found by then, and with 130.
     """
     from gantline.replacing import replace_text
-    from gantline.results.saved import CASES
+    from gantline.results.file.saved import CASES
 
     moment = moment_of(time)
     with scenario_errors():

@@ -7,7 +7,7 @@ from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Se
 
 from gantline.checks import governing
 from gantline.cli.table import ABSENT, show, table, tables
-from gantline.results.saved import WORST_OF_LOSSES
+from gantline.results.file.saved import WORST_OF_LOSSES
 from gantline.study.cases import CasesResult
 from gantline.study.state import QUANTITIES, State, Worst, values_of
 

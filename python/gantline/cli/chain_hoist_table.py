@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from gantline.checks import values_of
 from gantline.cli.table import ABSENT, show, table
-from gantline.results.chain_uses import chain_uses
+from gantline.results.cranes.chain_uses import chain_uses
 from gantline.results.recording import Recording
 
 

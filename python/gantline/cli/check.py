@@ -171,7 +171,7 @@ def _look_over(simulation: Simulation) -> None:
 
 def _warn_of_curves(simulation: Simulation, rig: Rig) -> None:
     """Tell of ropes that pull more at the start than their curve has, as a run does of all its time."""
-    from gantline.results.beyond_curve import beyond_curve_at_start
+    from gantline.results.ropes.beyond_curve import beyond_curve_at_start
 
     scenario = simulation.scenario
     curves = {
@@ -188,7 +188,7 @@ def _warn_of_curves(simulation: Simulation, rig: Rig) -> None:
 
 def _warn_of_time(simulation: Simulation) -> None:
     """Tell of a plan that cannot be over when the run ends."""
-    from gantline.scenario.plan_time import earliest_ends
+    from gantline.scenario.plan.plan_time import earliest_ends
 
     plan = simulation.scenario.plan
     ends = earliest_ends(plan)
@@ -214,7 +214,7 @@ def _centre_from_cad(simulation: Simulation) -> list[str]:
     load = simulation.scenario.load
     if load is None or load.centre_of_gravity.at != "from_cad":
         return []
-    from gantline.assembly.load_body import load_body
+    from gantline.assembly.loads.load_body import load_body
 
     # By itself: with what is lumped on its lugs it would have that twice, once written into the lift file.
     place = ", ".join(f"{coordinate:z.3f} m" for coordinate in load_body(simulation.scenario, load).centre)
@@ -268,7 +268,7 @@ def _heave(demands: Sequence[HeaveDemand]) -> list[str]:
 
 def _compensators(scenario: Scenario) -> list[str]:
     """What hangs on the gas of each compensator by weights, and how it takes that."""
-    from gantline.assembly.compensator_stages import stages
+    from gantline.assembly.cranes.compensator_stages import stages
     from gantline.cli.table import ABSENT, show, table
     from gantline.scenario import resolve
 
@@ -287,7 +287,7 @@ def _put_on_later(scenario: Scenario) -> list[str]:
     from gantline.assembly.yard import upper_lump
     from gantline.cli.table import show, table
     from gantline.scenario import resolve
-    from gantline.scenario.slinging import first_put_on
+    from gantline.scenario.plan.slinging import first_put_on
 
     slings = resolve(scenario).slings
     rows = [

@@ -12,7 +12,7 @@ import typer
 from gantline.checks import Check, Outcome, Verdict, has_failed, outcome_of, verdict_of
 from gantline.cli.messages import CHECK_FAILED, DONE, NO_VERDICT
 from gantline.cli.table import ABSENT, wrapped
-from gantline.results.gaps import without_gaps
+from gantline.results.file.gaps import without_gaps
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording

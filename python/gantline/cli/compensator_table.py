@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gantline.cli.table import pairs
-from gantline.results.compensators import in_words
+from gantline.results.cranes.compensators import in_words
 from gantline.results.gear import Compensator
 from gantline.results.recording import Recording
 

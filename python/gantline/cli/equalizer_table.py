@@ -7,13 +7,14 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from gantline.cli.table import ABSENT, pairs, show
-from gantline.results import series, upper_end
+from gantline.results import series
 from gantline.results.alike import first_peak
-from gantline.results.equalising import equalising
 from gantline.results.gear import Equalizer
-from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
-from gantline.results.travel import Way, most_used, ways_of
+from gantline.results.ropes import upper_end
+from gantline.results.ropes.equalising import equalising
+from gantline.results.ropes.parting import stops_met
+from gantline.results.ropes.travel import Way, most_used, ways_of
 
 
 def equalizer_table(recording: Recording, equalizer: Equalizer) -> list[str]:

@@ -23,7 +23,7 @@ def slid_loads(question: Statics, rest: Equilibrium) -> list[str]:
 
     Later in the plan a load may stand elsewhere as it was put there.
     """
-    from gantline.assembly.vessels import slid
+    from gantline.assembly.afloat.vessels import slid
     from gantline.results import series
 
     recording = rest.recording

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from gantline.assembly.doubtful_guides import GuideFit
+from gantline.assembly.doubts.guides import GuideFit
 from gantline.cli.table import show, table
 
 __all__ = ["guides_table"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from gantline.checks import values_of
 from gantline.cli.table import pairs, show, table
-from gantline.results.hinges import HINGE_WAYS, Hinge, hinge_force, hinge_moment, in_words, is_shut
+from gantline.results.loads.hinges import HINGE_WAYS, Hinge, hinge_force, hinge_moment, in_words, is_shut
 from gantline.results.recording import Recording
 
 

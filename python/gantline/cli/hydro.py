@@ -125,7 +125,7 @@ def hydro(
     height, tilt = quantity_of("--kg", kg, "length"), quantity_of("--trim", trim, "angle")
     angles = values_of_option("--heel", heel, "angle")
     _refuse_angles(angles, height)
-    from gantline.scenario.water import HEAVIEST_WATER, LIGHTEST_WATER
+    from gantline.scenario.afloat.water import HEAVIEST_WATER, LIGHTEST_WATER
 
     if not water or not LIGHTEST_WATER <= water <= HEAVIEST_WATER:
         stop(f"--density: {density!r} is not the density of water; sea water has '1.025 t/m^3'")

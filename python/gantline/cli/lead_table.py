@@ -8,16 +8,16 @@ from gantline.cli.table import ABSENT, show, table
 
 if TYPE_CHECKING:
     from gantline.scenario import Scenario
-    from gantline.scenario.charts import Chart
+    from gantline.scenario.cranes.charts import Chart
 
 
 def lead_table(scenario: Scenario) -> list[str]:
     """For each hook that leads its way by radius, slew and boom, the least rated there, the fastest drive."""
-    from gantline.assembly.doubtful_lead import row_of
-    from gantline.scenario.check_lead import drives_along, fastest
-    from gantline.scenario.lead import LeadStep
-    from gantline.scenario.leading import led_hooks, pose_before, way_of
-    from gantline.scenario.positions import places_of_cranes
+    from gantline.assembly.doubts.lead import row_of
+    from gantline.scenario.consistency.lead import drives_along, fastest
+    from gantline.scenario.plan.lead import LeadStep
+    from gantline.scenario.plan.leading import led_hooks, pose_before, way_of
+    from gantline.scenario.plan.positions import places_of_cranes
 
     rows = []
     for step, before in zip(scenario.plan, places_of_cranes(scenario), strict=False):

@@ -28,7 +28,7 @@ Setting = str | float | bool
 
 def lifts_that_begin(incomplete: str) -> list[str]:
     """What a shell offers where a lift is asked for: lifts that come with gantline, lift files, folders."""
-    from gantline.scenario.shipped import shipped
+    from gantline.scenario.file.shipped import shipped
 
     places = sorted(glob.glob(f"{glob.escape(incomplete)}*"))
     files = [f"{place}/" if Path(place).is_dir() else place for place in places]
@@ -158,7 +158,7 @@ def opened(file: Path) -> Recording:
 
 def warn_of_gaps(recording: Recording, side: str = "") -> None:
     """Warn of values of a recording that are no numbers; `side` is what each warning begins with."""
-    from gantline.results.gaps import gaps
+    from gantline.results.file.gaps import gaps
 
     for sentence in gaps(recording):
         warn(f"{side}{sentence}")

@@ -34,7 +34,7 @@ def lose(
     Where the load stands, and turns no vessel, nothing was lost: code 4.
     """
     from gantline.replacing import replace_text
-    from gantline.results.saved import LOST_LOAD
+    from gantline.results.file.saved import LOST_LOAD
 
     found = _found(question, load, moment, held=held)
     text = json.dumps(found.to_json(), indent=2, allow_nan=False)

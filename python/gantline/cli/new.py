@@ -20,7 +20,7 @@ class NamesLifts(Verb):
     # typer has a copy of click inside, so context and formatter have no public names.
     def format_epilog(self, ctx: Any, formatter: Any) -> None:
         """The lifts, then the examples."""
-        from gantline.scenario.shipped import shipped
+        from gantline.scenario.file.shipped import shipped
 
         with formatter.section("Lifts that come with gantline"):
             beside = " " * formatter.current_indent
@@ -31,7 +31,7 @@ class NamesLifts(Verb):
 
 def _lifts_that_begin(incomplete: str) -> list[str]:
     """What a shell offers behind `--from`."""
-    from gantline.scenario.shipped import shipped
+    from gantline.scenario.file.shipped import shipped
 
     return [name for name in shipped() if name.startswith(incomplete)]
 
@@ -74,7 +74,7 @@ def new(
 def _shipped(name: str) -> tuple[str, list[Path]]:
     """Text of a lift that comes with gantline, with the schema beside it; and the files that it names."""
     from gantline.scenario import load_scenario, shipped
-    from gantline.scenario.tree import texts
+    from gantline.scenario.file.tree import texts
 
     lifts = shipped()
     if name not in lifts:

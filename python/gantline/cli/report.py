@@ -39,7 +39,7 @@ def report(
     It opens by a double click, prints to A4, and reads nothing from a network.
     """
     from gantline.report import write_report
-    from gantline.results.saved import FILES_BESIDE, read_beside
+    from gantline.results.file.saved import FILES_BESIDE, read_beside
     from gantline.viewer import BundleMissing
 
     file = asked_for(recording)

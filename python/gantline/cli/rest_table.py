@@ -12,7 +12,7 @@ from gantline.cli.friction import slid_loads, stands_loosely
 from gantline.cli.summary import heading, weights
 from gantline.cli.table import ABSENT, show, table, wrapped
 from gantline.results import series
-from gantline.results.saved import LOSSES
+from gantline.results.file.saved import LOSSES
 from gantline.statics import Equilibrium, Losses, Mode, NoEquilibriumError, Sensitivity, Statics
 from gantline.study.state import rest_json
 from gantline.study.tilting import Margin

@@ -48,7 +48,7 @@ def _left_by_a_run(folder: Path, recording: Recording) -> Iterator[Path]:
 
 def _equalizers_before(folder: Path) -> set[str]:
     """Equalizers of the recording that is there; none of one that cannot be read."""
-    from gantline.results.netcdf import load_rig
+    from gantline.results.file.netcdf import load_rig
 
     if not any(folder.glob("equalizer_*.png")):
         return set()

@@ -23,7 +23,7 @@ from gantline.cli.progress import telling
 from gantline.cli.spans import values_of_option
 
 if TYPE_CHECKING:
-    from gantline.results.saved_seas import SavedSeas
+    from gantline.results.file.saved_seas import SavedSeas
     from gantline.study.seas import SeasResult
 
 #: Of the picture.
@@ -100,8 +100,8 @@ def seas(
     sea at all, all of them being too steep. Ctrl-C ends it with what there is, and with code 130.
     """
     from gantline.replacing import replace_text
-    from gantline.results.saved import SEAS
-    from gantline.results.saved_seas import SavedSeas
+    from gantline.results.file.saved import SEAS
+    from gantline.results.file.saved_seas import SavedSeas
 
     asked: dict[str, Any] = {
         "waves": waves,

@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterator
 
 from gantline.cli.table import ABSENT, table, tables
-from gantline.results.saved_seas import SavedSeas, degrees
+from gantline.results.file.saved_seas import SavedSeas, degrees
 
 __all__ = ["seas_table"]
 

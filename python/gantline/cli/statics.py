@@ -312,7 +312,7 @@ def _bounds(pool: SideBySide, question: Statics, moment: float | None) -> dict[L
 
 def _margins(question: Statics, rest: Equilibrium) -> list[Margin]:
     """How far the centre of gravity may be elsewhere; nothing where there is no load."""
-    from gantline.scenario.variants import without_cases
+    from gantline.scenario.file.variants import without_cases
     from gantline.study.tilting import margins_of
 
     if not rest.recording.rig.loads:
@@ -324,7 +324,7 @@ def _margins(question: Statics, rest: Equilibrium) -> list[Margin]:
 
 
 def _write(question: Statics, rest: Equilibrium, modes: list[Mode], folder: Path, *, aside: bool) -> None:
-    from gantline.results.saved import EQUILIBRIUM
+    from gantline.results.file.saved import EQUILIBRIUM
     from gantline.statics.inclining import metacentric_heights
 
     place = output_folder(folder)

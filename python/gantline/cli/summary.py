@@ -18,17 +18,18 @@ from gantline.cli.hold_points import hold_points
 from gantline.cli.refinement import refinement_table
 from gantline.cli.table import ABSENT, cut, pairs, show, table
 from gantline.cli.vessels import vessels
-from gantline.results import series, upper_end
+from gantline.results import series
 from gantline.results.alike import first_peak
-from gantline.results.drift import load_drift
-from gantline.results.hung_so import has_hung_so
-from gantline.results.lift_off import lift_off_in_words
+from gantline.results.loads.drift import load_drift
+from gantline.results.loads.hung_so import has_hung_so
+from gantline.results.loads.lift_off import lift_off_in_words
+from gantline.results.loads.upending import is_turned, kept_plumb_in_words, turning_in_words
 from gantline.results.metrics import energy_bound
-from gantline.results.parting import ATTACHED, partings
 from gantline.results.recording import Recording
 from gantline.results.refinement import refinement_of
 from gantline.results.rig import Load, Rig
-from gantline.results.upending import is_turned, kept_plumb_in_words, turning_in_words
+from gantline.results.ropes import upper_end
+from gantline.results.ropes.parting import ATTACHED, partings
 
 #: Slings that are listed one by one; the report and the recording have all of them.
 _MOST_ROWS = 40

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from gantline.assembly.doubtful_supports import shown_gap
-from gantline.assembly.under_load import UnderLoad
+from gantline.assembly.doubts.supports import shown_gap
+from gantline.assembly.loads.under_load import UnderLoad
 from gantline.cli.table import show, table
 
 __all__ = ["supports_table"]

@@ -39,7 +39,7 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
         from gantline.cli.check_table import width_of_terminal
         from gantline.cli.lift import refuse_beyond
         from gantline.scenario import load_scenario
-        from gantline.scenario.tree_path import PathError
+        from gantline.scenario.file.tree_path import PathError
         from gantline.study import run_sweep
         from gantline.study.sweep import SweepError
         from gantline.units import UnitError

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from gantline.cli.table import table
+from gantline.results.afloat.vessels import AS_CARRIED
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.rotation import heading
 from gantline.results.series import mean_over
-from gantline.results.vessels import AS_CARRIED
 from gantline.units import format_quantity
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def vessels_at_rest(question: Statics, rest: Equilibrium) -> list[str]:
 
 def _lies_aside(question: Statics, rest: Equilibrium) -> list[str]:
     """Vessels that lie elsewhere than the lift file has them: how far along their own axes, how turned."""
-    from gantline.assembly.vessels import way_of
+    from gantline.assembly.afloat.vessels import way_of
 
     recording = rest.recording
     places = dict(zip(recording.coordinates["body"], recording["body_position"].values[-1], strict=True))

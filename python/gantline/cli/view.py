@@ -65,7 +65,7 @@ class _Page:
     """
 
     def __init__(self, file: Path) -> None:
-        from gantline.results.saved import FILES_BESIDE
+        from gantline.results.file.saved import FILES_BESIDE
 
         self._file = file
         self._beside = [file.parent / name for name in FILES_BESIDE]
@@ -89,7 +89,7 @@ class _Page:
         """
         from gantline.report import render_report
         from gantline.results import open_recording
-        from gantline.results.saved import read_beside
+        from gantline.results.file.saved import read_beside
 
         with self._making:
             # Of before it is read: what is written meanwhile is another state.

@@ -33,9 +33,9 @@ from gantline.results import series
 from gantline.results.alike import without_rounding
 from gantline.results.common_time import CommonTime
 from gantline.results.comparison import Comparison, ForceComparison, MotionComparison
-from gantline.results.drift import load_drift
-from gantline.results.families import shortened_inside
+from gantline.results.loads.drift import load_drift
 from gantline.results.recording import Recording
+from gantline.results.ropes.families import shortened_inside
 from gantline.results.rotation import tilt
 from gantline.results.variable import FloatArray
 

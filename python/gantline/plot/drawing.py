@@ -15,8 +15,8 @@ from gantline.plot.panels import EARTH_EDGE, TENSION
 from gantline.plot.raster import View
 from gantline.plot.scene import Box, RopePath, Sheave, Snapshot
 from gantline.plot.style import INK, QUIET
-from gantline.results.families import shortened_inside
 from gantline.results.recording import Recording
+from gantline.results.ropes.families import shortened_inside
 from gantline.results.variable import FloatArray
 
 _EDGE_ON = 1e-3  # cosine to the line of sight below which a triangle is a line

@@ -18,9 +18,9 @@ from gantline.plot import drawing, panels
 from gantline.plot.scene import snapshot
 from gantline.plot.style import INK, QUIET, RC, colour, force_unit, shortened
 from gantline.results import series
-from gantline.results.families import families
 from gantline.results.progress import under_way
 from gantline.results.recording import Recording
+from gantline.results.ropes.families import families
 from gantline.results.surroundings import ground_of, water_level
 from gantline.results.variable import FloatArray
 

@@ -13,9 +13,9 @@ from gantline.plot.drawing import TOP
 from gantline.plot.raster import View
 from gantline.plot.scene import Snapshot
 from gantline.plot.style import INK, KILO, MOST_NAMED
-from gantline.results.families import shortened_inside
 from gantline.results.gear import Equalizer
 from gantline.results.recording import Recording
+from gantline.results.ropes.families import shortened_inside
 from gantline.results.variable import FloatArray
 
 __all__ = ["beside", "label_lugs", "label_sheaves"]

@@ -7,10 +7,10 @@ from typing import NamedTuple
 import numpy as np
 
 from gantline.results import series
-from gantline.results.hinges import HINGE_OPENED
-from gantline.results.lift_off import hangs_from_the_start, lift_off_time
+from gantline.results.loads.hinges import HINGE_OPENED
+from gantline.results.loads.lift_off import hangs_from_the_start, lift_off_time
+from gantline.results.loads.upending import is_turned
 from gantline.results.recording import Recording
-from gantline.results.upending import is_turned
 from gantline.units import format_quantity
 
 #: Most stages of a lift that one picture shows.

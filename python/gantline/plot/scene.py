@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.results.hinges import is_shut
+from gantline.results.loads.hinges import is_shut
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.surroundings import structures_of

@@ -13,7 +13,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.patches import Patch, Rectangle
 
 from gantline.plot.style import COLOURS, FAINT, INK, QUIET, RC, shortened
-from gantline.results.saved_seas import SavedSea, SavedSeas, degrees
+from gantline.results.file.saved_seas import SavedSea, SavedSeas, degrees
 
 __all__ = ["seas_picture"]
 

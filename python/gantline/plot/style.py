@@ -17,10 +17,10 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from gantline.plot.timeline import LETTER, draw_strip, is_tall, strips_of
-from gantline.results.families import shortened_inside
-from gantline.results.lift_off import lift_off_time
+from gantline.results.loads.lift_off import lift_off_time
 from gantline.results.progress import unfinished
 from gantline.results.recording import Recording
+from gantline.results.ropes.families import shortened_inside
 from gantline.results.variable import FloatArray
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7A5195", "#4D4D4D")

@@ -27,11 +27,11 @@ from gantline.plot.style import (
 )
 from gantline.results import series
 from gantline.results.alike import first_peak
-from gantline.results.aside import drift_of, not_worth_a_plot, swing_of, tilt_of
-from gantline.results.drift import is_taken_along
-from gantline.results.families import MOST, families
 from gantline.results.gear import Equalizer
+from gantline.results.loads.aside import drift_of, not_worth_a_plot, swing_of, tilt_of
+from gantline.results.loads.drift import is_taken_along
 from gantline.results.recording import Recording
+from gantline.results.ropes.families import MOST, families
 from gantline.results.variable import BoolArray, FloatArray
 
 

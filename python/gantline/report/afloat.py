@@ -16,13 +16,13 @@ import numpy as np
 from gantline.report.seas import allowed_seas
 from gantline.report.subject import ABSENT, Subject, number, share, show
 from gantline.results import series
+from gantline.results.afloat.vessels import AS_CARRIED, Vessel
 from gantline.results.alike import first_peak
-from gantline.results.parting import PLANNED, partings
+from gantline.results.file.saved import SavedLostLoad, SavedSwing
 from gantline.results.progress import spans
+from gantline.results.ropes.parting import PLANNED, partings
 from gantline.results.rotation import axes
-from gantline.results.saved import SavedLostLoad, SavedSwing
 from gantline.results.variable import BoolArray
-from gantline.results.vessels import AS_CARRIED, Vessel
 
 #: Rows of a vessel that the first page has.
 _MOST_ROWS = 5

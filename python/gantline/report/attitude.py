@@ -8,12 +8,12 @@ from gantline.checks import values_of
 from gantline.report.subject import ABSENT, Subject, show, typeset
 from gantline.results import series
 from gantline.results.alike import first_peak
-from gantline.results.clearances import watched_during
-from gantline.results.drift import load_drift
-from gantline.results.hinges import hinge_force
-from gantline.results.lift_off import lift_off_in_words
+from gantline.results.loads.clearances import watched_during
+from gantline.results.loads.drift import load_drift
+from gantline.results.loads.hinges import hinge_force
+from gantline.results.loads.lift_off import lift_off_in_words
+from gantline.results.loads.upending import is_turned, kept_plumb_in_words, turning_in_words
 from gantline.results.rig import Load
-from gantline.results.upending import is_turned, kept_plumb_in_words, turning_in_words
 from gantline.units import telling_digits
 
 

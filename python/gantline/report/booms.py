@@ -7,10 +7,10 @@ import numpy as np
 from gantline.checks import shown_places, values_of
 from gantline.report.subject import ABSENT, Subject, number, typeset
 from gantline.results.alike import first_peak
-from gantline.results.boom import Boom
-from gantline.results.crawler import Crawler
-from gantline.results.rating import chart_load, chart_places, group_used, rated_groups, rated_load
-from gantline.results.rating_chart import RatingChart
+from gantline.results.cranes.boom import Boom
+from gantline.results.cranes.crawler import Crawler
+from gantline.results.cranes.rating import chart_load, chart_places, group_used, rated_groups, rated_load
+from gantline.results.cranes.rating_chart import RatingChart
 from gantline.results.variable import FloatArray
 
 #: Use of a chart by one hook over that by its crane that tells nothing apart.

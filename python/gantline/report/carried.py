@@ -9,12 +9,13 @@ import numpy as np
 from gantline.checks import values_of
 from gantline.checks.sling_figures import SlingFigures, sling_figures
 from gantline.report.subject import ABSENT, Subject, as_given, number, show
-from gantline.results import series, upper_end
-from gantline.results.chain_hoists import sling_lengths
+from gantline.results import series
+from gantline.results.cranes.chain_hoists import sling_lengths
 from gantline.results.gear import Equalizer, Hook, Sling
-from gantline.results.hinges import is_shut
-from gantline.results.parting import ATTACHED, DETACHED, PARTING, PLANNED, partings
-from gantline.results.travel import most_used, ways_of
+from gantline.results.loads.hinges import is_shut
+from gantline.results.ropes import upper_end
+from gantline.results.ropes.parting import ATTACHED, DETACHED, PARTING, PLANNED, partings
+from gantline.results.ropes.travel import most_used, ways_of
 from gantline.results.variable import BoolArray, FloatArray
 
 #: Shares of the weight over at which a load cell is read.

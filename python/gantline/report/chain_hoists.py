@@ -7,7 +7,7 @@ from typing import Any
 from gantline.checks import values_of
 from gantline.report.section import Section
 from gantline.report.subject import ABSENT, Subject, as_given, number
-from gantline.results.chain_uses import ChainUse, chain_uses
+from gantline.results.cranes.chain_uses import ChainUse, chain_uses
 
 
 class ChainHoists(Section):

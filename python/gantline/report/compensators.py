@@ -6,7 +6,7 @@ from typing import Any
 
 from gantline.report.section import Section
 from gantline.report.subject import Subject, typeset
-from gantline.results.compensators import in_words
+from gantline.results.cranes.compensators import in_words
 
 
 class Compensators(Section):

@@ -21,14 +21,14 @@ from gantline.report.steps import first_steps
 from gantline.report.subject import ABSENT, Subject, as_given, number, share, show, typeset
 from gantline.report.turning import turnings
 from gantline.results import series
-from gantline.results.boom import Boom
-from gantline.results.crane import Crane
+from gantline.results.cranes.boom import Boom
+from gantline.results.cranes.crane import Crane
+from gantline.results.file.saved import digest_of
 from gantline.results.gear import Hook
 from gantline.results.metrics import energy_bound
 from gantline.results.progress import spans
 from gantline.results.refinement import in_per_cent, refinement_of
 from gantline.results.rig import Load, Rig
-from gantline.results.saved import digest_of
 from gantline.results.status import INCOMPLETE
 from gantline.results.variable import BoolArray
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from html import escape
 
 from gantline.report.page import render_report
+from gantline.results.file.saved import Beside
 from gantline.results.recording import Recording
-from gantline.results.saved import Beside
 
 _HEIGHT = 760  # pixels
 

@@ -24,8 +24,8 @@ from gantline.report.section import Section
 from gantline.report.steps import StepsContinued
 from gantline.report.subject import Subject
 from gantline.report.tables import Checks, Energy, Equalizers, LiftFile
+from gantline.results.file.saved import Beside, read_beside
 from gantline.results.recording import Recording, recorded
-from gantline.results.saved import Beside, read_beside
 from gantline.units import DIMENSIONS
 from gantline.viewer import bundle, pack
 from gantline.viewer.inline import json_for_script, policy, script_is_safe

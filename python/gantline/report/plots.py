@@ -9,8 +9,8 @@ from typing import Any
 
 from gantline.report.section import Section
 from gantline.report.subject import Subject, show
-from gantline.results.aside import drift_of, not_worth_a_plot, swing_of, tilt_of
-from gantline.results.drift import is_taken_along
+from gantline.results.loads.aside import drift_of, not_worth_a_plot, swing_of, tilt_of
+from gantline.results.loads.drift import is_taken_along
 from gantline.results.status import OVER
 
 Plot = dict[str, Any]

@@ -9,9 +9,9 @@ from typing import Any
 from gantline.report.section import Section
 from gantline.report.subject import ABSENT, Subject, number, show
 from gantline.results import series
+from gantline.results.file.saved import QUANTITIES, WORST_OF_LOSSES, SavedWorst
 from gantline.results.leading_away import stability
 from gantline.results.recording import Recording
-from gantline.results.saved import QUANTITIES, WORST_OF_LOSSES, SavedWorst
 
 #: What the first page says of cases, in its order.
 _FIRST = {

@@ -6,7 +6,7 @@ from typing import Any
 
 from gantline.report.section import Section
 from gantline.report.subject import ABSENT, Subject, show
-from gantline.results.saved_seas import SavedExtreme, SavedSea, SavedSeas, degrees
+from gantline.results.file.saved_seas import SavedExtreme, SavedSea, SavedSeas, degrees
 
 
 class Seas(Section):

@@ -22,11 +22,12 @@ from gantline.report.sketch_names import (
 )
 from gantline.report.sketch_paper import HEIGHT, MARGIN, WIDTH, Mark, Paper, drawn_path, outline
 from gantline.report.subject import Subject
-from gantline.results.families import shortened_inside
-from gantline.results.hinges import is_shut
-from gantline.results.parting import PLANNED, partings
+from gantline.results.loads.hinges import is_shut
+from gantline.results.loads.upending import is_turned
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
+from gantline.results.ropes.families import shortened_inside
+from gantline.results.ropes.parting import PLANNED, partings
 from gantline.results.rotation import axes
 from gantline.results.series import load_is_clear
 from gantline.results.surroundings import (
@@ -37,7 +38,6 @@ from gantline.results.surroundings import (
     water_cut,
     water_level,
 )
-from gantline.results.upending import is_turned
 from gantline.results.variable import FloatArray
 from gantline.units import format_quantity
 from gantline.viewer.shapes import vector

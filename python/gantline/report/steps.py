@@ -12,9 +12,9 @@ from gantline.checks import LIMITS
 from gantline.report.holds import shares
 from gantline.report.section import Section
 from gantline.report.subject import Subject, as_given, show, typeset
-from gantline.results.moorings import MooringLine
+from gantline.results.afloat.moorings import MooringLine
 from gantline.results.rig import Step
-from gantline.results.tag_lines import TagLine
+from gantline.results.ropes.tag_lines import TagLine
 
 _MOST = 16
 #: Of lifts afloat, whose vessels take room on the sheet.

@@ -7,10 +7,10 @@ from functools import cached_property
 
 from gantline.checks import Check, check_recording
 from gantline.results import series
+from gantline.results.file.saved import Beside
 from gantline.results.progress import under_way
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
-from gantline.results.saved import Beside
 from gantline.results.stability import Stability, stability_of
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity

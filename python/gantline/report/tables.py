@@ -13,12 +13,12 @@ from gantline.report.section import Section
 from gantline.report.subject import ABSENT, Subject, show, typeset
 from gantline.results import series
 from gantline.results.counted import counted_in_words
-from gantline.results.equalising import equalising
-from gantline.results.gaps import gaps
+from gantline.results.file.gaps import gaps
 from gantline.results.gear import Equalizer
-from gantline.results.parting import stops_met
 from gantline.results.recording import Recording
 from gantline.results.refinement import in_per_cent, refinement_of
+from gantline.results.ropes.equalising import equalising
+from gantline.results.ropes.parting import stops_met
 from gantline.version import version
 
 #: Units of the settings that have one, as recordings keep them.

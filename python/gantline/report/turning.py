@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from gantline.report.subject import ABSENT, Subject, number
-from gantline.results.turning import AtTilt, at_tilts
+from gantline.results.loads.turning import AtTilt, at_tilts
 
 #: Most hooks that a table beside the attitude has room for.
 _MOST_HOOKS = 4

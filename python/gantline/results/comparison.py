@@ -18,10 +18,10 @@ import numpy as np
 from gantline.results import series
 from gantline.results.alike import first_largest, first_peak
 from gantline.results.common_time import CommonTime, Deviation
-from gantline.results.gaps import without_gaps
-from gantline.results.parting import Parting, partings
+from gantline.results.file.gaps import without_gaps
 from gantline.results.recording import Recording, open_recording, recorded
 from gantline.results.rig import Rig
+from gantline.results.ropes.parting import Parting, partings
 from gantline.results.stability import Stability, stability_of
 from gantline.units import format_quantity
 

@@ -8,18 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from gantline.results.boom import boom_state
-from gantline.results.chain_hoists import chain_hoist_state
-from gantline.results.crane import corner_loads, crane_events, hook_state
-from gantline.results.crawler import crawler_events, crawler_state
-from gantline.results.direct import commands, direct, only, round_path
-from gantline.results.flows import rope_flows
-from gantline.results.guides import guide_state
-from gantline.results.hinges import held_up, hinge_columns, hinge_state
-from gantline.results.hook_load import hook_loads
-from gantline.results.moorings import mooring_state
-from gantline.results.nodes import joined
-from gantline.results.rating import (
+from gantline.results.afloat.moorings import mooring_state
+from gantline.results.afloat.tanks import tank_contents, weight_of
+from gantline.results.afloat.vessels import vessel_state
+from gantline.results.afloat.wind import wind_at_loads
+from gantline.results.cranes.boom import boom_state
+from gantline.results.cranes.chain_hoists import chain_hoist_state
+from gantline.results.cranes.crane import corner_loads, crane_events, hook_state
+from gantline.results.cranes.crawler import crawler_events, crawler_state
+from gantline.results.cranes.rating import (
     counted_load,
     counted_places,
     overloads,
@@ -27,13 +24,16 @@ from gantline.results.rating import (
     rated_at_places,
     rated_groups,
 )
+from gantline.results.direct import commands, direct, only, round_path
+from gantline.results.loads.guides import guide_state
+from gantline.results.loads.hinges import held_up, hinge_columns, hinge_state
+from gantline.results.loads.hook_load import hook_loads
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
+from gantline.results.ropes.flows import rope_flows
+from gantline.results.ropes.nodes import joined
 from gantline.results.rotation import tilt
-from gantline.results.tanks import tank_contents, weight_of
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
-from gantline.results.vessels import vessel_state
-from gantline.results.wind import wind_at_loads
 
 
 def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attributes: Any) -> Recording:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from gantline.results.layout import COUNTED, DIMS, FIXED
+from gantline.results.file.layout import COUNTED, DIMS, FIXED
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
 __all__ = ["DIRECT", "commands", "direct", "only", "round_path"]

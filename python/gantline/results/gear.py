@@ -9,7 +9,7 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field
 
-from gantline.results.form import Vector
+from gantline.results.file.form import Vector
 from gantline.results.strength import FromJson, HasLugs, Lug, Shackle
 
 

@@ -19,7 +19,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `detaching_tension.<rope>` [N]: what a rope still carried as a step took it off, the last time
 - `static_sling_tension.<sling rope>` [N]: its static tension
 - `skew_load_factor` [1]: largest static force of a sling over its force with perfect lengths, as
-  `gantline.results.skew` defines it
+  `gantline.results.loads.skew` defines it
 - `least_sling_tension_when_clear` [N]: smallest tension of any sling while the loads are clear
 - `dynamic_amplification_factor` [1]: largest of peak/static tension of the same sling, of those whose peak is
   at a time with slings on on which the loads also hung still; absent of a lift at rest
@@ -29,7 +29,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `final_tension_spread` [1]: the same at the last sample
 - `time_to_equalise.<equalizer>` [s]: from when all its slings are taut and its pins out until its tension
   spread stays below `Rig.equalised_below`; absent where it never does and of a lift at rest, see
-  `gantline.results.equalising`
+  `gantline.results.ropes.equalising`
 - `peak_pin_force` [N]: largest magnitude of the force on any locking pin at any sample
 - `peak_hinge_force.<hinge>` [N]: largest force between that hinge and its load, whichever way, at any sample
 - `peak_hinge_radial_force.<hinge>`, `peak_hinge_axial_force.<hinge>` [N]: its largest part at right angles to
@@ -57,7 +57,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_load_yaw` [rad]: largest change of a load's heading from its start, to either side
 - `peak_equalizer_tilt` [rad]: largest angle from plumb of the frame of any equalizer that tilts
 - `peak_load_drift_when_clear` [m]: largest horizontal distance of a load's centre of gravity, while clear,
-  from its start and where the plan has taken it from there (`gantline.results.drift`)
+  from its start and where the plan has taken it from there (`gantline.results.loads.drift`)
 - `final_draft.<vessel>`, `final_draft_aft.<vessel>`, `final_draft_forward.<vessel>` [m],
   `final_heel.<vessel>`, `final_trim.<vessel>` [rad], `final_displacement.<vessel>` [kg]: of that vessel at
   the last sample; heel to starboard, trim by the stern positive
@@ -103,20 +103,21 @@ from typing import Any
 
 import numpy as np
 
-from gantline.results import series, upper_end
+from gantline.results import series
 from gantline.results.alike import earliest_peak
-from gantline.results.clearances import peak_support_force, watched_during
-from gantline.results.compensators import borne, range_of
-from gantline.results.drift import load_drift
-from gantline.results.equalising import equalising
-from gantline.results.hinges import axial_force, hinge_force, hinge_moment, radial_force
-from gantline.results.hung_so import has_hung_so
-from gantline.results.lift_off import lift_off_time
-from gantline.results.parting import ATTACHED, DETACHED, PLANNED, partings
-from gantline.results.rating import chart_used
+from gantline.results.cranes.compensators import borne, range_of
+from gantline.results.cranes.rating import chart_used
+from gantline.results.loads.clearances import peak_support_force, watched_during
+from gantline.results.loads.drift import load_drift
+from gantline.results.loads.hinges import axial_force, hinge_force, hinge_moment, radial_force
+from gantline.results.loads.hung_so import has_hung_so
+from gantline.results.loads.lift_off import lift_off_time
+from gantline.results.loads.skew import largest_skew
 from gantline.results.recording import Recording
-from gantline.results.skew import largest_skew
-from gantline.results.travel import most_used, ways
+from gantline.results.ropes import upper_end
+from gantline.results.ropes.equalising import equalising
+from gantline.results.ropes.parting import ATTACHED, DETACHED, PLANNED, partings
+from gantline.results.ropes.travel import most_used, ways
 
 #: Energy remainder up to which the balance counts as closed, by integrator. A fixed step of first order
 #: cannot do better than a thousandth; an error-controlled one does far better unless something is wrong.

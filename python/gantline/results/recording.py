@@ -241,7 +241,7 @@ class Recording:
     @cached_property
     def dataset(self) -> xarray.Dataset:
         """The same as an `xarray.Dataset` (dictionaries among the attributes as they are, not as text)."""
-        from gantline.results.dataset import dataset_of
+        from gantline.results.file.dataset import dataset_of
 
         return dataset_of(self)
 
@@ -257,7 +257,7 @@ class Recording:
         Raises:
             OSError: If it cannot be written there.
         """
-        from gantline.results.netcdf import save_recording
+        from gantline.results.file.netcdf import save_recording
 
         return save_recording(self, Path(path))
 
@@ -287,7 +287,7 @@ def open_recording(path: str | Path) -> Recording:
         FileNotFoundError: If there is no such file.
         ValueError: If the file is not a recording of gantline.
     """
-    from gantline.results.netcdf import load_recording
+    from gantline.results.file.netcdf import load_recording
 
     return load_recording(Path(path))
 

@@ -11,11 +11,17 @@ from dataclasses import asdict, dataclass, field
 from functools import cache
 from typing import Any, Self, get_args, get_origin, get_type_hints
 
-from gantline.results.boom import Boom
-from gantline.results.chain_hoists import ChainHoist
-from gantline.results.crane import Crane, CraneHook
-from gantline.results.crawler import Crawler
-from gantline.results.form import Vector
+from gantline.results.afloat.moorings import Fender, MooringLine
+from gantline.results.afloat.sea import Sea
+from gantline.results.afloat.vessels import Vessel
+from gantline.results.afloat.wind import Current, Wind
+from gantline.results.cranes.boom import Boom
+from gantline.results.cranes.chain_hoists import ChainHoist
+from gantline.results.cranes.crane import Crane, CraneHook
+from gantline.results.cranes.crawler import Crawler
+from gantline.results.cranes.ranges import DriveRange
+from gantline.results.cranes.rating_chart import RatingChart
+from gantline.results.file.form import Vector
 from gantline.results.gear import (
     Compensator,
     Drum,
@@ -27,16 +33,10 @@ from gantline.results.gear import (
     Spreader,
     WrappedSheave,
 )
-from gantline.results.guides import Guide
-from gantline.results.hinges import Hinge
-from gantline.results.moorings import Fender, MooringLine
-from gantline.results.ranges import DriveRange
-from gantline.results.rating_chart import RatingChart
-from gantline.results.sea import Sea
+from gantline.results.loads.guides import Guide
+from gantline.results.loads.hinges import Hinge
+from gantline.results.ropes.tag_lines import TagLine
 from gantline.results.strength import Bend, Factor, FromJson, HasLugs, Lug, Rating, SideLoad
-from gantline.results.tag_lines import TagLine
-from gantline.results.vessels import Vessel
-from gantline.results.wind import Current, Wind
 
 #: Tension spread below which an equalizer counts as equalised where the lift file names none [1].
 EQUALISED_BELOW = 0.05

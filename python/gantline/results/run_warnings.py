@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from gantline.results.bodies import places_of
-from gantline.results.parting import stops_met
 from gantline.results.rig import Rig
+from gantline.results.ropes.parting import stops_met
 from gantline.results.variable import Columns, Names
 from gantline.units import format_quantity
 

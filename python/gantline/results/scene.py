@@ -1,4 +1,4 @@
-"""The form of a recording's attribute `scene`: what is needed to draw a lift, SI, `gantline.results.form`."""
+"""The form of the attribute `scene` of a recording: what is needed to draw a lift, SI."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from gantline.results.form import FormError, Quaternion, Range, Vector, hold_form
+from gantline.results.file.form import FormError, Quaternion, Range, Vector, hold_form
 
 __all__ = ["hold_scene"]
 

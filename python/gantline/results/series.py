@@ -25,13 +25,13 @@ import numpy as np
 
 from gantline.results.alike import earliest_peak, first_peak
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
-from gantline.results.hinges import HINGE_OPENED
-from gantline.results.parting import DETACHED, PARTING, while_there
-from gantline.results.pinned import PIN_PULLED
+from gantline.results.loads.hinges import HINGE_OPENED
+from gantline.results.loads.standing import drives_stand
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
+from gantline.results.ropes.parting import DETACHED, PARTING, while_there
+from gantline.results.ropes.pinned import PIN_PULLED
 from gantline.results.rotation import axes, heading, tilt
-from gantline.results.standing import drives_stand
 from gantline.results.variable import BoolArray, FloatArray
 
 _SHORTEST_QUIET = 5.0  # s

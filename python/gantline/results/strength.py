@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Self
 
-from gantline.results.form import Range, Vector
+from gantline.results.file.form import Range, Vector
 from gantline.rule_data import SIDE_LOAD, SIDE_LOAD_SOURCE
 
 

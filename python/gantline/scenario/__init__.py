@@ -1,12 +1,12 @@
 """Lift files: read, checked, with every quantity in SI units."""
 
 from gantline.scenario.errors import Problem, ScenarioError, StartError
+from gantline.scenario.file.reading import FILE_NAME, load_scenario, parse_scenario
+from gantline.scenario.file.schema import json_schema, schema_text
+from gantline.scenario.file.shipped import shipped
+from gantline.scenario.file.template import template
 from gantline.scenario.model import Scenario
-from gantline.scenario.reading import FILE_NAME, load_scenario, parse_scenario
 from gantline.scenario.rigging import Rigging, resolve
-from gantline.scenario.schema import json_schema, schema_text
-from gantline.scenario.shipped import shipped
-from gantline.scenario.template import template
 
 __all__ = [
     "FILE_NAME",

@@ -8,8 +8,8 @@ from typing import Annotated, Any, ClassVar, TypeVar
 from pydantic import BaseModel, ConfigDict, Field, ModelWrapValidatorHandler, model_validator
 
 from gantline.scenario.errors import is_or_are, shorten
+from gantline.scenario.file.tree import MapNode
 from gantline.scenario.quantities import Name, found, refuse
-from gantline.scenario.tree import MapNode
 
 __all__ = ["Element", "Named"]
 

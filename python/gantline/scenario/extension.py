@@ -10,8 +10,8 @@ from pydantic import Field
 
 from gantline.scenario.base import Element
 from gantline.scenario.errors import nearest
+from gantline.scenario.loads.spreader import spreader_lugs
 from gantline.scenario.quantities import PositiveLength, PositiveMass
-from gantline.scenario.spreader import spreader_lugs
 
 if TYPE_CHECKING:
     from gantline.scenario.findings import Findings, Path

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from gantline.scenario.hinge import failed_at as failed_in_hinge
+from gantline.scenario.loads.hinge import failed_at as failed_in_hinge
 
 if TYPE_CHECKING:
     from gantline.scenario.model import Scenario

@@ -12,9 +12,9 @@ from pydantic.json_schema import JsonSchemaValue
 
 from gantline.rope_data import GRADES, RopeClass, rope_class, rope_classes
 from gantline.scenario.base import Element
-from gantline.scenario.chain_hoist import ChainHoist
+from gantline.scenario.cranes.chain_hoist import ChainHoist
 from gantline.scenario.curve import RopeCurve
-from gantline.scenario.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
+from gantline.scenario.plan.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
 from gantline.scenario.quantities import (
     Flag,
     Mass,

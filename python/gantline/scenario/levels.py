@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from gantline.scenario.base import Element
+from gantline.scenario.cranes.hooks import full_name, full_names
 from gantline.scenario.errors import nearest
-from gantline.scenario.hooks import full_name, full_names
 from gantline.scenario.quantities import ListOf, NameText, PositiveLength, refuse
 
 if TYPE_CHECKING:

@@ -7,10 +7,11 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
+from gantline.scenario.afloat.water import Afloat
 from gantline.scenario.base import Element, Named
-from gantline.scenario.drum import Drum
-from gantline.scenario.motion import SpeedRamp, TurnRamp
-from gantline.scenario.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
+from gantline.scenario.cranes.drum import Drum
+from gantline.scenario.plan.motion import SpeedRamp, TurnRamp
+from gantline.scenario.plan.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
 from gantline.scenario.quantities import (
     Angle,
     AngularSpeed,
@@ -43,7 +44,6 @@ from gantline.scenario.quantities import (
 )
 from gantline.scenario.rope_weight import NODES_SHOWN, WEIGHT_SHOWN, RopeNodes, RopeWeightWord
 from gantline.scenario.sheave import SheaveWords
-from gantline.scenario.water import Afloat
 
 __all__ = [
     "Ball",

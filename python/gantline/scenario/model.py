@@ -8,38 +8,38 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, PrivateAttr
 
+from gantline.scenario.afloat.mooring import Fender, MooringLine, is_moored, lines_at
+from gantline.scenario.afloat.stream import Current, Wind, WindOfLift
+from gantline.scenario.afloat.vessel import Vessel
+from gantline.scenario.afloat.water import Water
+from gantline.scenario.afloat.waves import WaveTrain
 from gantline.scenario.base import Element, Named
-from gantline.scenario.boom import PlacedBoom
-from gantline.scenario.case import Case
-from gantline.scenario.compensator import Compensator
-from gantline.scenario.crane import Equalizer, EqualizerType
-from gantline.scenario.crane_types import Crane
+from gantline.scenario.cranes.boom import PlacedBoom
+from gantline.scenario.cranes.compensator import Compensator
+from gantline.scenario.cranes.crane import Equalizer, EqualizerType
+from gantline.scenario.cranes.crane_types import Crane
+from gantline.scenario.cranes.hook_group import HookGroup
+from gantline.scenario.cranes.hook_parts import HookType
+from gantline.scenario.cranes.hooks import Hook, booms_of, hooks_of
 from gantline.scenario.errors import PathPart, Problem, ScenarioError, StartError, join_path
 from gantline.scenario.extension import ExtensionSheave
+from gantline.scenario.file.case import Case
+from gantline.scenario.file.tree import MapNode, line_of
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
 from gantline.scenario.ground import Axes, Ground, LiftHead, SimulationSettings
-from gantline.scenario.guide import LandingGuide
-from gantline.scenario.hinge import LoadHinge
-from gantline.scenario.hook_group import HookGroup
-from gantline.scenario.hook_parts import HookType
-from gantline.scenario.hooks import Hook, booms_of, hooks_of
 from gantline.scenario.limits import Limits, Rules
-from gantline.scenario.load import Load
-from gantline.scenario.lug import LugType
+from gantline.scenario.loads.guide import LandingGuide
+from gantline.scenario.loads.hinge import LoadHinge
+from gantline.scenario.loads.load import Load
+from gantline.scenario.loads.lug import LugType
+from gantline.scenario.loads.spreader import Spreader
+from gantline.scenario.loads.structures import Structure
+from gantline.scenario.loads.supports import Supports
 from gantline.scenario.mechanics import Mechanics
-from gantline.scenario.mooring import Fender, MooringLine, is_moored, lines_at
-from gantline.scenario.plan import EmergencyStop, Step
+from gantline.scenario.plan.plan import EmergencyStop, Step
 from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
-from gantline.scenario.spreader import Spreader
-from gantline.scenario.stream import Current, Wind, WindOfLift
-from gantline.scenario.structures import Structure
-from gantline.scenario.supports import Supports
 from gantline.scenario.tag_line import TagLine
-from gantline.scenario.tree import MapNode, line_of
-from gantline.scenario.vessel import Vessel
 from gantline.scenario.watch import Watch
-from gantline.scenario.water import Water
-from gantline.scenario.waves import WaveTrain
 
 __all__ = ["Scenario"]
 
@@ -197,7 +197,7 @@ class Scenario(Element):
             ScenarioError: If a path leads nowhere, or a value cannot be there.
             TypeError: If the values are no mapping.
         """
-        from gantline.scenario.variants import changed
+        from gantline.scenario.file.variants import changed
 
         return changed(self, values)
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from gantline.scenario.chain_hoist import ChainHoist
-from gantline.scenario.compensator import rod_of
-from gantline.scenario.crane import (
+from gantline.scenario.cranes.chain_hoist import ChainHoist
+from gantline.scenario.cranes.compensator import rod_of
+from gantline.scenario.cranes.crane import (
     Equalizer,
     EqualizerFrame,
     FixedSheaves,
@@ -16,6 +16,7 @@ from gantline.scenario.crane import (
     RopeEnds,
     Travel,
 )
+from gantline.scenario.cranes.hooks import full_name
 from gantline.scenario.errors import nearest
 from gantline.scenario.extension import (
     ExtensionRigging,
@@ -26,12 +27,11 @@ from gantline.scenario.extension import (
 )
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
-from gantline.scenario.hooks import full_name
 from gantline.scenario.model import Scenario
+from gantline.scenario.plan.slinging import starts_off
 from gantline.scenario.rope_weight import RopeWeight, RopeWeightWord, check_rope_weight, rope_weight
 from gantline.scenario.sheave import SheaveLosses, SheaveWords, sheave_losses, taken_together
 from gantline.scenario.sling_ends import Upper, lower_end, upper_end
-from gantline.scenario.slinging import starts_off
 from gantline.scenario.tolerance import LARGEST_TOLERANCE
 
 __all__ = [

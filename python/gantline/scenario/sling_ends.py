@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from gantline.scenario.cranes.hooks import full_name
 from gantline.scenario.errors import nearest
 from gantline.scenario.extension import SlingEnd
 from gantline.scenario.findings import Findings, Path
-from gantline.scenario.hooks import full_name
+from gantline.scenario.loads.spreader import spreader_lugs
 from gantline.scenario.model import Scenario
-from gantline.scenario.spreader import spreader_lugs
 
 __all__ = ["Upper", "lower_end", "split_reference", "upper_end"]
 

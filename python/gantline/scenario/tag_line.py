@@ -6,9 +6,9 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
+from gantline.scenario.afloat.mooring import Winch, body_of
 from gantline.scenario.base import Element
-from gantline.scenario.mooring import Winch, body_of
-from gantline.scenario.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
+from gantline.scenario.plan.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
 from gantline.scenario.quantities import (
     Name,
     Position,

@@ -10,9 +10,9 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
+from gantline.results.afloat.vessels import with_righting
 from gantline.results.leading_away import stability
 from gantline.results.recording import Recording
-from gantline.results.vessels import with_righting
 
 Floats = npt.NDArray[np.float64]
 Losses = Literal["none", "forward", "backward", "held"]

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from gantline.results.loads.upright import borne_by_water, left_to_statics
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Resting
 from gantline.results.rotation import axes
-from gantline.results.upright import borne_by_water, left_to_statics
 from gantline.statics.answers import Equilibrium, Mode, NoEquilibriumError
 
 if TYPE_CHECKING:

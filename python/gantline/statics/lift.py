@@ -15,17 +15,17 @@ import numpy as np
 
 from gantline import _core
 from gantline.assembly import Assembly, assemble
+from gantline.assembly.afloat.vessels import drifted
 from gantline.assembly.origin import FALLS, refused, with_advice
 from gantline.assembly.parts import axial_stiffness
-from gantline.assembly.vessels import drifted
 from gantline.overrides import is_number
-from gantline.results.beyond_curve import beyond_curve
+from gantline.results.afloat.immersion import dry_hulls, loads_in_bed
+from gantline.results.afloat.pressed import pressed_through
 from gantline.results.derive import recording_of
-from gantline.results.flows import drum_warnings
-from gantline.results.immersion import dry_hulls, loads_in_bed
-from gantline.results.pressed import pressed_through
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, at_rest
+from gantline.results.ropes.beyond_curve import beyond_curve
+from gantline.results.ropes.flows import drum_warnings
 from gantline.scenario import Scenario, load_scenario
 from gantline.statics.answers import (
     KINDS,

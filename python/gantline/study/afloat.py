@@ -8,14 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gantline.assembly.hulls import hull_mesh
-from gantline.assembly.water import hull_name
+from gantline.assembly.afloat.hulls import hull_mesh
+from gantline.assembly.afloat.water import hull_name
 from gantline.hydro import Hull
 from gantline.results import series
-from gantline.results.attitude import Lie
+from gantline.results.afloat.attitude import Lie
 from gantline.results.rotation import axes
-from gantline.scenario.tanks import bodies_afloat, sea_density
-from gantline.scenario.water import Water
+from gantline.scenario.afloat.tanks import bodies_afloat, sea_density
+from gantline.scenario.afloat.water import Water
 from gantline.statics import Statics
 from gantline.statics.inclining import heights_of
 

@@ -15,15 +15,15 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from gantline.assembly.hulls import afloat_path
+from gantline.assembly.afloat.hulls import afloat_path
 from gantline.hydro.tank import Tank, free_surface_correction
 from gantline.scenario import Scenario, ScenarioError, load_scenario
-from gantline.scenario.edit import text_with
+from gantline.scenario.afloat.tanks import bodies_afloat, pumped_at_most
+from gantline.scenario.afloat.water import BallastTank
 from gantline.scenario.errors import PathPart
-from gantline.scenario.steps import PumpStep
-from gantline.scenario.tanks import bodies_afloat, pumped_at_most
-from gantline.scenario.variants import with_values, without_cases
-from gantline.scenario.water import BallastTank
+from gantline.scenario.file.edit import text_with
+from gantline.scenario.file.variants import with_values, without_cases
+from gantline.scenario.plan.steps import PumpStep
 from gantline.statics import Equilibrium, NoEquilibriumError, Statics
 from gantline.study.afloat import Afloat, VesselAttitude
 from gantline.study.ballast_question import (

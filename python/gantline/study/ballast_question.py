@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from gantline.assembly.hulls import hull_mesh
+from gantline.assembly.afloat.hulls import hull_mesh
 from gantline.scenario import Scenario
+from gantline.scenario.afloat.tanks import bodies_afloat
+from gantline.scenario.cranes.hooks import full_name
 from gantline.scenario.errors import nearest
-from gantline.scenario.hooks import full_name
-from gantline.scenario.tanks import bodies_afloat
 from gantline.statics import Statics
 from gantline.study.asked import names_of
 from gantline.study.moment import end_of_step

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from gantline.scenario import Scenario
-from gantline.scenario.boom import boom_name
-from gantline.scenario.crane import FixedHook
-from gantline.scenario.crawler import Crawler, along_body
-from gantline.scenario.goliath import Goliath
-from gantline.scenario.hooks import Hook, trolley_name
-from gantline.scenario.slewing import turned_body
+from gantline.scenario.cranes.boom import boom_name
+from gantline.scenario.cranes.crane import FixedHook
+from gantline.scenario.cranes.crawler import Crawler, along_body
+from gantline.scenario.cranes.goliath import Goliath
+from gantline.scenario.cranes.hooks import Hook, trolley_name
+from gantline.scenario.cranes.slewing import turned_body
 
 __all__ = ["Bearer", "bearers_of", "why_not"]
 

@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series
-from gantline.results.saved import digest_of
+from gantline.results.file.saved import digest_of
 from gantline.scenario import Scenario, ScenarioError, StartError, load_scenario
-from gantline.scenario.case import TOLERANCE
-from gantline.scenario.variants import (
+from gantline.scenario.file.case import TOLERANCE
+from gantline.scenario.file.variants import (
     tolerances,
     variants_of,
     with_lengths,

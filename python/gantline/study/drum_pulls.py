@@ -9,7 +9,7 @@ from typing import Any
 from gantline.results.recording import Recording
 from gantline.scenario import Scenario
 from gantline.scenario.findings import Path
-from gantline.scenario.steps import MovingStep
+from gantline.scenario.plan.steps import MovingStep
 from gantline.statics import Statics
 from gantline.study.steps import END, START, StepAtRest
 

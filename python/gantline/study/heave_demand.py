@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from gantline.assembly.carriers import carried_motion, carrier
+from gantline.assembly.afloat.carriers import carried_motion, carrier
 from gantline.assembly.spatial import rotation_matrix
 from gantline.results.recording import Recording
 from gantline.results.rotation import heading

@@ -10,8 +10,8 @@ from typing import Any
 
 from gantline.scenario import Scenario, load_scenario
 from gantline.scenario.errors import nearest
+from gantline.scenario.file.variants import without_cases
 from gantline.scenario.rigging import SlingRigging, resolve
-from gantline.scenario.variants import without_cases
 from gantline.statics import Equilibrium
 from gantline.study.asked import names_of
 from gantline.study.hanging import Hanging, Row

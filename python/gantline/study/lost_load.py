@@ -19,12 +19,12 @@ import numpy.typing as npt
 
 from gantline.hydro import CannotFloatError, Heeled, Hull, Righting
 from gantline.results import series
-from gantline.results.attitude import Lie
-from gantline.results.hinges import is_shut
+from gantline.results.afloat.attitude import Lie
+from gantline.results.afloat.vessels import Vessel
+from gantline.results.file.saved import digest_of
+from gantline.results.loads.hinges import is_shut
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
-from gantline.results.saved import digest_of
-from gantline.results.vessels import Vessel
 from gantline.statics import Equilibrium, Statics
 from gantline.statics.inclining import MetacentricHeights, metacentric_heights
 from gantline.study.afloat import hull_of

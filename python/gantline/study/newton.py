@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from gantline.results.rig import Rig
 from gantline.scenario import Scenario, ScenarioError
-from gantline.scenario.variants import with_values
+from gantline.scenario.file.variants import with_values
 from gantline.statics import NoEquilibriumError, Statics
 from gantline.study.hanging import Hanging, Row
 from gantline.units import format_quantity, si_text

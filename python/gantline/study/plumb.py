@@ -15,12 +15,12 @@ from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.rotation import heading as heading_of
 from gantline.scenario import Scenario, load_scenario
+from gantline.scenario.afloat.stream import Stream
+from gantline.scenario.cranes.hooks import Hook
 from gantline.scenario.errors import nearest
-from gantline.scenario.hooks import Hook
-from gantline.scenario.movers import mover
-from gantline.scenario.steps import TravelStep, TraverseStep
-from gantline.scenario.stream import Stream
-from gantline.scenario.variants import without_cases
+from gantline.scenario.file.variants import without_cases
+from gantline.scenario.plan.movers import mover
+from gantline.scenario.plan.steps import TravelStep, TraverseStep
 from gantline.statics import Equilibrium, Statics
 from gantline.study.asked import names_of
 from gantline.study.bearers import Bearer, bearers_of, why_not

@@ -12,7 +12,7 @@ import numpy as np
 from gantline.checks import NO_WARNINGS, Check, Verdict, check_recording
 from gantline.results import series
 from gantline.results.comparison import compare
-from gantline.results.lift_off import lift_off_time
+from gantline.results.loads.lift_off import lift_off_time
 from gantline.results.recording import Recording
 from gantline.results.refinement import Figure, Refinement
 from gantline.simulation import Simulation

@@ -9,11 +9,11 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from gantline.assembly.steepness import highest_sea
+from gantline.assembly.afloat.steepness import highest_sea
 from gantline.checks import Check, Outcome, check_recording, failed_names, governing, outcome_of, verdict_of
+from gantline.results.afloat.sea_grid import SeaGrid
 from gantline.results.alike import first_largest
-from gantline.results.saved import digest_of
-from gantline.results.sea_grid import SeaGrid
+from gantline.results.file.saved import digest_of
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.simulation import Simulation, SimulationError
 from gantline.study.extremes import Extreme, extremes_of

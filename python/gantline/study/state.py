@@ -17,9 +17,9 @@ from gantline.checks import (
     verdict_of,
 )
 from gantline.results import alike, series
+from gantline.results.file.saved import LOSSES, QUANTITIES
 from gantline.results.recording import Recording
 from gantline.results.rotation import heading
-from gantline.results.saved import LOSSES, QUANTITIES
 from gantline.scenario import StartError
 from gantline.statics import Equilibrium, Losses, NoEquilibriumError, Statics
 

@@ -11,9 +11,9 @@ import numpy as np
 
 from gantline.scenario import Scenario, ScenarioError, StartError, load_scenario
 from gantline.scenario.errors import Problem
-from gantline.scenario.tree import TextNode
-from gantline.scenario.tree_path import PathError, node_at
-from gantline.scenario.variants import with_value
+from gantline.scenario.file.tree import TextNode
+from gantline.scenario.file.tree_path import PathError, node_at
+from gantline.scenario.file.variants import with_value
 from gantline.statics import Statics
 from gantline.study.asked import count_of
 from gantline.study.state import State, settled, unstartable

@@ -10,18 +10,18 @@ from functools import partial
 import numpy as np
 import numpy.typing as npt
 
+from gantline.assembly.afloat.water import frozen
 from gantline.assembly.spatial import inertia_matrix
-from gantline.assembly.water import frozen
 from gantline.cad.mass_properties import point_inertia
 from gantline.hydro.tank import liquid_in_box
 from gantline.results import series
 from gantline.results.alike import first_peak
+from gantline.results.loads.tilting import LooseTilt, loose_tilt
 from gantline.results.rig import Load
 from gantline.results.rotation import axes
-from gantline.results.tilting import LooseTilt, loose_tilt
 from gantline.scenario import Scenario, ScenarioError
-from gantline.scenario.tanks import load_tanks
-from gantline.scenario.variants import with_values
+from gantline.scenario.afloat.tanks import load_tanks
+from gantline.scenario.file.variants import with_values
 from gantline.statics import Equilibrium, Mode, NoEquilibriumError, Statics
 from gantline.study.hanging import Hanging
 from gantline.units import format_quantity, si_text

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from gantline.scenario import Scenario, ScenarioError
+from gantline.scenario.cranes.reeving import hoist_drum
 from gantline.scenario.errors import Doubt
-from gantline.scenario.reeving import hoist_drum
 from gantline.statics import Statics
 from gantline.study.drum_pulls import OfDrum, pull_at, when, without_stops
 from gantline.study.steps import StepAtRest, run_steps

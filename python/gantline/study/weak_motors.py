@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 from gantline.scenario import Scenario, ScenarioError, resolve
+from gantline.scenario.cranes.hooks import Hook
+from gantline.scenario.cranes.reeving import hoist_drum
 from gantline.scenario.errors import Doubt
-from gantline.scenario.hooks import Hook
-from gantline.scenario.reeving import hoist_drum
 from gantline.statics import Statics
 from gantline.study.drum_pulls import OfDrum, pull_at, when, without_stops
 from gantline.study.steps import StepAtRest, run_steps

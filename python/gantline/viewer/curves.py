@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
-from gantline.results.aside import swing_of
-from gantline.results.drift import load_drift
-from gantline.results.families import families
+from gantline.results.loads.aside import swing_of
+from gantline.results.loads.drift import load_drift
 from gantline.results.recording import Recording
+from gantline.results.ropes.families import families
 from gantline.results.variable import FloatArray
 
 

@@ -15,16 +15,16 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series
-from gantline.results.clearances import watched_span
-from gantline.results.gaps import gap
-from gantline.results.hinges import HINGE_OPENED
-from gantline.results.lift_off import lift_off_time
+from gantline.results.file.gaps import gap
+from gantline.results.loads.clearances import watched_span
+from gantline.results.loads.hinges import HINGE_OPENED
+from gantline.results.loads.lift_off import lift_off_time
 from gantline.results.progress import stretches, unfinished
 from gantline.results.recording import Recording
 from gantline.results.rig import Watch
+from gantline.results.ropes.upper_end import utilisation
 from gantline.results.status import OVER
 from gantline.results.surroundings import ground_of, structures_of, water_level
-from gantline.results.upper_end import utilisation
 from gantline.results.variable import FloatArray
 from gantline.viewer.arrays import Arrays
 from gantline.viewer.curves import curves

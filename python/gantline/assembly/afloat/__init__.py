@@ -1,0 +1,1 @@
+"""Vessels, water, waves and wind into bodies and forces."""

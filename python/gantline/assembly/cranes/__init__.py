@@ -1,0 +1,1 @@
+"""Cranes, their hooks and hoists into mechanics."""

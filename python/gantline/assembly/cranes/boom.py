@@ -1,0 +1,269 @@
+"""Booms into mechanics: a body on a hinge about the heel pins, and the boxes that pictures show."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from gantline.assembly.afloat.gusts import wind_of_limit
+from gantline.assembly.cranes.reeving import hook_rig, mass_on
+from gantline.assembly.cranes.slewing import add_turned, add_upper
+from gantline.assembly.parts import Json, Parts, box_shape, end, eye, material
+from gantline.assembly.plan.operations import luff_drive
+from gantline.assembly.ropes.rope_weight import lump_rope
+from gantline.assembly.ropes.route import route_length
+from gantline.assembly.spatial import Array, about_axis
+from gantline.scenario import Scenario
+from gantline.scenario.cranes.boom import FloatingCrane, PlacedBoom
+from gantline.scenario.cranes.crawler import Crawler
+from gantline.scenario.cranes.luffing import Tackles, luffing_drum
+from gantline.scenario.rope_weight import rope_weight
+
+__all__ = ["add_booms", "boom_rig", "boom_shape", "hang_in_tackles"]
+
+#: The axis about which a boom rises, axes of its base: to starboard.
+_UP = [0.0, -1.0, 0.0]
+#: Sizes that pictures have where the lift file names none: a boom over its length, a heel pin [m].
+_THICK = 0.03
+_PIN = 2.0
+#: Height of a pedestal in pictures, over that of the heel pins [1].
+_PEDESTAL = 0.3
+#: How far a stop gives way under the level boom where the lift file names no stiffness [rad].
+_STOP_GIVES = 1e-3
+#: Mass that moves with the rope of a drum whose motion is prescribed [kg].
+_DRIVEN = 1.0
+
+
+def add_booms(parts: Parts, scenario: Scenario) -> None:
+    """Add every boom, and what bears the heel pins of a floating crane; hooks come later."""
+    for name, crane in (scenario.cranes or {}).items():
+        if isinstance(crane, FloatingCrane):
+            _add_base(parts, name, crane)
+    for placed in scenario.booms.values():
+        _add_boom(parts, placed, scenario.simulation.gravity)
+        if placed.tackles is not None:
+            _add_tackles(parts, scenario, placed, placed.tackles)
+
+
+def _add_base(parts: Parts, name: str, crane: FloatingCrane) -> None:
+    """What bears the heel pins: fixed to the vessel or the ground, of one that slews an upper structure."""
+    place = crane.position or (0.0, 0.0, 0.0)
+    turned = about_axis((0.0, 0.0, 1.0), crane.heading)
+    parts.add_body(name, {"type": "fixed"}, parent=crane.vessel, position=place, orientation=turned)
+    if crane.slewing_axis is None:
+        return
+    x, y = crane.slewing_axis
+    lumps = [
+        (one.mass, (one.at[0] - x, one.at[1] - y, one.at[2])) for one in (crane.upper_masses or {}).values()
+    ]
+    slew = (crane.slew, crane.slewing)
+    add_upper(parts, name, name, (x, y, 0.0), lumps, slew)
+    _, axes = parts.pose(name)
+    heading = math.atan2(axes[1, 0], axes[0, 0])
+    above = [float(part) for part in parts.place(name, (x, y, 0.0))]
+    add_turned(parts, name, above, heading, slew)
+
+
+def _add_boom(parts: Parts, placed: PlacedBoom, gravity: float) -> None:
+    boom, drive = placed.boom, None
+    if placed.luffing is not None:
+        drive = luff_drive(placed.name)
+        parts.add_drive(drive)
+    hinge: Json = {"type": "fixed"}
+    turned = [1.0, 0.0, 0.0, 0.0]
+    if placed.luffing is None:
+        turned = about_axis(_UP, boom.angle)
+    else:
+        hinge = {"type": "hinge", "axis": _UP, "position": boom.angle, "velocity": 0.0, "damping": 0.0}
+        in_tackles = placed.tackles is not None
+        hinge |= {"friction": 0.0, "drive": None if in_tackles else drive}
+        hinge |= {"stops": _stops(placed, gravity) if in_tackles else None}
+    # Two legs from the heel pins to the head, each of half the mass: along and square to it.
+    aside = boom.mass * placed.apart**2 / 12
+    across = boom.own_inertia
+    parts.add_body(
+        placed.name,
+        hinge,
+        parent=placed.base,
+        position=placed.heel,
+        orientation=turned,
+        mass=boom.mass,
+        centre_of_gravity=(boom.centre_of_gravity * boom.length, 0.0, 0.0),
+        inertia=(aside, across, across + aside, 0.0, 0.0, 0.0),
+    )
+    parts.lump(placed.name, (boom.length, 0.0, 0.0), boom.head_gear)
+
+
+def _stops(placed: PlacedBoom, gravity: float) -> Json:
+    """Stops at both ends of the range, of a boom that hangs in ropes and may fall onto either."""
+    assert placed.luffing is not None and placed.tackles is not None
+    boom, (low, high) = placed.boom, placed.luffing.range_
+    level = max(boom.mass * gravity, 1.0) * boom.centre_of_gravity * boom.length
+    return {
+        "lower": low,
+        "upper": high,
+        "stiffness": placed.tackles.stop_stiffness or max(level, 1.0) / _STOP_GIVES,
+        "damping_time": placed.tackles.stop_damping_time,
+    }
+
+
+def _add_tackles(parts: Parts, scenario: Scenario, placed: PlacedBoom, tackles: Tackles) -> None:
+    """Every part of line of the tackles, as eyes at their tops and at the boom head, and the drum of all."""
+    drum = luffing_drum(placed.name)
+    parts.add_flow(drum, _DRIVEN, drive=luff_drive(placed.name))
+    kind = (scenario.ropes or {})[tackles.rope]
+    weight = rope_weight(kind, tackles.rope_weight, None)
+    for name, across in zip(placed.ropes, placed.tackles_across, strict=True):
+        top = (placed.base, (tackles.from_[0], placed.heel[1] + across, tackles.from_[2]))
+        head = (placed.name, (placed.boom.length, across, 0.0))
+        along = [head if part % 2 else top for part in range(tackles.parts, -1, -1)]
+        (ends_on, at), (x, y, z) = along[0], top[1]
+        route = [end(ends_on, at), *(eye(*place) for place in along[1:])]
+        # Each part gets shorter by what the drive counts.
+        route.append(end(placed.base, (x, y, z - tackles.lead_line), (drum, -float(tackles.parts))))
+        length = route_length(parts, route)
+        parts.add_rope(name, length, material(kind), route)
+        lump_rope(parts, name, weight, length, route)
+
+
+def hang_in_tackles(parts: Parts, scenario: Scenario) -> None:
+    """Give luffing ropes the lengths with which they hold each boom, and what hangs at it, at its angle.
+
+    By moments about the heel pins, world axes; what hangs in a hook pulls at the pin of its upper sheaves.
+    """
+    for placed in scenario.booms.values():
+        if placed.tackles is None:
+            continue
+        kind = (scenario.ropes or {})[placed.tackles.rope]
+        assert kind.stiffness is not None  # checked: a luffing rope stretches
+        tension = _weight_moment(parts, scenario, placed) / _levers(parts, placed, placed.tackles)
+        for rope in parts.ropes:
+            if rope["name"] in placed.ropes:
+                rope["length"] /= 1 + max(tension, 0.0) / kind.stiffness
+
+
+def _about_heel(parts: Parts, placed: PlacedBoom, at: Array, force: Array) -> float:
+    """Moment of a force at a point about the axis of the heel pins, lifting positive."""
+    heel, axes = parts.pose(placed.name)
+    return float(axes @ np.array(_UP) @ np.cross(at - heel, force))
+
+
+def _weight_moment(parts: Parts, scenario: Scenario, placed: PlacedBoom) -> float:
+    """What boom, head gear and all that hangs there take to be held [N m]."""
+    plumb = np.array((0.0, 0.0, scenario.simulation.gravity))
+    carried = [placed.name]
+    for name, given in parts.bodies.items():  # parents stand before their children
+        if given["parent"] in carried:
+            carried.append(name)
+    moments = []
+    for name in carried:
+        body = parts.bodies[name]
+        centre = parts.place(name, body["centre_of_gravity"])
+        moments.append(_about_heel(parts, placed, centre, body["mass"] * plumb))
+    for hook in placed.hooks:
+        name = f"{placed.crane}.{hook}"
+        pin = parts.place(placed.name, scenario.hooks[name].pin)
+        moments.append(_about_heel(parts, placed, pin, mass_on(parts, name) * plumb))
+    return math.fsum(moments)
+
+
+def _levers(parts: Parts, placed: PlacedBoom, tackles: Tackles) -> float:
+    """Moment of all parts of line for a tension of 1 N [m]."""
+    total = 0.0
+    for across in placed.tackles_across:
+        head = parts.place(placed.name, (placed.boom.length, across, 0.0))
+        top = (tackles.from_[0], placed.heel[1] + across, tackles.from_[2])
+        way = parts.place(placed.base, top) - head
+        total += tackles.parts * _about_heel(parts, placed, head, way / float(np.linalg.norm(way)))
+    return total
+
+
+def boom_shape(scenario: Scenario, body: str) -> Json | None:
+    """Boxes for pictures: a boom with its head, or the heel pins."""
+    for placed in scenario.booms.values():
+        if body == placed.name:
+            return _boom(placed)
+        if body == placed.base:
+            x, y, z = placed.heel
+            pins = [(x, y + side * placed.apart / 2, z) for side in (-1.0, 1.0)]
+            boxes = [box_shape((_PIN, _PIN, _PIN), pin) for pin in pins]
+            return {"type": "boxes", "boxes": boxes + _platform(placed) + _a_frame(placed)}
+    return None
+
+
+def _boom(placed: PlacedBoom) -> Json:
+    length = placed.boom.length
+    thick = _THICK * length
+    places: dict[tuple[float, float], float] = {(0.0, 0.0): 0.0}  # along and above: half of the row there
+    for hook in placed.hooks.values():
+        at = hook.along, hook.above
+        places[at] = max(places.get(at, 0.0), abs(hook.across))
+    boxes = [box_shape((length, max(placed.apart / 2, thick), thick), (length / 2, 0.0, 0.0))]
+    for (along, above), row in places.items():
+        boxes.append(box_shape((thick, 2 * row + thick, thick), (length + along, 0.0, above)))
+        boxes += _jib(length, along, above, thick)
+    return {"type": "boxes", "boxes": boxes}
+
+
+def _jib(length: float, along: float, above: float, thick: float) -> list[Json]:
+    """What bears hooks beyond the head or beside the boom: a post square to it, and what goes on outwards."""
+    foot = length + min(along, 0.0)
+    post = box_shape((thick, thick, abs(above)), (foot, 0.0, above / 2))
+    arm = box_shape((along, thick, thick), (length + along / 2, 0.0, above))
+    return [*([post] if above else []), *([arm] if along > 0.0 else [])]
+
+
+def _platform(placed: PlacedBoom) -> list[Json]:
+    """A platform from the heel pins to under the A-frame, and the pedestal that it slews on."""
+    if placed.slew is None:
+        return []
+    (x, y, z), high = placed.heel, _PEDESTAL * placed.heel[2]
+    wide = max(abs(x), _PIN)
+    behind = wide if placed.tackles is None else max(wide, _PIN / 2 - placed.tackles.from_[0])
+    floor = box_shape((x + behind, placed.apart, _PIN), ((x - behind) / 2, y, z - _PIN))
+    return [floor, box_shape((wide, wide, high), (0.0, 0.0, z - 1.5 * _PIN - high / 2))]
+
+
+def _a_frame(placed: PlacedBoom) -> list[Json]:
+    """Two posts from the level of the heel pins to the top from which tackles pull, and what joins them."""
+    if placed.tackles is None:
+        return []
+    (x, y, z), middle = placed.tackles.from_, placed.heel[1]
+    low = placed.heel[2] - (0.0 if placed.slew is None else _PIN / 2)  # down to the platform
+    sides = sorted({2 * middle - y, y})
+    posts = [box_shape((_PIN, _PIN, z - low), (x, side, (z + low) / 2)) for side in sides]
+    return [*posts, box_shape((_PIN, 2 * abs(y - middle) + _PIN, _PIN), (x, middle, z))]
+
+
+def boom_rig(scenario: Scenario, parts: Parts) -> list[Json]:
+    """What results need to know of booms [SI]."""
+    return [
+        {
+            "name": placed.crane,
+            "boom": placed.name,
+            "base": placed.base,
+            "ropes": placed.ropes,
+            "parts": 0 if placed.tackles is None else placed.tackles.parts,
+            "range": None if placed.luffing is None else list(placed.luffing.range_),
+            "reach_from": list(placed.reach_from),
+            "base_from": [-value for value in parts.bodies[placed.base]["centre_of_gravity"]],
+            "wind_limit": _wind_limit(scenario, placed),
+            "wind": wind_of_limit(scenario),
+            "hooks": [hook_rig(parts, scenario.hooks[f"{placed.crane}.{hook}"]) for hook in placed.hooks],
+            **_slew_rig(placed),
+        }
+        for placed in scenario.booms.values()
+    ]
+
+
+def _wind_limit(scenario: Scenario, placed: PlacedBoom) -> float | None:
+    crane = (scenario.cranes or {})[placed.crane]
+    return crane.wind_limit if isinstance(crane, Crawler | FloatingCrane) else None
+
+
+def _slew_rig(placed: PlacedBoom) -> Json:
+    """What results need to know of how a boom slews, of one that is on an upper structure."""
+    if placed.slew is None:
+        return {}
+    return {"slew": {"joint": placed.base, "at_start": placed.slew[0], "slews": placed.slew[1] is not None}}

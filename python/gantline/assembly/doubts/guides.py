@@ -1,0 +1,217 @@
+"""Landing guides that miss each other where the load comes down, or are too flat to guide it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gantline.assembly.parts import Parts
+from gantline.assembly.spatial import Array
+from gantline.scenario import Scenario
+from gantline.scenario.errors import Doubt
+from gantline.scenario.loads.guide import (
+    SIDES,
+    Bumper,
+    GuideFrame,
+    GuidePost,
+    GuideWall,
+    LandingGuide,
+    guide_body,
+)
+from gantline.scenario.plan.lead import LeadStep
+from gantline.scenario.plan.steps import MovingStep
+from gantline.units import format_quantity
+
+__all__ = ["GuideFit", "doubtful_guides", "guide_fits"]
+
+#: Verbs of steps that take a load along: where it comes down only the run knows.
+_TAKE_ALONG = ("traverse", "travel", "slew", "luff", "haul", "veer")
+#: A load to be upended lies otherwise at the start than as it lands: cosine of its own z to plumb.
+_UPRIGHT = 0.98
+#: A load that is held against a guide at rest is in it by no more: 0.2 MN of 20 MN/m [m].
+_DEEP = 0.01
+#: What a face misses by less is caught: rounding [m].
+_JUST = 1e-6
+
+
+@dataclass(frozen=True)
+class GuideFit:
+    """How a guide fits from above as the load is at the start.
+
+    Attributes:
+        offset: from the middle of the frame to the axis of the post along x and y of the load, or from the
+            face of a wall to the bumper and from its middle along it [m].
+        catches: how far it may be off towards each of its faces to catch the load [m].
+        off: how far it is off towards each of them [m].
+        rim: what a face stands on that it just misses is so thick [m].
+        aside: how far the post or the bumper is from the middle of the face along it, of that which it passes
+            by least [m].
+        breadth: how broad that face is [m].
+        radius: of the post or the bumper [m].
+        depth: by how much the post or the bumper is inside a face at the start [m]; 0 if it is not.
+    """
+
+    offset: tuple[float, float]
+    catches: Mapping[str, float]
+    off: Mapping[str, float]
+    rim: float
+    aside: float
+    breadth: float
+    radius: float
+    depth: float
+
+    @property
+    def passes(self) -> bool:
+        """Whether the post or the bumper comes down beside the ends of all faces, and touches none."""
+        return self.aside > self.breadth / 2 + self.radius + _JUST
+
+    @property
+    def worst(self) -> tuple[str, float]:
+        """The face that it is nearest to missing, and by how much it misses it [m]; negative if not."""
+        missed = {side: off - self.catches[side] for side, off in self.off.items()}
+        side = max(missed, key=missed.__getitem__)
+        return side, missed[side]
+
+
+def _is_taken_along(scenario: Scenario) -> bool:
+    """Whether a step of the plan takes loads to another place."""
+    return any(
+        isinstance(step, LeadStep) or (isinstance(step, MovingStep) and step.verb in _TAKE_ALONG)
+        for step in scenario.plan
+    )
+
+
+def guide_fits(parts: Parts, scenario: Scenario) -> dict[str, GuideFit]:
+    """How each guide fits, by its name, the load being where it is at the start; none if it lies there."""
+    fits: dict[str, GuideFit] = {}
+    for name, guide in (scenario.guides or {}).items():
+        place, turn = parts.pose(guide_body(name))
+        if turn[2, 2] < _UPRIGHT:
+            continue
+        if guide.frame is not None:
+            fits[name] = _of_frame(guide.frame, guide.post_there, place, turn)
+        else:
+            fits[name] = _of_wall(guide.bumper_there, guide.wall_there, place)
+    return fits
+
+
+def _of_frame(frame: GuideFrame, post: GuidePost, place: Array, turn: Array) -> GuideFit:
+    x, y, foot = (float(part) for part in turn.T @ (np.array(post.at) - place))
+    run = 0.0 if frame.flare is None else frame.flare.run
+    reach = post.diameter / 2 + frame.clearance + run - post.tip_radius
+    off = {side: x * SIDES[side][0] + y * SIDES[side][1] for side in frame.sides}
+    aside = min(abs(x * SIDES[side][1] - y * SIDES[side][0]) for side in frame.sides)
+    radius = post.diameter / 2
+    breadth = 2 * (radius + frame.clearance + run)
+    heights = [foot, foot + post.height, foot + post.top]
+    radii = [radius, radius, post.tip_radius]
+    drop = 0.0 if frame.flare is None else frame.flare.length * math.cos(frame.flare.angle)
+    knees = [-drop, 0.0, frame.height]
+    away = [radius + frame.clearance + one for one in (run, 0.0, 0.0)]
+    # Beside the ends of a side the post is not in it.
+    beside = {side: abs(x * SIDES[side][1] - y * SIDES[side][0]) for side in frame.sides}
+    depths = [_deepest(heights, radii, knees, away) + off[side] for side in off if beside[side] < breadth / 2]
+    depth = max([0.0, *(one for one in depths if one < 2 * radius)])
+    return GuideFit(
+        (x, y), dict.fromkeys(off, reach), off, 2 * post.tip_radius, aside, breadth, radius, depth
+    )
+
+
+def _deepest(
+    heights: Sequence[float], radii: Sequence[float], knees: Sequence[float], away: Sequence[float]
+) -> float:
+    """Radius of a round less the way to a face where that is most [m]; both are given by corners.
+
+    Minus infinity where no height has both of them.
+    """
+    low, high = max(heights[0], knees[0]), min(heights[-1], knees[-1])
+    if low >= high:
+        return -math.inf
+    corners = [low, high, *(one for one in (*heights, *knees) if low < one < high)]
+    return float(np.max(np.interp(corners, heights, radii) - np.interp(corners, knees, away)))
+
+
+def _of_wall(bumper: Bumper, wall: GuideWall, place: Array) -> GuideFit:
+    out = np.array([math.cos(wall.faces), math.sin(wall.faces)])
+    apart = place[:2] - np.array(wall.at[:2])
+    radius = bumper.diameter / 2
+    gap, aside = float(apart @ out) - radius, float(apart @ np.array([-out[1], out[0]]))
+    run = 0.0 if wall.slope is None else wall.slope.run
+    caught, off = {"wall": run}, {"wall": -gap}
+    over, rise = float(place[2]) - wall.at[2], 0.0
+    if wall.slope is not None:
+        rise = wall.slope.length * math.cos(wall.slope.angle)
+    knees = [0.0, wall.height, wall.height + rise]
+    depth = _deepest([over, over + bumper.length], [0.0, 0.0], knees, [0.0, 0.0, run]) - gap
+    is_in = abs(aside) < wall.breadth / 2 and 0.0 < depth < 2 * radius
+    return GuideFit(
+        (gap, aside), caught, off, 2 * radius, abs(aside), wall.breadth, radius, depth if is_in else 0.0
+    )
+
+
+def doubtful_guides(scenario: Scenario, fits: Mapping[str, GuideFit]) -> Iterator[Doubt]:
+    """Each guide that the load comes down beside, and each whose faces hold it by friction."""
+    for name, guide in (scenario.guides or {}).items():
+        yield from _too_flat(name, guide)
+    for name, fit in fits.items():
+        if fit.depth > _DEEP:
+            post, face = ("post", "frame") if (scenario.guides or {})[name].frame else ("bumper", "wall")
+            deep = f"the {post} of guide {name} is {format_quantity(fit.depth, 'm', 3)} inside its {face}"
+            thrown = "which throws the load aside"
+            yield Doubt(
+                ("guides", name), f"{deep} as the lift begins, {thrown}; let it begin higher or beside"
+            )
+    if _is_taken_along(scenario):
+        return
+    for name, fit in fits.items():
+        if missed := _missed(fit, (scenario.guides or {})[name].frame is not None):
+            where, ends = missed
+            moved = "as the load hangs at the start, from where no step takes it along"
+            yield Doubt(("guides", name), f"the load misses guide {name}: {where}, {moved}; it {ends}")
+
+
+def _missed(fit: GuideFit, on_load: bool) -> tuple[str, str] | None:
+    """Where what of a guide misses the other, and where that ends; nothing where it catches the load."""
+    side, missed = fit.worst
+    beside = "would come down beside it"
+    if missed > _JUST:
+        off, catches = (format_quantity(one, "m", 2) for one in (fit.off[side], fit.catches[side]))
+        rim = "the tip of the post" if on_load else "the top of the wall"
+        where = (
+            f"its post is {off} to {side} of the middle of its frame"
+            if on_load
+            else f"its bumper comes down {off} behind the face of its wall"
+        )
+        ends = f"would stand on the rim, {rim}" if missed < fit.rim else beside
+        return f"{where}, which catches it up to {catches}", ends
+    if fit.passes:
+        aside, breadth = (format_quantity(one, "m", 2) for one in (fit.aside, fit.breadth))
+        where = (
+            f"its post is {aside} aside of the middle of its frame, whose sides are {breadth} broad"
+            if on_load
+            else f"its bumper comes down {aside} aside of the middle of its wall, which is {breadth} broad"
+        )
+        return where, beside
+    return None
+
+
+def _too_flat(name: str, guide: LandingGuide) -> Iterator[Doubt]:
+    """Slopes on which friction holds a load that comes down on them."""
+    slopes = []
+    if guide.frame is not None:
+        post = guide.post_there
+        if guide.frame.flare is not None:
+            slopes.append((("frame", "flare"), guide.frame.flare.angle))
+        if post.cone is not None:
+            narrows = (post.diameter - post.cone.tip_diameter) / 2
+            slopes.append((("post", "cone"), math.atan2(narrows, post.cone.length)))
+    elif guide.wall_there.slope is not None:
+        slopes.append((("wall", "slope"), guide.wall_there.slope.angle))
+    for keys, angle in slopes:
+        if guide.friction * math.tan(angle) >= 1.0:
+            leans, friction = f"{math.degrees(angle):.0f} deg", f"friction {guide.friction:g}"
+            sentence = f"guide {name} leans by {leans} from upright: with {friction} a load stays on it"
+            yield Doubt(("guides", name, *keys), f"{sentence}; a steeper face, or less friction, guides it")

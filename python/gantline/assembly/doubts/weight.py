@@ -1,0 +1,62 @@
+"""A load heavier than all that it can hang from may carry: a unit or digit of its weight has slipped."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from gantline.assembly.checked import rating_charts, ratings
+from gantline.scenario import Rigging, Scenario
+from gantline.scenario.errors import Doubt
+from gantline.scenario.loads.hinge import opened_in
+from gantline.units import format_by_size
+
+__all__ = ["doubtful_weight"]
+
+#: Loads that are tilted up by one end leave about half of their weight where they stand; what is more than
+#: this many times what may be carried is a slip [1].
+_SLIPPED = 2.0
+
+
+def doubtful_weight(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
+    """Whether the load by itself is more than the hooks that its slings lead to may carry together.
+
+    None where a hook is not rated, or where `mechanics` may bear a part that nothing says, or a hinge that
+    stays shut does.
+    """
+    if scenario.load is None or scenario.mechanics is not None:
+        return
+    if any(not opened_in(scenario, hinge) for hinge in scenario.hinges or {}):
+        return
+    hooks = {sling.hook for sling in rigging.slings.values()} & set(scenario.hooks)
+    # Under water what is in its tanks weighs nothing.
+    load, is_dry = scenario.load, scenario.load.in_water is None
+    mass = load.mass_at_start if is_dry else load.weight.simulated
+    carried = _carried_by(scenario, hooks) / scenario.simulation.gravity
+    if hooks and mass > carried:
+        beside = " with what is in its tanks" if mass > load.weight.simulated else ""
+        weighs = f"the load weighs {format_by_size(mass, 'mass', 4)}{beside}"
+        slipped = "; a unit or digit has slipped" if mass > _SLIPPED * carried else ""
+        rated = format_by_size(carried, "mass", 4)
+        sentence = f"{weighs}, and what its slings hang from may carry {rated} in all{slipped}"
+        yield Doubt(("load", "weight"), sentence)
+
+
+def _carried_by(scenario: Scenario, hooks: set[str]) -> float:
+    """What some hooks may carry together, by what they, their trolleys and their cranes are rated for [N].
+
+    Infinite where it is not known.
+    """
+    bounds = [(set(one["hooks"]), one["rated_capacity"]) for one in ratings(scenario)]
+    for chart in rating_charts(scenario):
+        own = {hook: max(one["rated"]) for hook, one in chart.get("own", {}).items()}
+        # Shares of several charts come to one at most: no more than the largest of them rates.
+        bounds.append((set(chart["hooks"]), max([*chart.get("rated", ()), *own.values()])))
+        bounds += [({hook}, most) for hook, most in own.items()]
+    shares: dict[frozenset[str], float] = {frozenset([hook]): math.inf for hook in hooks}
+    for of, capacity in sorted(bounds, key=lambda one: len(one[0])):
+        within = [some for some in shares if some <= of]
+        if within and capacity is not None:
+            together = sum(shares.pop(some) for some in within)
+            shares[frozenset().union(*within)] = min(capacity, together)
+    return sum(shares.values())

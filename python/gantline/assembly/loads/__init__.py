@@ -1,0 +1,1 @@
+"""The load, what it stands on and what guides it into mechanics."""

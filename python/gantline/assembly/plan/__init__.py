@@ -1,0 +1,1 @@
+"""The plan of a lift into operations of drives, cuts and conditions."""

@@ -1,0 +1,1 @@
+"""Ways, weight and ends of ropes into mechanics."""

@@ -1,0 +1,1 @@
+"""What a recording says of cranes, booms and hoists."""

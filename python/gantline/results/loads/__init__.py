@@ -1,0 +1,1 @@
+"""What a recording says of how loads hang, stand and turn."""

@@ -1,0 +1,84 @@
+"""Whether loads ever hung still as they hang at some other time, so that forces of both may be compared."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from gantline.results import series
+from gantline.results.loads.hinges import shut_as_at
+from gantline.results.recording import Recording
+from gantline.results.rig import Load
+from gantline.results.ropes.parting import DETACHED, while_there
+from gantline.results.ropes.pinned import pinned_as_at
+from gantline.results.rotation import axes
+from gantline.results.variable import BoolArray, FloatArray
+
+__all__ = ["has_hung_as_heavy", "has_hung_so", "left_by_water"]
+
+#: To or from where a load hung still, from which on hooks carry other shares [rad].
+_TURNED = math.radians(10.0)
+#: By what share of a load more is left to bear than while it hung still, which is no dynamics then [1].
+_HEAVIER = 0.02
+
+
+def has_hung_so(recording: Recording, time: float, *, pinned: bool = False) -> bool:
+    """Whether the loads ever hung still on the slings that are on at a time [s], turned as they are then.
+
+    Where they did not, a force of that time has no static value to be compared with: what slings that came or
+    went left to the others, or a hinge that opened, or what one hook hands to another as a load is turned,
+    is no dynamics. Nor is what a load weighs more that comes out of the water, or has been filled, than
+    whenever it hung still. Nor is how slings share under locking pins: for them the same sheaves count that
+    are `pinned`.
+    """
+    on = while_there(recording, [sling.rope for sling in recording.rig.slings], [DETACHED])
+    still = _still_as_heavy(recording, time) & shut_as_at(recording, time)
+    if pinned:
+        still &= pinned_as_at(recording, time)
+    # Between two samples either may be right: what comes or goes is slack.
+    last = len(recording.time) - 1
+    after = min(int(np.searchsorted(recording.time, time, side="right")), last)
+    for load in recording.rig.loads:
+        upright = axes(recording.column("body_orientation", load.body))[:, :, 2]
+        still &= upright @ upright[after] >= math.cos(_TURNED)
+    around = (on[:, place, np.newaxis] for place in (max(after - 1, 0), after))
+    return any(bool(((on == then).all(axis=0) & still).any()) for then in around)
+
+
+def has_hung_as_heavy(recording: Recording, time: float) -> bool:
+    """Whether of every load as much was left to bear in some time that it hung still as is at a time [s]."""
+    return bool(_still_as_heavy(recording, time).any())
+
+
+def left_by_water(recording: Recording, load: Load) -> FloatArray:
+    """What a load weighs with what is in its tanks, less what water carries of it [N], shape (time,)."""
+    weight = series.load_weight(recording, load)
+    if load.in_water is None:
+        return weight
+    displaced = recording.column("displaced_volume", load.in_water)
+    left: FloatArray = weight - load.water_density * recording.rig.gravity * displaced
+    return left
+
+
+def _still_as_heavy(recording: Recording, time: float) -> BoolArray:
+    """Samples of all times that the loads hung still with no less left to bear than at a time [s].
+
+    Of loads in waves the mean about it counts, over as long as static values are means over: what the waves
+    leave of them from crest to trough is dynamics.
+    """
+    still = np.zeros(len(recording.time), dtype=np.bool_)
+    changing = [one for one in recording.rig.loads if one.in_water is not None or one.tanks]
+    for window in series.quiet_windows(recording):
+        if all(_is_as_heavy(recording, load, time, window) for load in changing):
+            still |= window
+    return still
+
+
+def _is_as_heavy(recording: Recording, load: Load, time: float, window: BoolArray) -> bool:
+    left = left_by_water(recording, load)
+    half = recording.rig.time_to_average / 2.0
+    about = np.abs(recording.time - time) <= half
+    then = float(left[about].mean()) if about.any() else float(np.interp(time, recording.time, left))
+    hung = series.static_value(recording, left, window)
+    return hung is None or then <= hung + _HEAVIER * float(series.load_weight(recording, load).max())

@@ -1,0 +1,85 @@
+"""When drives stand: a load hangs still while they do."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from gantline.results.recording import Recording
+from gantline.results.ropes.parting import while_there
+from gantline.results.variable import BoolArray, FloatArray
+
+__all__ = ["drives_stand"]
+
+_ROUNDED = 1e-14  # of the work of drives over a run
+_SLIPPING = 1e-10  # rounding of the work of a tugger that slips, from sample to sample
+
+
+def drives_stand(recording: Recording) -> BoolArray:
+    """Whether no drive does work from sample to sample, shape (time - 1,), but for winches that only pull.
+
+    Tuggers ask for hauling in all the time, and slip: their drives do the work of pull times speed. One whose
+    line is slack hauls at that speed and does none.
+    """
+    work = np.diff(recording.column("energy", "drive_work"))
+    tuggers = [line for line in recording.rig.tag_lines if line.pull is not None and line.speed is not None]
+    rounding = _ROUNDED * float(np.max(np.abs(recording.column("energy", "drive_work")), initial=0.0))
+    if tuggers:
+        taut = np.array([recording.column("rope_tension", line.rope) for line in tuggers]) > 0.0
+        pulling = while_there(recording, [line.rope for line in tuggers])[:, 1:] & (
+            taut[:, 1:] | taut[:, :-1]
+        )
+        powers = np.array([(line.pull or 0.0) * (line.speed or 0.0) for line in tuggers])
+        slipped = (powers @ pulling) * np.diff(recording.time)
+        standing: BoolArray = np.isclose(work, slipped, rtol=_SLIPPING, atol=rounding)
+        work = work - slipped
+    else:
+        standing = work == 0.0
+    return standing | _winches_slip(recording, work, rounding)
+
+
+def _winches_slip(recording: Recording, work: FloatArray, rounding: float) -> BoolArray:
+    """Whether from sample to sample no step moves anything but winches that slip, shape (time - 1,).
+
+    A winch of constant tension, one of `mechanics` with a capacity, is a tugger by another name. Its motor
+    pulls what it can, at a speed that its step asks for, so that its work grows evenly; that of anything that
+    brakes after its step does not.
+
+    Args:
+        recording: The recording.
+        work: Of all drives but tuggers from sample to sample [J], shape (time - 1,).
+        rounding: Of that [J].
+    """
+    before, after = recording.time[:-1], recording.time[1:]
+    none = np.zeros(len(before), dtype=np.bool_)
+    slips: dict[str, BoolArray] = {}
+    for drum in recording.rig.drums:
+        times = _from_to(recording, drum.name, "drum_slips", "drum_holds")
+        within = [(before >= begin) & (after <= end) for begin, end in times]
+        slips[f"{drum.name}.drive"] = np.any([none, *within], axis=0)
+    alone: BoolArray = np.any([none, *slips.values()], axis=0)
+    if not alone.any():
+        return alone
+    for step in recording.rig.plan:
+        for begin, end in _from_to(recording, step.step, "step_begin", "step_end"):
+            under_way = (after > begin) & (before < end)
+            for drive in step.drives:
+                alone &= ~under_way | slips.get(drive, none)
+    power = work / (after - before)
+    even = np.abs(np.diff(power)) <= _SLIPPING * np.abs(power[1:]) + rounding / np.min(after - before)
+    alone &= np.append(False, even) | np.append(even, False)
+    return alone
+
+
+def _from_to(recording: Recording, name: str, begins: str, ends: str) -> list[tuple[float, float]]:
+    """From when to when something of a name goes on [s], by events of two kinds; infinite without an end."""
+    found: list[tuple[float, float]] = []
+    begun: float | None = None
+    for time, kind, of in recording.events():
+        if of == name and kind == begins and begun is None:
+            begun = time
+        elif of == name and kind == ends and begun is not None:
+            found.append((begun, time))
+            begun = None
+    return found if begun is None else [*found, (begun, math.inf)]

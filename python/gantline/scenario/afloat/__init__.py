@@ -1,0 +1,1 @@
+"""Vessels, water, waves and streams in a lift file."""

@@ -1,0 +1,1 @@
+"""Cranes, booms, hooks and hoists in a lift file."""

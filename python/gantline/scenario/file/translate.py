@@ -1,0 +1,344 @@
+"""From the validator's errors to sentences that a lifting engineer understands."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from pydantic_core import ErrorDetails
+
+from gantline.scenario.errors import PathPart, Problem, closest, is_or_are, join_path, nearest, shorten
+from gantline.scenario.file.tree import ListNode, MapNode, line_of
+from gantline.scenario.plan.plan import VERBS
+from gantline.scenario.plan.steps import HoistStep, HoldStep
+from gantline.scenario.quantities import found
+
+__all__ = ["translate"]
+
+#: What people look for at another place of a lift file than where it is.
+_ELSEWHERE = {
+    "gravity": "it belongs to 'simulation': {gravity: 9.81 m/s^2}",
+    "gusts": "gusts belong to 'wind': {speed: 10 m/s, direction: 0 deg, gusts: {speed: 14 m/s}}",
+    "title": "it belongs to 'lift': {title: Four slings lift a module}",
+}
+#: Keys by other words, which are not written like them; the first that may stand there is meant.
+_MEANT = {
+    "active_heave_compensation": ("heave_compensation",),
+    "acceptance": ("limits",),
+    "ahc": ("heave_compensation", "compensate_heave"),
+    "buoyancy": ("displaced_volume",),
+    "ca": ("added_mass",),
+    "chain_fall": ("chain_hoist",),
+    "capacity": ("rated_capacity", "working_load_limit"),
+    "cd": ("drag_coefficients",),
+    "cog": ("centre_of_gravity",),
+    "criteria": ("limits",),
+    "cs": ("slamming_coefficient",),
+    "cylinder": ("chain_hoist",),
+    "dia": ("diameter",),
+    "dimensions": ("shape",),
+    "disconnect": ("detach",),
+    "distance": ("by",),
+    "connect": ("attach",),
+    "daf": ("dynamic_amplification_factor",),
+    "drag": ("drag_coefficients",),
+    "during": ("from_step",),
+    "ea": ("axial_stiffness",),
+    "gamma": ("peak_enhancement",),
+    "hmax": ("height",),
+    "hs": ("significant_height",),
+    "in_step": ("from_step",),
+    "height": ("to",),
+    "hook": ("from", "cranes"),
+    "hook_on": ("attach",),
+    "hooks": ("cranes",),
+    "hydraulic_cylinder": ("chain_hoist",),
+    "inclination": ("load_tilt",),
+    "keel_blocks": ("supports",),
+    "leveller": ("chain_hoist",),
+    "lifting": ("hoist",),
+    "lifting_points": ("lugs",),
+    "load_leveller": ("chain_hoist",),
+    "location": ("position", "at"),
+    "lug": ("to",),
+    "mass": ("weight", "calculated"),
+    "mbf": ("minimum_breaking_force",),
+    "mu": ("friction",),
+    "operations": ("plan",),
+    "position": ("at",),
+    "pitch": ("load_tilt", "trim"),
+    "put_on": ("attach",),
+    "radius": ("diameter", "pitch_diameter", "sheave_diameter"),
+    "schedule": ("plan",),
+    "sea": ("waves",),
+    "sequence": ("plan",),
+    "size": ("shape",),
+    "skl": ("skew_load_factor",),
+    "slack": ("slings",),
+    "slamming": ("slamming_coefficient",),
+    "steps": ("plan",),
+    "stiffness": ("axial_stiffness", "stops"),
+    "stiffness_curve": ("curve",),
+    "take_off": ("detach",),
+    "taut": ("slings",),
+    "tilt": ("load_tilt",),
+    "tp": ("peak_period",),
+    "turnbuckle": ("chain_hoist",),
+    "unhook": ("detach",),
+    "volume": ("displaced_volume",),
+    "weight": ("mass",),
+    "winch": ("chain_hoist",),
+    "wll": ("working_load_limit", "rated_capacity", "capacity"),
+    # <!-- words: off -->
+    "barge": ("vessels",),
+    "barges": ("vessels",),
+    "cable": ("rope",),
+    "cables": ("ropes",),
+    "chain_block": ("chain_hoist",),
+    "elongation": ("curve",),
+    "mbl": ("minimum_breaking_force",),
+    "pad_eyes": ("lugs",),
+    "padeyes": ("lugs",),
+    "ship": ("vessels",),
+    "ships": ("vessels",),
+    "swl": ("working_load_limit", "rated_capacity", "capacity"),
+    "wire": ("rope",),
+    "wire_ropes": ("ropes",),
+    "wires": ("ropes",),
+    # <!-- words: on -->
+}
+_TANKS = (
+    "liquid in it stands under its 'tanks', such as "
+    "'tanks: {inside: {box: [4 m, 4 m, 3 m], bottom: [0 m, 0 m, 0 m], content: 20 t}}'"
+)
+_WET = "what water does to a load that is lowered into it stands under its 'in_water'"
+_JONSWAP = "a sea has the spectrum of JONSWAP; with 'peak_enhancement: 1' it is that of Pierson and Moskowitz"
+_OF_A_ROPE = "it belongs to a kind of rope under 'ropes', which the sling names by 'rope'"
+_MEAN_PERIOD = (
+    "a sea goes by its 'peak_period', which is 1.29 times its mean period of zero crossings for the usual "
+    "'peak_enhancement' of 3.3, and 1.41 times for 1, a fully developed sea"
+)
+_IN_WATER = (
+    "added_mass",
+    "buoyancy",
+    "displaced_volume",
+    "drag",
+    "drag_coefficient",
+    "drag_coefficients",
+    "hull",
+    "slamming",
+    "slamming_coefficient",
+    "volume",
+    "water_damping",
+)
+#: What people look for and is not there: what there is in its place, by what it is looked for in.
+_INSTEAD = {
+    "until": dict.fromkeys(
+        ("sling_tension", "tension"),
+        "no step waits for the tension of a sling; end it 'by' the length that 'gantline statics' finds, or "
+        "wait for 'hoist_load' or 'load_tilt'",
+    ),
+    "a crane": {
+        "vessel": "a fixed hook hangs in the world; a crane of 'type: floating_crane' is on a vessel",
+        "winch": "a fixed hook moves by its 'hoist', or hangs in falls from a drum by 'reeving' and 'drum'",
+    },
+    "a rope": {
+        **dict.fromkeys(("cd", "drag", "drag_coefficient"), "neither water nor wind drags at ropes here"),
+        **dict.fromkeys(("bending_stiffness", "ei"), "ropes bend without resistance here"),
+    },
+    "a sling": dict.fromkeys(
+        (
+            "axial_stiffness",
+            "construction",
+            "diameter",
+            "ea",
+            "grade",
+            "mass",
+            "minimum_breaking_force",
+        ),
+        _OF_A_ROPE,
+    ),
+    "a vessel": dict.fromkeys(
+        ("displacement_raos", "motion", "motion_file", "motions", "rao", "raos", "record", "time_series"),
+        "RAOs of displacement stand in 'wave_motion: {raos: vessel.csv, phases: lag, at: [50 m, 0 m, 4 m]}', "
+        "a motion over time in 'wave_motion: {record: motion.csv, at: [50 m, 0 m, 4 m]}'; "
+        "'wave_forces' and 'radiation' name a hydrodynamic database, by which it answers what hangs from it",
+    ),
+    "limits": {
+        **dict.fromkeys(
+            ("clearance", "clearances", "distance", "distances"),
+            "distances that have to be kept stand under 'watch', each with its 'smallest'",
+        ),
+        **dict.fromkeys(
+            ("wind", "wind_limit", "wind_speed"),
+            "the wind in which a crane may lift is its own 'wind_limit', held against that of the lift",
+        ),
+    },
+    "waves": {
+        **dict.fromkeys(
+            ("mean_period", "tz", "zero_crossing_period", "zero_up_crossing_period"), _MEAN_PERIOD
+        ),
+        "spectrum": _JONSWAP,
+        "type": _JONSWAP,
+        "spreading": "waves run in one direction; several 'waves' with directions of their own spread a sea",
+    },
+    "a floating crane": dict.fromkeys(
+        ("base_mass", "counterweight", "upper_mass"),
+        "what slews with the boom stands under 'upper_masses' by name, each with 'mass' and 'at'",
+    ),
+    "the load": {
+        **dict.fromkeys(("ballast", "content", "contents", "flooded", "liquid", "trapped_water"), _TANKS),
+        **dict.fromkeys(_IN_WATER, _WET),
+    },
+}
+#: What steps do, by other words.
+_VERBS = {
+    "deballast": "pump",
+    "drain": "pump",
+    "empty": "pump",
+    "fill": "pump",
+    "flood": "pump",
+    "lengthen": "veer",
+    "lift": "hoist",
+    "move": "travel",
+    "pause": "hold",
+    "raise": "hoist",
+    "rotate": "slew",
+    "shorten": "haul",
+    "swing": "slew",
+    "take_in": "haul",
+    "turn": "slew",
+    "wait": "hold",
+}
+#: What else is to be known of them.
+_BESIDE = {"radius": ", twice as much"}
+
+
+def translate(errors: Sequence[ErrorDetails], tree: MapNode) -> list[Problem]:
+    """Problems for validation errors, with the lines of the tree that was validated."""
+    return [_problem(error, tree) for error in errors]
+
+
+def _problem(error: ErrorDetails, tree: MapNode) -> Problem:
+    loc = error["loc"]
+    if "key" in (error.get("ctx") or {}):
+        loc = (*loc, error["ctx"]["key"])
+    path, node, around = _locate(loc, tree)
+    return Problem(line_of(tree, path), join_path(path), _sentence(error, node, around))
+
+
+def _locate(loc: Sequence[PathPart], tree: MapNode) -> tuple[tuple[PathPart, ...], Any, list[Any]]:
+    """Path in the file of a place in the models (tags of unions left out), its node, the nodes around it."""
+    path: list[PathPart] = []
+    node: Any = tree
+    around: list[Any] = []
+    for part in loc:
+        inside = isinstance(node, MapNode) and part in node
+        inside = inside or (isinstance(node, ListNode) and isinstance(part, int) and part < len(node))
+        if inside:
+            path.append(part)
+            around.append(node)
+            node = node[part]
+    return tuple(path), node, around
+
+
+def _sentence(error: ErrorDetails, node: Any, around: Sequence[Any]) -> str:
+    kind = error["type"]
+    context: Mapping[str, Any] = error.get("ctx") or {}
+    last = str(error["loc"][-1]) if error["loc"] else ""
+    if kind == "gantline":
+        return error["msg"]
+    if kind == "no_verb":
+        return _no_verb(error["msg"], node)
+    if kind == "missing":
+        return _missing(last, node)
+    if kind == "extra_forbidden":
+        return _unknown_key(last, around)
+    if kind == "literal_error":
+        return f"found {found(node)}; right is {context.get('expected', 'another word')}"
+    if kind in ("union_tag_invalid", "union_tag_not_found"):
+        return _kind_of_thing(context, node)
+    if kind == "too_short" and not context.get("actual_length"):
+        return "is empty; leave it out or fill it"
+    if kind == "too_short":
+        return f"found {context['actual_length']} entries; at least {context['min_length']} needed"
+    if kind in ("dict_type", "model_type", "model_attributes_type"):
+        return f"found {found(node)}; a mapping is needed"
+    if kind in ("list_type", "tuple_type"):
+        return f"found {found(node)}; a list is needed"
+    return f"found {found(node)}, which is not right here"
+
+
+def _no_verb(sentence: str, node: Any) -> str:
+    """What is to be said of a step that does nothing which is known here."""
+    known = {*HoistStep.keys(), *HoldStep.keys()}
+    for key in node if isinstance(node, MapNode) else ():
+        if key in known:
+            continue
+        verb = _VERBS.get(key.lower()) or closest(key, VERBS)
+        if verb is not None:
+            return f"'{shorten(key)}' is not what a step can do; did you mean '{verb}'?"
+    return sentence
+
+
+def _missing(key: str, node: Any) -> str:
+    if not isinstance(node, MapNode):
+        return f"'{key}' is missing"
+    if key == "format":
+        return f"'{key}' is missing; a lift file begins with 'format: 1'"
+    misspelt = closest(key, [name for name in node if name not in node.allowed])
+    hint = f" (is '{shorten(misspelt)}' a misspelt '{key}'?)" if misspelt is not None else ""
+    what = node.what or "this mapping"
+    need = "need" if is_or_are(what) == "are" else "needs"
+    return f"'{key}' is missing; {what} {need} it{hint}"
+
+
+def _at_other_level(key: str, around: Sequence[Any]) -> str | None:
+    """What to say of a key that is right farther out, or one mapping farther in; None of another.
+
+    Indented wrongly a key stands in another mapping.
+    """
+    parent = around[-1]
+    wrong = f"'{shorten(key)}' is not a key of {parent.what}"
+    for outer in reversed(around[:-1]):
+        if isinstance(outer, MapNode) and key in outer.allowed and key not in outer:
+            return f"{wrong}, but of {outer.what}: it stands too far in"
+    for name, inner in parent.items():
+        if isinstance(inner, MapNode) and key in inner.allowed and key not in inner:
+            return f"{wrong}, but of '{shorten(str(name))}' in it: it stands too far out"
+    return None
+
+
+def _unknown_key(key: str, around: Sequence[Any]) -> str:
+    shown, parent = shorten(key), around[-1] if around else None
+    if key in _ELSEWHERE:
+        return f"'{shown}' has another place: {_ELSEWHERE[key]}"
+    if not isinstance(parent, MapNode) or not parent.allowed:
+        return f"'{shown}' is not a key that is known here"
+    instead = _INSTEAD.get(parent.what or "", {}).get(key.lower())
+    if instead is not None:
+        return f"'{shown}' is not a key of {parent.what}: {instead}"
+    elsewhere = _at_other_level(key, around)
+    if elsewhere is not None:
+        return elsewhere
+    unused = [name for name in parent.allowed if name not in parent] or list(parent.allowed)
+    other_words = [name for name in _MEANT.get(key.lower(), ()) if name in parent.allowed]
+    meant = next((name for name in other_words if name in unused), None)
+    if meant is not None:
+        return (
+            f"'{shown}' is not a key of {parent.what}; did you mean '{meant}'{_BESIDE.get(key.lower(), '')}?"
+        )
+    # Of all: beside `cranes`, `crane` is that, and not what is left and written most alike, `cases`.
+    likely = closest(key, parent.allowed)
+    is_used = likely not in unused and likely is not None and not other_words
+    answer = f"did you mean '{likely}', which is there already?" if is_used else nearest(key, unused)
+    return f"'{shown}' is not a key of {parent.what}; {answer}"
+
+
+def _kind_of_thing(context: Mapping[str, Any], node: Any) -> str:
+    if not isinstance(node, dict):
+        return f"found {found(node)}; a mapping with a 'type' is needed"
+    if "type" not in node:
+        return "'type' is missing; it says what kind of thing this is"
+    known = [tag.strip(" '") for tag in str(context.get("expected_tags", "")).split(",")]
+    return f"{found(node['type'])} is not a type that is known here; {nearest(str(node['type']), known)}"

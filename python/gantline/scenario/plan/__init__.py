@@ -1,0 +1,1 @@
+"""The plan in a lift file: its steps and what they move."""
