@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from gantline.assembly.afloat.gusts import wind_of_limit
+from gantline.assembly.afloat.hulls import hull_mesh
 from gantline.assembly.cranes.reeving import hook_rig, mass_on
 from gantline.assembly.cranes.slewing import add_turned, add_upper
 from gantline.assembly.parts import Json, Parts, box_shape, end, eye, material
@@ -27,7 +28,7 @@ _UP = [0.0, -1.0, 0.0]
 #: Sizes that pictures have where the lift file names none: a boom over its length, a heel pin [m].
 _THICK = 0.03
 _PIN = 2.0
-#: Height of a pedestal in pictures, over that of the heel pins [1].
+#: Height of a pedestal in pictures where no hull is below it, over that of the heel pins [1].
 _PEDESTAL = 0.3
 #: How far a stop gives way under the level boom where the lift file names no stiffness [rad].
 _STOP_GIVES = 1e-3
@@ -188,7 +189,7 @@ def boom_shape(scenario: Scenario, body: str) -> Json | None:
             x, y, z = placed.heel
             pins = [(x, y + side * placed.apart / 2, z) for side in (-1.0, 1.0)]
             boxes = [box_shape((_PIN, _PIN, _PIN), pin) for pin in pins]
-            return {"type": "boxes", "boxes": boxes + _platform(placed) + _a_frame(placed)}
+            return {"type": "boxes", "boxes": boxes + _platform(scenario, placed) + _a_frame(placed)}
     return None
 
 
@@ -214,15 +215,28 @@ def _jib(length: float, along: float, above: float, thick: float) -> list[Json]:
     return [*([post] if above else []), *([arm] if along > 0.0 else [])]
 
 
-def _platform(placed: PlacedBoom) -> list[Json]:
+def _platform(scenario: Scenario, placed: PlacedBoom) -> list[Json]:
     """A platform from the heel pins to under the A-frame, and the pedestal that it slews on."""
     if placed.slew is None:
         return []
-    (x, y, z), high = placed.heel, _PEDESTAL * placed.heel[2]
+    x, y, z = placed.heel
+    top = z - 1.5 * _PIN
+    foot = _deck_below(scenario, placed)
+    foot = top - _PEDESTAL * z if foot is None else min(foot, top)
+    high = top - foot
     wide = max(abs(x), _PIN)
     behind = wide if placed.tackles is None else max(wide, _PIN / 2 - placed.tackles.from_[0])
     floor = box_shape((x + behind, placed.apart, _PIN), ((x - behind) / 2, y, z - _PIN))
-    return [floor, box_shape((wide, wide, high), (0.0, 0.0, z - 1.5 * _PIN - high / 2))]
+    return [floor, *([box_shape((wide, wide, high), (0.0, 0.0, top - high / 2))] if high > 0.0 else [])]
+
+
+def _deck_below(scenario: Scenario, placed: PlacedBoom) -> float | None:
+    """Height of the hull below the slewing axis of a crane [m], axes of its base; None where there is none."""
+    crane = (scenario.cranes or {})[placed.crane]
+    if not isinstance(crane, FloatingCrane) or crane.vessel is None or crane.slewing_axis is None:
+        return None
+    mesh = hull_mesh(scenario, crane.vessel, (scenario.vessels or {})[crane.vessel])
+    return None if mesh is None else mesh.top_at(*crane.slewing_axis)
 
 
 def _a_frame(placed: PlacedBoom) -> list[Json]:
