@@ -231,7 +231,7 @@ def _platform(scenario: Scenario, placed: PlacedBoom) -> list[Json]:
 
 
 def _deck_below(scenario: Scenario, placed: PlacedBoom) -> float | None:
-    """Height of the hull below the slewing axis of a crane [m], axes of its base; None where there is none."""
+    """How high the hull goes below the slewing axis of a crane [m]; None where there is none."""
     crane = (scenario.cranes or {})[placed.crane]
     if not isinstance(crane, FloatingCrane) or crane.vessel is None or crane.slewing_axis is None:
         return None
