@@ -2,6 +2,7 @@
 
 That of the monopile's vessel ended 6 m above her deck, in the air. It goes down to the hull below the slewing
 axis, by its mesh; what has no hull there keeps the old length, and what is lower than the deck has none.
+Posts of A-frames of cranes that do not slew began at the height of the heel pins, a metre or two over the deck.
 """
 
 from __future__ import annotations
@@ -23,6 +24,16 @@ def test_the_pedestal_stands_on_the_deck() -> None:
         for box in upper["shape"]["boxes"]
     ]
     assert min(spans) == pytest.approx((16.0, 33.0), abs=1e-12)
+
+
+def test_the_posts_of_an_a_frame_stand_on_the_deck() -> None:
+    """Hull of 7.5 m, heel pins at 9 m: the posts began at the height of the pins."""
+    lift = assemble(load_scenario(shipped()["floating_crane"]))
+    crane = next(body for body in lift.scene["bodies"] if body["name"] == "fc")
+    posts = [box for box in crane["shape"]["boxes"] if box["size"][2] > 10.0]
+    assert len(posts) == 2
+    for post in posts:
+        assert post["centre"][2] - post["size"][2] / 2 == pytest.approx(7.5, abs=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -189,7 +189,10 @@ def boom_shape(scenario: Scenario, body: str) -> Json | None:
             x, y, z = placed.heel
             pins = [(x, y + side * placed.apart / 2, z) for side in (-1.0, 1.0)]
             boxes = [box_shape((_PIN, _PIN, _PIN), pin) for pin in pins]
-            return {"type": "boxes", "boxes": boxes + _platform(scenario, placed) + _a_frame(placed)}
+            return {
+                "type": "boxes",
+                "boxes": boxes + _platform(scenario, placed) + _a_frame(scenario, placed),
+            }
     return None
 
 
@@ -221,8 +224,8 @@ def _platform(scenario: Scenario, placed: PlacedBoom) -> list[Json]:
         return []
     x, y, z = placed.heel
     top = z - 1.5 * _PIN
-    foot = _deck_below(scenario, placed)
-    foot = top - _PEDESTAL * z if foot is None else min(foot, top)
+    deck = _deck_below(scenario, placed, 0.0, 0.0)
+    foot = top - _PEDESTAL * z if deck is None else min(deck, top)
     high = top - foot
     wide = max(abs(x), _PIN)
     behind = wide if placed.tackles is None else max(wide, _PIN / 2 - placed.tackles.from_[0])
@@ -230,23 +233,29 @@ def _platform(scenario: Scenario, placed: PlacedBoom) -> list[Json]:
     return [floor, *([box_shape((wide, wide, high), (0.0, 0.0, top - high / 2))] if high > 0.0 else [])]
 
 
-def _deck_below(scenario: Scenario, placed: PlacedBoom) -> float | None:
-    """How high the hull goes below the slewing axis of a crane [m]; None where there is none."""
+def _deck_below(scenario: Scenario, placed: PlacedBoom, x: float, y: float) -> float | None:
+    """How high the hull goes below a place in the axes of what bears a boom [m]; None where there is none."""
     crane = (scenario.cranes or {})[placed.crane]
-    if not isinstance(crane, FloatingCrane) or crane.vessel is None or crane.slewing_axis is None:
+    if not isinstance(crane, FloatingCrane) or crane.vessel is None:
         return None
     mesh = hull_mesh(scenario, crane.vessel, (scenario.vessels or {})[crane.vessel])
-    return None if mesh is None else mesh.top_at(*crane.slewing_axis)
+    ahead, left = crane.slewing_axis or (0.0, 0.0)
+    return None if mesh is None else mesh.top_at(ahead + x, left + y)
 
 
-def _a_frame(placed: PlacedBoom) -> list[Json]:
-    """Two posts from the level of the heel pins to the top from which tackles pull, and what joins them."""
+def _a_frame(scenario: Scenario, placed: PlacedBoom) -> list[Json]:
+    """Two posts up to the top from which tackles pull, from the platform or the deck, and what joins them."""
     if placed.tackles is None:
         return []
     (x, y, z), middle = placed.tackles.from_, placed.heel[1]
-    low = placed.heel[2] - (0.0 if placed.slew is None else _PIN / 2)  # down to the platform
-    sides = sorted({2 * middle - y, y})
-    posts = [box_shape((_PIN, _PIN, z - low), (x, side, (z + low) / 2)) for side in sides]
+    posts = []
+    for side in sorted({2 * middle - y, y}):
+        low = placed.heel[2]
+        if placed.slew is not None:
+            low -= _PIN / 2
+        elif (deck := _deck_below(scenario, placed, x, side)) is not None:
+            low = min(low, deck)
+        posts.append(box_shape((_PIN, _PIN, z - low), (x, side, (z + low) / 2)))
     return [*posts, box_shape((_PIN, 2 * abs(y - middle) + _PIN, _PIN), (x, middle, z))]
 
 
