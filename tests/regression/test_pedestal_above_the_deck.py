@@ -2,7 +2,7 @@
 
 That of the monopile's vessel ended 6 m above her deck, in the air. It goes down to the hull below the slewing
 axis, by its mesh; what has no hull there keeps the old length, and what is lower than the deck has none.
-Posts of A-frames of cranes that do not slew began at the height of the heel pins, a metre or two over the deck.
+Posts of A-frames of cranes that do not slew began at the height of the heel pins, a metre or two above it.
 """
 
 from __future__ import annotations
