@@ -26,6 +26,8 @@ __all__ = ["HullMesh", "afloat_path", "box_mesh", "hull_mesh", "hull_shape"]
 _MOST_DRAWN = 4000
 #: Its convex hull may be missed by this share of its size.
 _CONVEX_ERROR = 1e-3
+#: Triangles that are smaller than this as seen from above stand upright: twice their area [m^2].
+_NO_PLAN = 1e-9
 
 
 @dataclass(frozen=True)
@@ -46,6 +48,19 @@ class HullMesh:
     def box(self) -> Array:
         """Least and largest x, y, z (2, 3) [m]."""
         return np.array([self.vertices.min(axis=0), self.vertices.max(axis=0)])
+
+    def top_at(self, x: float, y: float) -> float | None:
+        """How high it goes over a place [m]; None beside of it."""
+        a, b, c = (self.vertices[self.triangles[:, corner]] for corner in range(3))
+        ab, ac, way = b - a, c - a, np.array([x, y]) - a[:, :2]
+        twice = ab[:, 0] * ac[:, 1] - ab[:, 1] * ac[:, 0]
+        # Upright triangles have no place in plan: those beside them go as high.
+        flat = np.where(np.abs(twice) > _NO_PLAN, twice, np.inf)
+        along_b = (way[:, 0] * ac[:, 1] - way[:, 1] * ac[:, 0]) / flat
+        along_c = (ab[:, 0] * way[:, 1] - ab[:, 1] * way[:, 0]) / flat
+        over = np.isfinite(flat) & (along_b >= 0.0) & (along_c >= 0.0) & (along_b + along_c <= 1.0)
+        heights = a[:, 2] + along_b * ab[:, 2] + along_c * ac[:, 2]
+        return float(heights[over].max()) if over.any() else None
 
     @property
     def document(self) -> Json:

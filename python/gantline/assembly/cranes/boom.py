@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from gantline.assembly.afloat.gusts import wind_of_limit
+from gantline.assembly.afloat.hulls import hull_mesh
 from gantline.assembly.cranes.reeving import hook_rig, mass_on
 from gantline.assembly.cranes.slewing import add_turned, add_upper
 from gantline.assembly.parts import Json, Parts, box_shape, end, eye, material
@@ -27,7 +28,7 @@ _UP = [0.0, -1.0, 0.0]
 #: Sizes that pictures have where the lift file names none: a boom over its length, a heel pin [m].
 _THICK = 0.03
 _PIN = 2.0
-#: Height of a pedestal in pictures, over that of the heel pins [1].
+#: Height of a pedestal in pictures where no hull is below it, over that of the heel pins [1].
 _PEDESTAL = 0.3
 #: How far a stop gives way under the level boom where the lift file names no stiffness [rad].
 _STOP_GIVES = 1e-3
@@ -188,7 +189,10 @@ def boom_shape(scenario: Scenario, body: str) -> Json | None:
             x, y, z = placed.heel
             pins = [(x, y + side * placed.apart / 2, z) for side in (-1.0, 1.0)]
             boxes = [box_shape((_PIN, _PIN, _PIN), pin) for pin in pins]
-            return {"type": "boxes", "boxes": boxes + _platform(placed) + _a_frame(placed)}
+            return {
+                "type": "boxes",
+                "boxes": boxes + _platform(scenario, placed) + _a_frame(scenario, placed),
+            }
     return None
 
 
@@ -214,25 +218,44 @@ def _jib(length: float, along: float, above: float, thick: float) -> list[Json]:
     return [*([post] if above else []), *([arm] if along > 0.0 else [])]
 
 
-def _platform(placed: PlacedBoom) -> list[Json]:
+def _platform(scenario: Scenario, placed: PlacedBoom) -> list[Json]:
     """A platform from the heel pins to under the A-frame, and the pedestal that it slews on."""
     if placed.slew is None:
         return []
-    (x, y, z), high = placed.heel, _PEDESTAL * placed.heel[2]
+    x, y, z = placed.heel
+    top = z - 1.5 * _PIN
+    deck = _deck_below(scenario, placed, 0.0, 0.0)
+    foot = top - _PEDESTAL * z if deck is None else min(deck, top)
+    high = top - foot
     wide = max(abs(x), _PIN)
     behind = wide if placed.tackles is None else max(wide, _PIN / 2 - placed.tackles.from_[0])
     floor = box_shape((x + behind, placed.apart, _PIN), ((x - behind) / 2, y, z - _PIN))
-    return [floor, box_shape((wide, wide, high), (0.0, 0.0, z - 1.5 * _PIN - high / 2))]
+    return [floor, *([box_shape((wide, wide, high), (0.0, 0.0, top - high / 2))] if high > 0.0 else [])]
 
 
-def _a_frame(placed: PlacedBoom) -> list[Json]:
-    """Two posts from the level of the heel pins to the top from which tackles pull, and what joins them."""
+def _deck_below(scenario: Scenario, placed: PlacedBoom, x: float, y: float) -> float | None:
+    """How high the hull goes below a place in the axes of what bears a boom [m]; None where there is none."""
+    crane = (scenario.cranes or {})[placed.crane]
+    if not isinstance(crane, FloatingCrane) or crane.vessel is None:
+        return None
+    mesh = hull_mesh(scenario, crane.vessel, (scenario.vessels or {})[crane.vessel])
+    ahead, left = crane.slewing_axis or (0.0, 0.0)
+    return None if mesh is None else mesh.top_at(ahead + x, left + y)
+
+
+def _a_frame(scenario: Scenario, placed: PlacedBoom) -> list[Json]:
+    """Two posts up to the top from which tackles pull, from the platform or the deck, and what joins them."""
     if placed.tackles is None:
         return []
     (x, y, z), middle = placed.tackles.from_, placed.heel[1]
-    low = placed.heel[2] - (0.0 if placed.slew is None else _PIN / 2)  # down to the platform
-    sides = sorted({2 * middle - y, y})
-    posts = [box_shape((_PIN, _PIN, z - low), (x, side, (z + low) / 2)) for side in sides]
+    posts = []
+    for side in sorted({2 * middle - y, y}):
+        low = placed.heel[2]
+        if placed.slew is not None:
+            low -= _PIN / 2
+        elif (deck := _deck_below(scenario, placed, x, side)) is not None:
+            low = min(low, deck)
+        posts.append(box_shape((_PIN, _PIN, z - low), (x, side, (z + low) / 2)))
     return [*posts, box_shape((_PIN, 2 * abs(y - middle) + _PIN, _PIN), (x, middle, z))]
 
 
