@@ -35,7 +35,7 @@ def test_start_steps_and_end_stand_in_a_table() -> None:
 
 
 def test_a_vessel_is_as_at_each_of_these_times_alone() -> None:
-    """Every eleventh moment of `floating_crane` is asked for anew: the same drafts and GM, to the last bit."""
+    """Every eleventh moment of `floating_crane` is asked for anew: same drafts and GM, to the last bit."""
     # Clear of its supports by 1080 s; the rest of the lift, as long again, would be followed each time.
     scenario = load_scenario("floating_crane").changed({"duration": "1400 s"})
     found = list(run_steps(Statics(scenario)))

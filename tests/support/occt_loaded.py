@@ -1,4 +1,4 @@
-"""Open CASCADE that is there already: the program that reads STEP and IGES, forked off one that has loaded it.
+"""Open CASCADE that is there already: the program that reads STEP and IGES, forked off one with the library.
 
 To load the library takes over a second, to read a small body a tenth of that. The program is the same, in a
 process of its own for each file; only who starts it is another one.

@@ -305,7 +305,9 @@ def step_of_aluminium(tmp_path_factory: pytest.TempPathFactory) -> str:
     return path.read_text(encoding="utf-8")
 
 
-def weighed(path: Path, content: str, density: str, mass: str, length: str, powers: tuple[int, int]) -> CadModel:
+def weighed(
+    path: Path, content: str, density: str, mass: str, length: str, powers: tuple[int, int]
+) -> CadModel:
     """The box of this file, its density written another way."""
     for old, new in (
         ("POSITIVE_RATIO_MEASURE(2.7)", f"POSITIVE_RATIO_MEASURE({density})"),
