@@ -52,7 +52,7 @@ def test_hooks_led_into_their_sheaves_are_told() -> None:
 
 
 def test_booms_that_flatten_bring_their_sheaves_down_to_their_hooks() -> None:
-    """Level outwards by 8 m from a radius of 17 m: heads at 3 m + sqrt(30^2 - 23^2) m, 9.7 m lower than before.
+    """Level outwards by 8 m from a radius of 17 m: heads at 3 m + sqrt(30^2 - 23^2) m, 6.7 m lower.
 
     Hooks at 24 m are 1.78 m under where they meet their sheaves at first, and in them at the end.
     """
