@@ -106,7 +106,9 @@ def test_a_post_of_the_world_amid_a_vessel_is_told(x: float, told: bool) -> None
     text = _afloat(_POST.replace("held_by: barge, ", "").replace("20 m, -3.5 m, 8 m", f"{x} m, 0 m, 4 m"))
     found = [one for one in assemble(parse_scenario(text)).warnings if "guide p stands in the world" in one]
     assert len(found) == told
-    assert all(one.endswith("'held_by: barge' has it stand on her, at a place in her own axes") for one in found)
+    assert all(
+        one.endswith("'held_by: barge' has it stand on her, at a place in her own axes") for one in found
+    )
 
 
 _HOLDERS = "a vessel, a part of a crane or a body of 'mechanics' may hold a guide"

@@ -36,11 +36,12 @@ def _no_holder(scenario: Scenario, name: str) -> str | None:
         right = "a vessel, a part of a crane or a body of 'mechanics' may hold a guide"
         sentence = own or f"'{name}' is not a vessel, a part of a crane or a body"
         return f"{sentence}; {nearest(name, known) if known and own is None else right}"
-    on, seen = name, {name}
-    while on in bodies and bodies[on].parent not in (None, "world", *seen):
-        on = bodies[on].parent
+    on: str | None = name
+    seen = set()
+    while on in bodies and on not in seen:
         seen.add(on)
-    if on == load:
+        on = bodies[on].parent
+    if on is not None and on == load:
         what = "the load" if name == load else f"'{name}' is on the load, which"
         return f"{what} cannot hold its own guide; leave it out for a post or wall in the world"
     return None
