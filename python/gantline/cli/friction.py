@@ -66,10 +66,9 @@ def fails_as_it_slides(question: Statics, states: Sequence[State]) -> list[str]:
 
     A load that has been set down on a deck that leans slides as far as its slings let it, and pulls at them.
     """
-    kinds = ("contacts", "supports", "pairs")
-    rough = {
-        one["name"] for kind in kinds for one in question.assembly.document[kind] if one["friction"] > 0.0
-    }
+    document = question.assembly.document
+    touching = [one for kind in ("contacts", "supports", "pairs") for one in document.get(kind, ())]
+    rough = {one["name"] for one in touching if one.get("friction", 0.0) > 0.0}
     names: dict[str, None] = {}
     for state in states:
         rest = state.rest
