@@ -44,6 +44,14 @@ def _one_command() -> Iterator[None]:
 
 
 @pytest.fixture
+def occt_loaded(monkeypatch: pytest.MonkeyPatch) -> None:
+    """STEP and IGES are read by a program that need not load Open CASCADE first."""
+    from occt_loaded import LOADED
+
+    monkeypatch.setattr("gantline.cad.step.subprocess", LOADED)
+
+
+@pytest.fixture
 def player(monkeypatch: pytest.MonkeyPatch) -> None:
     """A program in place of the player of reports, whether that is built here or not."""
     from gantline.viewer.bundle import Bundle

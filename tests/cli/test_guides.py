@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import re
 import shlex
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -60,12 +61,15 @@ def commands_of(page: Path) -> list[str]:
 COMMANDS = sorted({command for page in PAGES for command in commands_of(page)})
 
 
-def verb_of(words: list[str]) -> tuple[Any, list[str]]:
-    """The verb that words call, and the words behind it.
+@cache
+def command_of_all() -> Any:
+    """typer has a copy of click inside, so that commands and their verbs are of no public type."""
+    return typer.main.get_command(app)
 
-    typer has a copy of click inside, so that verbs are of no public type.
-    """
-    command: Any = typer.main.get_command(app)
+
+def verb_of(words: list[str]) -> tuple[Any, list[str]]:
+    """The verb that words call, and the words behind it."""
+    command = command_of_all()
     while words and (verbs := getattr(command, "commands", None)):
         # `gantline cad X` is short for `gantline cad file X`.
         if words[0] in verbs or "file" not in verbs:

@@ -13,6 +13,7 @@ import pytest
 
 from gantline.scenario import load_scenario
 from gantline.scenario.file.variants import with_values, without_cases
+from gantline.statics import Statics
 from gantline.study import solve_ballast
 from gantline.study.afloat import Afloat
 from gantline.study.moment import end_of_step
@@ -32,14 +33,15 @@ def test_the_moment_is_the_end_of_the_step_with_the_contents_found() -> None:
     # The load is clear by 1200 s; the rest of the lift, twice as long, would be run each time.
     changes["duration"] = "1400 s"
     given = with_values(without_cases(load_scenario(FLOATING_CRANE)), changes)
-    before = end_of_step(given, STEP)
+    before = end_of_step(Statics(given), STEP)
     answer = solve_ballast(given, step=STEP)
-    after = end_of_step(answer.scenario, STEP)
+    question = Statics(answer.scenario)
+    after = end_of_step(question, STEP)
     assert before is not None
     assert after is not None
     assert max(before, after) < 1250.0
     assert abs(after - before) > 10.0
     assert answer.time == after
-    then = Afloat(answer.scenario, "barge", after)
+    then = Afloat(question, "barge", after)
     assert then.rest.recording.column("load_transferred", "load")[-1] == pytest.approx(1.0, abs=1e-9)
     assert (then.attitude.heel, then.attitude.trim) == pytest.approx((0.0, 0.0), abs=1e-5)

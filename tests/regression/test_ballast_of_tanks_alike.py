@@ -13,6 +13,7 @@ import pytest
 
 from ballasted import barge, lift, tank
 from gantline.scenario import parse_scenario
+from gantline.statics import Statics
 from gantline.study import solve_ballast
 from gantline.study.afloat import Afloat
 
@@ -31,6 +32,6 @@ def test_tanks_that_do_nearly_alike_do_not_take_turns_without_an_end() -> None:
     heel, trim = math.radians(0.6), math.radians(-0.3)
     answer = solve_ballast(lift(barge(tanks)), heel=heel, trim=trim)
     assert (answer.attitude.heel, answer.attitude.trim) == pytest.approx((heel, trim), abs=1e-7)
-    again = Afloat(parse_scenario(answer.text), "barge", 0.0).attitude
+    again = Afloat(Statics(parse_scenario(answer.text)), "barge", 0.0).attitude
     # Half a kilogram in each of eight tanks, 7 m aside, over a GM of some 10 m and 16 000 t: 2e-7 rad.
     assert (again.heel, again.trim) == pytest.approx((heel, trim), abs=5e-7)

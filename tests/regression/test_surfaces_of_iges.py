@@ -19,6 +19,7 @@ from gantline.cad import CadModel, PartKind, read
 from gantline.cad.mass_properties import MassProperties
 from occt_files import written
 
+pytestmark = pytest.mark.usefixtures("occt_loaded")
 STEEL = 7850.0
 AT = np.array([153.2, -17.1, 22.4])
 

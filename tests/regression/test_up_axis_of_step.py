@@ -16,6 +16,7 @@ from occt_files import written
 from ocx_files import Writer, sample
 
 
+@pytest.mark.usefixtures("occt_loaded")
 @pytest.mark.parametrize("name", ["a.step", "a.igs"])
 def test_y_up_is_turned(tmp_path: Path, name: str) -> None:
     """A box of 2 × 3 × 5 m with y up is 3 m high: x stays, −z becomes y, y becomes z."""

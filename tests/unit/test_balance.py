@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from gantline.assembly.ropes.balance import Hung, Line, Pose, _energy, balance
@@ -46,6 +46,8 @@ def test_half_a_turn(axis: tuple[float, float, float]) -> None:
     assert np.abs(rotation_quaternion(matrix)) == pytest.approx([0.0, *axis], abs=1e-15)
 
 
+# Each example compares all nine slopes and 45 curvatures.
+@settings(max_examples=25)
 @given(steps)
 def test_slope_and_curvature(step: list[float]) -> None:
     """Central differences over places and turns: 1e-7 of the largest slope, 1e-5 of the largest curvature."""

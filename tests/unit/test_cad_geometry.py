@@ -268,6 +268,7 @@ def test_broken_files_say_what_is_wrong(tmp_path: Path, name: str, content: byte
         ("#1=CLOSED_SHELL('',(#2));\n#2=ADVANCED_FACE(", "STEP"),
     ],
 )
+@pytest.mark.usefixtures("occt_loaded")
 def test_step_without_anything_in_it(tmp_path: Path, body: str, says: str) -> None:
     with pytest.raises(CadError, match=says):
         read(tmp_path / "a.step", SQUARE + body + "ENDSEC;\nEND-ISO-10303-21;\n")
@@ -296,10 +297,16 @@ writer.Write(sys.argv[1])
 """
 
 
-def step_of_a_box(path: Path, density: str, mass: str, length: str, powers: tuple[int, int]) -> CadModel:
-    """A STEP file with a box of 1 × 2 × 3 m as Open CASCADE writes it, its density written another way."""
+@pytest.fixture(scope="module")
+def step_of_aluminium(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """A STEP file with a box of 1 × 2 × 3 m as Open CASCADE writes it."""
+    path = tmp_path_factory.mktemp("box") / "a.step"
     subprocess.run([sys.executable, "-c", WRITES_A_BOX, str(path)], check=True, capture_output=True)
-    content = path.read_text(encoding="utf-8")
+    return path.read_text(encoding="utf-8")
+
+
+def weighed(path: Path, content: str, density: str, mass: str, length: str, powers: tuple[int, int]) -> CadModel:
+    """The box of this file, its density written another way."""
     for old, new in (
         ("POSITIVE_RATIO_MEASURE(2.7)", f"POSITIVE_RATIO_MEASURE({density})"),
         ("SI_UNIT($,.GRAM.)", f"SI_UNIT({mass},.GRAM.)"),
@@ -322,10 +329,17 @@ def step_of_a_box(path: Path, density: str, mass: str, length: str, powers: tupl
         ("0.00785", "$", ".MILLI.", (1, -3), 7850.0),
     ],
 )
+@pytest.mark.usefixtures("occt_loaded")
 def test_materials_of_step_have_their_density(
-    tmp_path: Path, density: str, mass: str, length: str, powers: tuple[int, int], kg_per_m3: float
+    tmp_path: Path,
+    step_of_aluminium: str,
+    density: str,
+    mass: str,
+    length: str,
+    powers: tuple[int, int],
+    kg_per_m3: float,
 ) -> None:
-    model = step_of_a_box(tmp_path / "a.step", density, mass, length, powers)
+    model = weighed(tmp_path / "a.step", step_of_aluminium, density, mass, length, powers)
     assert model.properties.mass == pytest.approx(6 * kg_per_m3)
     assert model.properties.centre == pytest.approx([0.5, 1, 1.5])
     # A box: m/12 (b² + c²).
@@ -333,8 +347,9 @@ def test_materials_of_step_have_their_density(
     assert model.properties.inertia == pytest.approx(expected, abs=1e-6 * model.properties.mass)
 
 
-def test_a_density_of_no_material_is_not_used(tmp_path: Path) -> None:
-    model = step_of_a_box(tmp_path / "a.step", "0.05", "$", ".MILLI.", (1, -3))  # 50 t/m³
+@pytest.mark.usefixtures("occt_loaded")
+def test_a_density_of_no_material_is_not_used(tmp_path: Path, step_of_aluminium: str) -> None:
+    model = weighed(tmp_path / "a.step", step_of_aluminium, "0.05", "$", ".MILLI.", (1, -3))  # 50 t/m³
     assert model.properties.mass == pytest.approx(6 * 7850)
     assert "density that is that of no material" in model.parts[0].doubts[0]
 

@@ -11,6 +11,7 @@ from gantline.scenario.file.tree import MapNode, parse_text
 from gantline.scenario.file.tree_path import PathError, node_at, put, text_node
 from gantline.scenario.file.variants import variants_of, without_cases
 from gantline.scenario.tolerance import Tolerance
+from gantline.statics import Statics
 from gantline.study import run_cases, run_sweep, values_of
 from gantline.study.moment import begin_of_step
 from gantline.study.state import State, worst_of
@@ -239,12 +240,12 @@ def test_a_change_that_is_wrong_as_such_is_no_case_that_cannot_start() -> None:
 
 
 def test_when_steps_begin() -> None:
-    scenario = parse_scenario(BASE)
-    assert begin_of_step(scenario, "hoist") == 0.0
+    question = Statics(parse_scenario(BASE))
+    assert begin_of_step(question, "hoist") == 0.0
     # 10 s, and 0.5 s to brake 0.05 m/s at 0.1 m/s².
-    assert begin_of_step(scenario, "hold") == pytest.approx(10.5, abs=1e-9)
+    assert begin_of_step(question, "hold") == pytest.approx(10.5, abs=1e-9)
     late = BASE.replace("brake_from: 10 s", "by: 10 m")
-    assert begin_of_step(parse_scenario(late), "hold") is None
+    assert begin_of_step(Statics(parse_scenario(late)), "hold") is None
     text = late + "cases: {cut: {cut: S1, at_step: hold}}\n"
     with pytest.raises(ScenarioError, match=r"cases\.cut\.at_step: 'hold' does not begin within the 20 s"):
         run_cases(parse_scenario(text))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,6 @@ from lift_text import BASE, CASES, MECHANICS
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
 TEXTS = [path.read_text(encoding="utf-8") for path in sorted(SCENARIOS.glob("*/scenario.yaml"))]
 TEXTS += [BASE, BASE + CASES, MECHANICS, template()]
-TREES = [parse_text(text, "lift.yaml") for text in TEXTS]
 
 VALUES = [
     "0", "-1",
@@ -72,9 +72,15 @@ def at(node: Any, path: tuple[Any, ...]) -> Any:
     return node
 
 
+@cache
+def trees() -> list[Any]:
+    """Every lift as a tree; each draw copies its own."""
+    return [parse_text(text, "lift.yaml") for text in TEXTS]
+
+
 @st.composite
 def spoiled_trees(draw: st.DrawFn) -> str:
-    tree = copy.deepcopy(draw(st.sampled_from(TREES)))
+    tree = copy.deepcopy(draw(st.sampled_from(trees())))
     for _ in range(draw(st.integers(1, 3))):
         found = places(tree)
         if not found:
@@ -91,7 +97,7 @@ def spoiled_trees(draw: st.DrawFn) -> str:
                 draw(st.text(max_size=8)) if not isinstance(parent[key], str) else _garbled(draw, parent[key])
             )
         elif act == "graft":
-            other = draw(st.sampled_from(TREES))
+            other = draw(st.sampled_from(trees()))
             parent[key] = copy.deepcopy(at(other, draw(st.sampled_from(places(other)))))
         elif act == "rename" and isinstance(parent, dict):
             parent[_garbled(draw, str(key))] = parent.pop(key)

@@ -190,7 +190,7 @@ def test_losses_are_bounded_both_ways() -> None:
 def test_a_step_that_waits_begins_when_it_begins() -> None:
     """Cut as the step begins a sling bears nothing from the moment found on, and its share just before."""
     scenario = without_cases(load_scenario(ROOT / "scenarios" / "equalizer_yard"))
-    begin = begin_of_step(scenario, "hoist")
+    begin = begin_of_step(Statics(scenario), "hoist")
     assert begin is not None and 10.0 < begin < scenario.duration
     step = "{step: hoist,         hoist"
     assert step in scenario.text

@@ -16,7 +16,7 @@ from gantline.scenario.plan.leading import led_hooks, pose_before, way_of
 from gantline.scenario.plan.positions import places_of_cranes
 from mechanics import G
 
-SCENARIO = gantline.load_scenario(Path(__file__).parents[2] / "scenarios" / "heavy_lift_ship")
+FOLDER = Path(__file__).parents[2] / "scenarios" / "heavy_lift_ship"
 #: EA of a hoist rope of 54 mm, 6x36 IWRC, as `gantline check` lists it [N]; parts and tackles of a boom.
 STIFF, PARTS, TACKLES = 134.1e6, 18, 2
 #: The rope from the last sheave at the top down to the drum [m].
@@ -28,9 +28,15 @@ SHARES = (0.0, 0.5, 1.0)
 
 
 @cache
+def asked() -> gantline.Statics:
+    """The lift, which goes on from one share of the way to the next."""
+    return gantline.Statics(FOLDER)
+
+
+@cache
 def at_rest(share: float) -> Recording:
     """The equilibrium where that share of the way has been gone, the pumps going on alongside."""
-    statics = gantline.Statics(SCENARIO)
+    statics = asked()
     begin = statics.when("over the deck", "begins")
     assert begin is not None
     ramp = SPEED / ACCELERATION
@@ -67,10 +73,11 @@ def test_tackles_that_stretch_let_the_boom_down() -> None:
     is less. What the winch takes up is wound with its stretch, by trapezoids over three places. 3 %
     for these and for the curve of the arc.
     """
-    place = [step.step for step in SCENARIO.plan].index("over the deck")
-    step, before = SCENARIO.plan[place], places_of_cranes(SCENARIO)[place]
+    scenario = asked().scenario
+    place = [step.step for step in scenario.plan].index("over the deck")
+    step, before = scenario.plan[place], places_of_cranes(scenario)[place]
     assert isinstance(step, LeadStep)
-    hooks = led_hooks(SCENARIO, step)
+    hooks = led_hooks(scenario, step)
     way = way_of(step, hooks, before)
     for index, led in enumerate(hooks):
         gear = led.boom.gear

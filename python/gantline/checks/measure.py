@@ -168,6 +168,8 @@ def _crest(time: FloatArray, values: FloatArray, during: BoolArray) -> float | N
     With b and c the slope and half the bend of the parabola at the sample it goes b²/(-4c) higher than that.
     The last sample of a run may be nearer to the one before than others are.
     """
+    if np.count_nonzero(during) < 3:
+        return None
     vertices = values.copy()
     apart = np.diff(time)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):

@@ -14,7 +14,6 @@ from gantline.hydro import Hull
 from gantline.results import series
 from gantline.results.afloat.attitude import Lie
 from gantline.results.rotation import axes
-from gantline.scenario import Scenario
 from gantline.scenario.afloat.tanks import bodies_afloat, sea_density
 from gantline.scenario.afloat.water import Water
 from gantline.statics import Statics
@@ -48,7 +47,9 @@ def hull_of(question: Statics, vessel: str) -> Hull:
 
 
 class Afloat:
-    """The vessel at rest at a moment of the lift, with the contents that the lift file gives.
+    """The vessel at rest at a moment [s] of the lift, with the contents that the lift file gives.
+
+    What is asked about it later is asked of the equilibrium that `question` has found last.
 
     Attributes:
         rest: The equilibrium.
@@ -60,9 +61,9 @@ class Afloat:
         deck: Height of the highest [m].
     """
 
-    def __init__(self, scenario: Scenario, vessel: str, time: float) -> None:
-        self.scenario, self.vessel = scenario, vessel
-        self.question = Statics(scenario)
+    def __init__(self, question: Statics, vessel: str, time: float) -> None:
+        self.question, self.vessel = question, vessel
+        self.scenario = scenario = question.scenario
         self.rest = self.question.equilibrium(time)
         body = next(one for one in self.question.assembly.document["bodies"] if one["name"] == vessel)
         self.mass, self.centre = float(body["mass"]), np.array(body["centre_of_gravity"])

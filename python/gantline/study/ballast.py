@@ -24,7 +24,7 @@ from gantline.scenario.errors import PathPart
 from gantline.scenario.file.edit import text_with
 from gantline.scenario.file.variants import with_values, without_cases
 from gantline.scenario.plan.steps import PumpStep
-from gantline.statics import Equilibrium, NoEquilibriumError
+from gantline.statics import Equilibrium, NoEquilibriumError, Statics
 from gantline.study.afloat import Afloat, VesselAttitude
 from gantline.study.ballast_question import (
     QuestionError,
@@ -187,8 +187,8 @@ def solve_ballast(
     tell = on_progress or (lambda _: None)
     wanted = {"heel": heel, "trim": trim} | ({} if draft is None else {"draft": draft})
 
-    def moment(changed: Scenario) -> float:
-        return moment_of(changed, time, step)
+    def moment(question: Statics) -> float:
+        return moment_of(question, time, step)
 
     search = _Search(scenario, name, chosen, moment, wanted, tell)
     if draft is not None:
@@ -210,7 +210,7 @@ class _Search:
         scenario: Scenario,
         vessel: str,
         tanks: Sequence[str],
-        moment: Callable[[Scenario], float],
+        moment: Callable[[Statics], float],
         wanted: Mapping[str, float],
         tell: Callable[[str], None],
     ) -> None:
@@ -225,9 +225,10 @@ class _Search:
         room = _room(scenario, vessel)
         self._room: Floats = np.array([room[tank] for tank in self._tanks]).T
         self._acts_against = any(isinstance(step, PumpStep) and step.until for step in scenario.plan)
-        self._time = self._begun = moment(scenario)
+        question = Statics(scenario)
+        self._time = self._begun = moment(question)
         tell(f"how {vessel} floats at {self._time:g} s with the contents given")
-        self.now = Afloat(scenario, vessel, self._time)
+        self.now = Afloat(question, vessel, self._time)
 
     def refuse_mass(self, wanted: VesselAttitude) -> None:
         """Refuse a draft for which there is not enough room in the tanks, or not enough water.
@@ -341,7 +342,7 @@ class _Search:
             moved = _tonnes(float(np.abs(contents - self._given).sum()))
             self._tell(f"round {number}: {lies}; tries {moved} moved{nearer}")
             try:
-                changed = self._with(contents)
+                changed = Statics(self._with(contents))
                 time = self._moment(changed)
                 tried = Afloat(changed, self._vessel, time)
             except NoEquilibriumError as problem:
@@ -406,7 +407,7 @@ class _Search:
         now = self.now
         contents = {name: tank.content for name, tank in self._all.items()}
         contents |= dict(zip(self._tanks, self._contents.tolist(), strict=True))
-        start = now if self._time == 0.0 else Afloat(now.scenario, self._vessel, 0.0)
+        start = now if self._time == 0.0 else Afloat(Statics(now.scenario), self._vessel, 0.0)
         return BallastAnswer(
             vessel=self._vessel,
             time=self._time,

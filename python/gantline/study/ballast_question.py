@@ -13,6 +13,7 @@ from gantline.scenario import Scenario
 from gantline.scenario.afloat.tanks import bodies_afloat
 from gantline.scenario.cranes.hooks import full_name
 from gantline.scenario.errors import nearest
+from gantline.statics import Statics
 from gantline.study.asked import names_of
 from gantline.study.moment import end_of_step
 
@@ -94,12 +95,13 @@ def refuse_draft(scenario: Scenario, vessel: str, draft: float) -> None:
         raise QuestionError("draft", f"{sentence} at {deck:g} m; it floats with its deck dry")
 
 
-def moment_of(scenario: Scenario, time: float | None, step: str | None) -> float:
-    """The moment that is meant [s]: a time, the end of a step, or the end of the lift.
+def moment_of(question: Statics, time: float | None, step: str | None) -> float:
+    """The moment of a lift that is meant [s]: a time, the end of a step, or the end of the lift.
 
     Raises:
         QuestionError: If that is not in the lift, or both are given.
     """
+    scenario = question.scenario
     if step is None:
         moment = scenario.duration if time is None else time
         if not 0.0 <= moment <= scenario.duration:
@@ -112,7 +114,7 @@ def moment_of(scenario: Scenario, time: float | None, step: str | None) -> float
     steps = [one.step for one in scenario.plan]
     if step not in steps:
         raise QuestionError("step", f"'{step}' is not a step of the plan; {nearest(step, steps)}")
-    end = end_of_step(scenario, step)
+    end = end_of_step(question, step)
     if end is None:
         raise QuestionError("step", f"'{step}' does not begin within the {scenario.duration:g} s of the lift")
     return end

@@ -249,7 +249,7 @@ def _cut(pool: SideBySide, scenario: Scenario, base: Scenario, name: str, time: 
     moment = case.at
     if case.at_step is not None:
         try:
-            begin = begin_of_step(base, case.at_step)
+            begin = begin_of_step(Statics(base), case.at_step)
         except NoEquilibriumError as problem:
             cause = f"{problem.cause} ({problem.element})"
             return _known(State(name, "", "none", problem.time, cause=cause, cut=case.cut))

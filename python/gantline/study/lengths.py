@@ -12,7 +12,7 @@ from gantline.scenario import Scenario, load_scenario
 from gantline.scenario.errors import nearest
 from gantline.scenario.file.variants import without_cases
 from gantline.scenario.rigging import SlingRigging, resolve
-from gantline.statics import Equilibrium
+from gantline.statics import Equilibrium, Statics
 from gantline.study.asked import names_of
 from gantline.study.hanging import Hanging, Row
 from gantline.study.newton import AdjustError, CannotBeError, Search, Unknown
@@ -130,7 +130,7 @@ def adjust_lengths(
             raise CannotBeError(str(problem)) from None
         return found
 
-    search = Search(scenario, unknowns, rows, time, "lengths of slings")
+    search = Search(Statics(scenario), unknowns, rows, time, "lengths of slings")
     changes = search.run()
     search.refuse_too_far(changes)
     search.refuse_unsound()

@@ -84,7 +84,7 @@ class Search:
     """Newton's method with the least change, halving steps that do not better it.
 
     Args:
-        scenario: The lift, without cases.
+        question: The lift, without cases.
         unknowns: What may change.
         rows: What is to vanish, with its derivatives over the unknowns.
         time: Time of the plan [s] at which the load hangs; None for the end of the lift.
@@ -102,13 +102,13 @@ class Search:
 
     def __init__(
         self,
-        scenario: Scenario,
+        question: Statics,
         unknowns: Sequence[Unknown],
         rows: Callable[[Hanging], list[Row]],
         time: float | None,
         what: str,
     ) -> None:
-        self._scenario, self._unknowns, self._rows, self._time = scenario, unknowns, rows, time
+        self._question, self._unknowns, self._rows, self._time = question, unknowns, rows, time
         self._what = what
         self.steps = 0
         self.first = self.now = self._try(np.zeros(len(unknowns)))
@@ -177,8 +177,9 @@ class Search:
             one.path: si_text(one.given + float(more), "length")
             for one, more in zip(self._unknowns, changes, strict=True)
         }
-        scenario = with_values(self._scenario, texts) if changes.any() else self._scenario
-        question = Statics(scenario)
+        question = self._question
+        if changes.any():
+            question = Statics(with_values(question.scenario, texts))
         if len(question.rig.loads) != 1 or not question.rig.slings:
             raise CannotBeError("only a lift with a load on slings can be asked this")
         rest = question.equilibrium(self._time)
@@ -195,7 +196,7 @@ class Search:
             if slack and changes.any():
                 sentence = f"slack on the way: {', '.join(slack)}"
             raise _NoAnswerError(sentence) from None
-        return _Try(scenario, hanging, self._rows(hanging))
+        return _Try(question.scenario, hanging, self._rows(hanging))
 
     def _too_far(self, one: Unknown, more: float) -> str:
         name = one.path.split(".", 1)[1].rpartition(".")[0]

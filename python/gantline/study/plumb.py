@@ -141,7 +141,7 @@ def plumb_hooks(
                 found.append(replace(row, value=math.remainder(row.value - stood, math.tau)))
         return found
 
-    search = Search(scenario, unknowns, rows, time, "places of hooks")
+    search = Search(question, unknowns, rows, time, "places of hooks")
     try:
         changes = [float(change) for change in search.run()]
     except CannotBeError as problem:

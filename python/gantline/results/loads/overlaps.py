@@ -294,16 +294,14 @@ def _boxes(
         other: The same of the other.
     """
     (turn, half), (turn_other, half_other) = one, other
-    sides = [turn[:, :, i] for i in range(3)] + [turn_other[:, :, i] for i in range(3)]
-    edges = [np.cross(turn[:, :, i], turn_other[:, :, j]) for i in range(3) for j in range(3)]
-    depth = np.full(len(apart), np.inf)
-    for direction in (*sides, *edges):
-        length = np.linalg.norm(direction, axis=1)
-        unit = direction / np.maximum(length, _PARALLEL)[:, None]
-        reach = np.abs(np.einsum("tij,ti->tj", turn, unit)) @ half
-        reach = reach + np.abs(np.einsum("tij,ti->tj", turn_other, unit)) @ half_other
-        way = reach - np.abs(np.einsum("ti,ti->t", apart, unit))
-        depth = np.where(length > _PARALLEL, np.minimum(depth, way), depth)
+    sides, sides_other = turn.transpose(0, 2, 1), turn_other.transpose(0, 2, 1)
+    edges = np.cross(sides[:, :, None], sides_other[:, None]).reshape(-1, 9, 3)
+    directions = np.concatenate([sides, sides_other, edges], axis=1)
+    length = np.linalg.norm(directions, axis=2)
+    unit = directions / np.maximum(length, _PARALLEL)[:, :, None]
+    reach = np.abs(unit @ turn) @ half + np.abs(unit @ turn_other) @ half_other
+    way = reach - np.abs(np.einsum("tki,ti->tk", unit, apart))
+    depth = np.where(length > _PARALLEL, way, np.inf).min(axis=1)
     shortest: FloatArray = np.maximum(depth, 0.0)
     return shortest
 
