@@ -2,8 +2,8 @@
 
 Its recording has no samples, and variables without values were left out of it; checks missed them, ropes with
 nodes had no largest tension to compare, and `gantline run` of a lift with such a rope that failed in its
-first step told an IndexError in place of the cause. The report of a recording without samples says that in one
-line; a run that fails in its first step has the start as its sample, and a report that shows it.
+first step told an IndexError in place of the cause. The report of a recording without samples says that in
+one line; a run that fails in its first step has the start as its sample, and a report that shows it.
 """
 
 from __future__ import annotations

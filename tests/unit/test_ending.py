@@ -45,6 +45,19 @@ def test_a_failure_says_time_element_cause_and_what_to_do_next() -> None:
     assert ending.advice == "lower the hook in a step before, or make the sling longer"
 
 
+def test_in_few_words_it_says_in_which_step_or_before_which() -> None:
+    plain = ringing_lift(events=[(0.0, "step_begin", "hoist")])
+    within = ending_of(plain)
+    assert within is not None and within.in_short == "the run ends in 'hoist'"
+    between = ringing_lift(events=[(0.0, "step_begin", "hoist"), (9.0, "step_end", "hoist")])
+    before = ending_of(between)
+    assert before is not None and before.in_short == "the run ends before 'hold'"
+    stopped = Recording(plain.variables, plain.coordinates, {**plain.attributes, "status": "stopped"})
+    told = ending_of(stopped)
+    assert told is not None and told.in_short == "the run was stopped in 'hoist'"
+    assert told.cause == ""
+
+
 def test_an_old_recording_without_its_cause_says_what_it_can() -> None:
     ending = ending_of(ended("failed"))
     assert ending is not None and ending.cause == "" and ending.advice
@@ -53,7 +66,7 @@ def test_an_old_recording_without_its_cause_says_what_it_can() -> None:
 
 @pytest.mark.parametrize("status", ["failed", "stopped", "paused", "running"])
 def test_no_such_run_is_ever_a_go(status: str) -> None:
-    """Not on its first page, not in its checks; the page says so at its top and has no room for signatures."""
+    """Not on its first page, not in its checks; the page says so at its top."""
     recording = ended(status)
     assert not outcome_of(check_recording(recording)).value.startswith("GO")
     page = content(recording)
@@ -82,7 +95,7 @@ def test_the_player_is_told_where_it_failed() -> None:
 
 
 def test_every_cause_that_has_advice_is_one_that_there_is() -> None:
-    """The words by which advice is found stand in the core's sources, or in those that tell it in yard words."""
+    """The words by which advice is found stand in the core's sources, or in those of yard words."""
     told = [ROOT / "python/gantline/scenario/failed.py", ROOT / "python/gantline/scenario/loads/hinge.py"]
     sources = [*(ROOT / "crates/gantline-core/src").rglob("*.rs"), *told]
     text = " ".join(" ".join(one.read_text(encoding="utf-8").split()) for one in sources)

@@ -208,7 +208,7 @@ def _end_with(problem: SimulationError, folder: Path) -> NoReturn:
 
 
 def _told(recording: Recording, simulation: Simulation, *, as_json: bool) -> int:
-    """Print table or JSON; the answer is the code that tells of the verdict. Without samples nothing is known."""
+    """Print table or JSON, if there are samples; the answer is the code that tells of the verdict."""
     if not len(recording.time):
         return DONE
     return _print_json(recording) if as_json else _print_table(recording, simulation)

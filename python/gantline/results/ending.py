@@ -1,7 +1,8 @@
 """How a run ended that did not get through its lift: where, why, and what to do next, in plain words.
 
-A run that could not go on, was stopped, or ended before its plan shows less than it was asked for. Whoever opens
-its recording has to read that first. The words are made from the recording alone, so that old ones have them too.
+A run that could not go on, was stopped, or ended before its plan shows less than it was asked for. Whoever
+opens its recording has to read that first. The words are made from the recording alone, so that old ones have
+them too.
 """
 
 from __future__ import annotations
@@ -35,8 +36,8 @@ _TANGENT: Final = (
 ADVICE: Final = (
     (
         "it has capsized",
-        "see heel and freeboard over the last minutes, and ask 'gantline statics LIFT --time' shortly before for "
-        "the metacentric height; take weight down, fill or empty tanks wholly, or lift with less outreach",
+        "see heel and freeboard over the last minutes, and ask 'gantline statics LIFT --time' shortly before "
+        "for the metacentric height; take weight down, fill or empty tanks wholly, or reach out less far",
     ),
     (
         "two-blocking",
@@ -50,8 +51,8 @@ ADVICE: Final = (
     ("its pin cannot be put in", "let a hold before that step last until the sheave is at rest"),
     (
         "the equations are singular here",
-        "look there for two inextensible ropes that do the same, or a part without mass: give one of the ropes "
-        "an 'axial_stiffness', the part a mass",
+        "look there for two inextensible ropes that do the same, or a part without mass: give one of the "
+        "ropes an 'axial_stiffness', the part a mass",
     ),
     ("an open hinge", "open the hinge later, or turn its 'axis' as the cause says"),
     ("the step fell below", _STIFF),
@@ -67,8 +68,8 @@ ADVICE: Final = (
 )
 _ELSE: Final = "look at the last seconds in the player, and at what the lift file says of what is named here"
 _ABOUT_WAITING: Final = (
-    "look in the curves whether what it waits for comes nearer: then a longer 'duration' gets there; else what "
-    "the step does cannot bring it about, or its 'until' is another than was meant"
+    "look in the curves whether what it waits for comes nearer: then a longer 'duration' gets there; else "
+    "what the step does cannot bring it about, or its 'until' is another than was meant"
 )
 _EMERGENCY: Final = "an emergency stop"
 _WITHOUT_STOP: Final = (
@@ -163,9 +164,8 @@ def ending_of(recording: Recording) -> Ending | None:
     how = status if status in INCOMPLETE else "ends"
     failure = failure_of(recording) if how == "failed" else None
     last = float(recording.time[-1]) if len(recording.time) else None
-    if how == "failed":
-        cause = "" if failure is None else failure.cause
-    else:
+    cause = "" if failure is None else failure.cause
+    if how == "ends":
         cause = _left_for(recording, left)
     return Ending(
         how=how,
