@@ -123,6 +123,15 @@ def watched_recording(folder: Path) -> Recording:
     return gantline.simulate(lift)
 
 
+def failed(recording: Recording) -> Recording:
+    """The same lift as one that could not go on at its end, for a cause that takes two lines."""
+    story = "; before that barge.deck_edge went under at 123.45 s, and barge.hatch at 167.89 s"
+    cause = f"it has capsized over its starboard side, more than 60° from upright{story}"
+    failure = {"time": float(recording.time[-1]), "element": "barge", "cause": cause}
+    attributes = {**recording.attributes, "status": "failed", "failure": failure}
+    return Recording(recording.variables, recording.coordinates, attributes)
+
+
 @contextmanager
 def running() -> Iterator[str]:
     """The address of a lift that goes on when its page asks for more, and takes some seconds."""
@@ -164,8 +173,10 @@ def test_report_and_player_in_a_browser(tmp_path: Path) -> None:
     recording = gantline.simulate(ROOT / "scenarios" / "equalizer")
     write_report(recording, tmp_path / "report.html")
     write_report(gantline.simulate(ROOT / "scenarios" / "equalizer_yard"), tmp_path / "yard.html")
-    for name in ("upending", "off_a_barge"):
-        write_report(gantline.simulate(ROOT / "scenarios" / name), tmp_path / f"{name}.html")
+    write_report(gantline.simulate(ROOT / "scenarios" / "upending"), tmp_path / "upending.html")
+    off_a_barge = gantline.simulate(ROOT / "scenarios" / "off_a_barge")
+    write_report(off_a_barge, tmp_path / "off_a_barge.html")
+    write_report(failed(off_a_barge), tmp_path / "failed.html")
     harbour = tmp_path / "harbour.yaml"
     harbour.write_text(HARBOUR_LIFT, encoding="utf-8")
     write_report(gantline.simulate(harbour), tmp_path / "afloat.html")

@@ -21,6 +21,8 @@ __all__ = ["core"]
 
 pytestmark = pytest.mark.usefixtures("player")
 
+#: Of a run that makes no report and no pictures of its own.
+ALONE = ("--no-plots", "--no-report")
 #: What others wrote, or other verbs, and what is no file.
 OTHERS = ("cases.json", "equilibrium.nc", "motion_1.nc", "photo.png", "equalizer_of_1998.png", "notes.html")
 
@@ -39,7 +41,7 @@ def test_a_run_that_fails_leaves_nothing_of_the_one_before(core: type[FakeCore],
     for name in OTHERS:
         (tmp_path / name).write_text("of another", encoding="utf-8")
     core.fails_at = 2
-    code, failed = run(tmp_path)
+    code, failed = run(tmp_path, *ALONE)
     assert code == 3
     assert failed == {"recording.nc", "state.bin", *OTHERS}
     assert open_recording(tmp_path / "recording.nc").attributes["status"] == "failed"
@@ -47,7 +49,7 @@ def test_a_run_that_fails_leaves_nothing_of_the_one_before(core: type[FakeCore],
 
 def test_a_good_run_leaves_nothing_of_one_that_failed(core: type[FakeCore], tmp_path: Path) -> None:
     core.fails_at = 2
-    assert run(tmp_path) == (3, {"recording.nc", "state.bin"})
+    assert run(tmp_path, *ALONE) == (3, {"recording.nc", "state.bin"})
     core.fails_at = float("inf")
     _, good = run(tmp_path, "--no-plots", "--no-report")
     assert good == {"recording.nc"}
@@ -61,7 +63,7 @@ def test_pictures_of_the_equalizers_before_go_too(core: type[FakeCore], tmp_path
     for name in ("e8", "e9"):
         (tmp_path / f"equalizer_{name}.png").write_text("of another", encoding="utf-8")
     core.fails_at = 2
-    assert run(tmp_path) == (3, {"recording.nc", "state.bin", "equalizer_e8.png"})
+    assert run(tmp_path, *ALONE) == (3, {"recording.nc", "state.bin", "equalizer_e8.png"})
 
 
 def test_a_comparison_leaves_no_state_of_the_one_before(core: type[FakeCore], tmp_path: Path) -> None:
@@ -81,7 +83,7 @@ def test_a_link_stays_and_what_it_leads_to_goes(core: type[FakeCore], tmp_path: 
     there.write_text("of another run", encoding="utf-8")
     (folder / "report.html").symlink_to(there)
     core.fails_at = 2
-    assert run(folder) == (3, {"recording.nc", "state.bin", "report.html"})
+    assert run(folder, *ALONE) == (3, {"recording.nc", "state.bin", "report.html"})
     assert (folder / "report.html").is_symlink() and not there.exists()
     core.fails_at = float("inf")
     run(folder, "--no-plots")

@@ -3,6 +3,8 @@
 Any load whose frame was lower than the tip of the post, in line with it and farther than its radius, was
 warned of at 0 s: so one that stands on a quay or a trailer before it is brought to its guides. And a frame
 whose sides begin at the rim of the tip, pressed into it from aside by rounding, was told to stand on it.
+One that had passed over its post, or begun higher, and was set down far away in line with it, was on the
+wrong side too.
 """
 
 from __future__ import annotations
@@ -29,9 +31,9 @@ def misses(recording: Recording) -> list[str]:
     return [one for one in recording.attributes["warnings"] if one.startswith("the load misses guide")]
 
 
-def hoisted(way: str, height: float) -> Recording:
-    """A load 16.5 m aft of its post that goes up, or up and down again."""
-    text = guided_lift(guide(20.0), height=height, plan=way, duration=40.0)
+def hoisted(way: str, height: float, post: float = 20.0) -> Recording:
+    """A load aft of its post, 16.5 m if not said otherwise, that goes up, or down."""
+    text = guided_lift(guide(post), height=height, plan=way, duration=40.0)
     return simulate(parse_scenario(text, "x.yaml"))
 
 
@@ -41,11 +43,17 @@ def test_a_load_that_waits_below_the_tip_has_not_missed_its_guide() -> None:
     assert misses(hoisted(up, 0.1)) == []
 
 
+_DOWN = "  - {step: down, lower: crane, speed: 6 m/min, by: 1 m}\n  - {step: rest, hold: until_end}\n"
+
+
 def test_a_load_that_comes_down_there_has() -> None:
-    """From 1.6 m, its lip 0.25 m over the tip; it passes that on its way down."""
-    down = "  - {step: down, lower: crane, speed: 6 m/min, by: 1 m}\n  - {step: rest, hold: until_end}\n"
-    [warning] = misses(hoisted(down, 1.6))
+    """1.5 m aft, from 1.6 m, its lip 0.25 m over the tip; it passes that on its way down."""
+    [warning] = misses(hoisted(_DOWN, 1.6, post=5.0))
     assert "the fore side of its frame is on the wrong side of the post at" in warning
+
+
+def test_a_load_that_is_set_down_far_from_its_guide_has_not() -> None:
+    assert misses(hoisted(_DOWN, 1.6)) == []
 
 
 def test_a_frame_that_is_just_over_its_post_does_not_stand_on_it() -> None:

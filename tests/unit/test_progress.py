@@ -43,10 +43,9 @@ def test_what_a_run_leaves_of_its_plan() -> None:
     within = unfinished(ringing_lift(events=[(0.0, "step_begin", "hoist")]))
     assert within is not None
     assert (within.under_way, within.not_begun) == (("hoist",), ("hold",))
-    assert within.in_words == "the run ends in 'hoist'"
     before = unfinished(ringing_lift(events=[(0.0, "step_begin", "hoist"), (9.0, "step_end", "hoist")]))
     assert before is not None
-    assert before.in_words == "the run ends before 'hold'"
+    assert (before.under_way, before.not_begun) == ((), ("hold",))
     # A hold to the end has nothing left to do.
     events = [(0.0, "step_begin", "hoist"), (9.0, "step_end", "hoist"), (9.0, "step_begin", "hold")]
     assert unfinished(ringing_lift(events=events)) is None

@@ -189,7 +189,9 @@ def test_a_run_that_ended_early_is_no_go() -> None:
     recording = Recording(plain.variables, plain.coordinates, {**plain.attributes, "status": "stopped"})
     verdict = content(recording)["verdict"]
     assert isinstance(verdict, dict)
-    assert verdict["tone"] == "bad" and "was stopped" in str(verdict["head"])
+    assert verdict["tone"] == "bad" and verdict["head"] in ("NO-GO", "NO VERDICT")
+    ending = content(recording)["ending"]
+    assert isinstance(ending, dict) and "stopped from outside" in str(ending["happened"])
 
 
 def test_sketches_are_to_scale() -> None:

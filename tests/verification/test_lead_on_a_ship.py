@@ -22,7 +22,7 @@ STIFF, PARTS, TACKLES = 134.1e6, 18, 2
 #: The rope from the last sheave at the top down to the drum [m].
 LEAD_LINE = 5.0
 #: Way of the step, its speed and acceleration.
-WAY, SPEED, ACCELERATION = 21.0, 1.2 / 60.0, 0.002
+WAY, SPEED, ACCELERATION = 20.85, 1.2 / 60.0, 0.002
 #: Shares of the way that are looked at.
 SHARES = (0.0, 0.5, 1.0)
 
@@ -47,7 +47,7 @@ def at_rest(share: float) -> Recording:
 def test_drives_are_where_inverse_kinematics_has_them() -> None:
     """By plane trigonometry: slew atan2, radius, angle of the boom and rope of its tackles, hook by the head.
 
-    Amid the way sigma goes evenly, and has gone v (t - v/2a) of 21 m.
+    Amid the way sigma goes evenly, and has gone v (t - v/2a) of 20.85 m.
     """
     share = 0.5
     recording = at_rest(share)

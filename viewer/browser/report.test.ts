@@ -58,7 +58,7 @@ describe("the report", () => {
   });
 
   // The browser shrinks all of a page that is wider than its paper, and nobody sees that the sheet is too long.
-  it.each(["report.html", "yard.html", "afloat.html", "upending.html", "off_a_barge.html"])(
+  it.each(["report.html", "yard.html", "afloat.html", "upending.html", "off_a_barge.html", "failed.html"])(
     "fits its first page on one sheet of A4: %s",
     async (file) => {
       const { page } = await open(browser, file, { width: Math.round(186 * MILLIMETRE), height: 1000 });
@@ -72,6 +72,22 @@ describe("the report", () => {
       expect(wide).toBeLessThanOrEqual(Math.round(186 * MILLIMETRE));
     },
   );
+
+  it("shows the last seconds of a run that failed, and where it did", async () => {
+    const { page, troubles } = await open(browser, "failed.html");
+    const [now, end] = await page.evaluate(() => {
+      const { session } = globalThis.gantlinePage!;
+      return [session.time, session.lift.end];
+    });
+    expect(end! - now!).toBeCloseTo(5, 9);
+    expect(await page.locator(".ending-head").textContent()).toBe("The run did not reach its end");
+    expect(await page.locator(".verdict-head").textContent()).not.toMatch(/^GO/);
+    const last = page.locator(".gl-mark-grave").last();
+    expect(await last.getAttribute("title")).toContain("the run failed in 'hold clear'");
+    const name = page.locator("text.gl-unfinished-name.gl-failed").first();
+    expect(await name.textContent()).toBe("the run failed in 'hold clear'");
+    expect(troubles).toEqual([]);
+  });
 
   it("prints", async () => {
     const { page } = await open(browser, "report.html");

@@ -151,6 +151,7 @@ function smallUnpacked(tension: number[]): Unpacked {
       { names: ["hold"], begin: 1, end: 2 },
     ],
     unfinished: null,
+    failed: false,
     strokes: {},
     curves: [plain, { ...plain, group: "clearance", name: "b - wall", unit: "m", first: 2 }],
     arrays: {

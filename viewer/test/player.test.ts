@@ -103,11 +103,12 @@ describe("the address", () => {
   });
 });
 
-function session(): Session {
+function session(unfinished: string | null = null, end = 10): Session {
   const lift = {
     begin: 0,
-    end: 10,
+    end,
     header: {
+      unfinished,
       ropes: [{ name: "r" }],
       events: [
         [0, "step_begin", "hoist"],
@@ -157,6 +158,15 @@ describe("playing", () => {
     one.jump(false);
     one.jump(false);
     expect(one.time).toBe(0);
+  });
+
+  it("opens a run that failed in its last seconds, and steps to where it did", () => {
+    expect(session("the run failed in 'hold'", 100).time).toBe(95);
+    const one = session("the run failed in 'hold'");
+    expect(one.time).toBe(7.5);
+    one.jump(true);
+    expect(one.time).toBe(10);
+    expect(one.notable().pop()).toEqual({ time: 10, text: "the run failed in 'hold'", isGrave: true });
   });
 
   // A barge that capsized, a rope that left its chart and a pair that came too close were stepped over.

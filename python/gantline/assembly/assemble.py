@@ -231,7 +231,7 @@ def _doubts(
         *doubtful_vessels(parts, scenario),
         *doubtful_tanks(scenario),
         *doubtful_fenders(parts, scenario),
-        *doubtful_guides(scenario, guide_fits(parts, scenario)),
+        *doubtful_guides(parts, scenario, guide_fits(parts, scenario)),
         *doubtful_lee(parts, scenario),
         *doubtful_carried(parts, scenario),
         *doubtful_heights(scenario),

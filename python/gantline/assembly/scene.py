@@ -15,7 +15,7 @@ from gantline.assembly.cranes.crawler import crawler_shape
 from gantline.assembly.cranes.goliath import crane_shape
 from gantline.assembly.cranes.reeving import ReevedHook, reeved_hooks, upper_sheaves
 from gantline.assembly.joints import translates
-from gantline.assembly.loads.guides import guide_shape, guide_structures
+from gantline.assembly.loads.guides import guide_shape, guide_structures, stand_shape
 from gantline.assembly.loads.lifted import LiftedLoad
 from gantline.assembly.loads.supports import every_support, support_contact
 from gantline.assembly.parts import Json, Parts, box_shape
@@ -29,7 +29,7 @@ from gantline.scenario.afloat.water import Water
 from gantline.scenario.cranes.compensator import gas_rope, rod_of
 from gantline.scenario.cranes.crane_parts import crane_bodies
 from gantline.scenario.extension import ends_below
-from gantline.scenario.loads.guide import guide_body
+from gantline.scenario.loads.guide import guide_body, guide_stand
 from gantline.scenario.loads.structures import Dock, dock_of
 
 __all__ = ["scene"]
@@ -126,6 +126,8 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         kind = "hinge"
     elif name in (guides := {guide_body(guide): one for guide, one in (scenario.guides or {}).items()}):
         shape = guide_shape(guides[name])
+    elif name in (stands := {guide_stand(guide): one for guide, one in (scenario.guides or {}).items()}):
+        shape = stand_shape(stands[name])
     elif plain is None:
         kind = "sheave"
     elif plain.shape is not None:

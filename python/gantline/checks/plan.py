@@ -11,6 +11,7 @@ from gantline.checks.check import HANGS_STILL, LOAD_LIFTED, PLAN_FINISHED, Check
 from gantline.checks.measure import named
 from gantline.checks.picked_up import what_helps
 from gantline.results import progress, series
+from gantline.results.ending import waiting
 from gantline.results.gear import Drum
 from gantline.results.loads.lift_off import hangs_from_the_start, lift_off_time
 from gantline.results.recording import Recording
@@ -74,20 +75,11 @@ def unfinished(recording: Recording) -> list[Check]:
 
 def _waiting(recording: Recording, under_way: Sequence[str]) -> str:
     """What the first step that waits for something waits for, and how near that is; empty if none does."""
-    waits = [step for step in recording.rig.plan if step.step in under_way and step.until]
-    if not waits:
+    step, what = waiting(recording, under_way)
+    if not step:
         return ""
-    step = waits[0]
-    which = "which" if step.step == under_way[0] else f"beside '{step.step}', which"
-    said = f", {which} waits for {step.until}"
-    if not step.seen_by:
-        return said
-    variable, element, unit = step.seen_by
-    values = recording.column(variable, element)[recording.time >= progress.spans(recording)[step.step][0]]
-    if not values.size:
-        return said
-    last, least, most = (format_quantity(one, unit, 2) for one in (values[-1], values.min(), values.max()))
-    return f"{said}: {last} then, {least} to {most} since it began"
+    which = "which" if step == under_way[0] else f"beside '{step}', which"
+    return f", {which} waits for {what}"
 
 
 def not_lifted(recording: Recording) -> list[Check]:

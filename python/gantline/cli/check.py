@@ -46,28 +46,30 @@ def check(
 ) -> None:
     """Check a recording, or a simulated lift, against its limits; or look a lift file over.
 
-    Ends with code 1 if a check failed, and with 4 if the checks give no verdict. Nothing is written.
+    Ends with code 1 if a check failed, with 3 if the simulation could not go on, and with 4 if the checks
+    give no verdict. Nothing is written.
     """
     file = recording_file(lift)
     if file is not None:
         if simulate:
             stop(f"{file} is a recording: its lift has been simulated already")
-        _check_limits(opened(file), as_json=as_json)
+        raise typer.Exit(_print_checks(opened(file), as_json=as_json))
     with scenario_errors():
         from gantline.simulation import Simulation
 
         simulation = Simulation(lift)
     if simulate:
-        _check_limits(_simulated(simulation), as_json=as_json)
+        _simulate_and_check(simulation, as_json=as_json)
     if as_json:
         stop("--json prints the checks of a recording, or of a lift with --simulate")
     _look_over(simulation)
 
 
-def _check_limits(recording: Recording, *, as_json: bool) -> NoReturn:
-    """Print the checks of a recording, and end with the code that says how they went."""
+def _print_checks(recording: Recording, *, as_json: bool) -> int:
+    """Print the checks of a recording; the answer is the code that says how they went."""
     from gantline.checks import check_recording
     from gantline.cli.check_table import check_table, checks_json, exit_code, width_of_terminal
+    from gantline.cli.ending import ending_lines
     from gantline.cli.summary import heading, weights
     from gantline.results.status import INCOMPLETE
 
@@ -77,8 +79,11 @@ def _check_limits(recording: Recording, *, as_json: bool) -> NoReturn:
     else:
         rig = recording.rig
         rule = str(rig.limits.get("rule") or "")
-        table = check_table(checks, rule, width=width_of_terminal(), full=True)
-        typer.echo("\n".join([*heading(rig), *weights(rig), "", *table]))
+        width = width_of_terminal()
+        table = check_table(checks, rule, width=width, full=True)
+        ending = ending_lines(recording, width)
+        apart = [""] if table and ending else []
+        typer.echo("\n".join([*heading(rig), *weights(rig), "", *table, *apart, *ending]))
     warn_of_gaps(recording)
     status = str(recording.attributes.get("status", ""))
     if status in INCOMPLETE:
@@ -86,21 +91,21 @@ def _check_limits(recording: Recording, *, as_json: bool) -> NoReturn:
         warn(f"this run {INCOMPLETE[status]} at {end}: what would have come after is not checked")
     if not checks:
         warn("nothing to check: the lift sets no limits, and has nothing that is checked without")
-    raise typer.Exit(exit_code(checks))
+    return exit_code(checks)
 
 
-def _simulated(simulation: Simulation) -> Recording:
+def _simulate_and_check(simulation: Simulation, *, as_json: bool) -> NoReturn:
+    """Simulate a lift, print its checks, also those up to where it could not go on, and end."""
     from gantline.simulation import SimulationError
 
     try:
         with progress(simulation) as report:
             recording = simulation.run(on_progress=report)
     except SimulationError as problem:
+        _print_checks(problem.recording, as_json=as_json)
         stop(str(problem), COULD_NOT_GO_ON)
-    if recording.attributes["status"] == "stopped":
-        warn(f"stopped at {recording.time[-1]:.2f} s of {simulation.duration:g} s")
-        raise typer.Exit(INTERRUPTED)
-    return recording
+    code = _print_checks(recording, as_json=as_json)
+    raise typer.Exit(INTERRUPTED if recording.attributes["status"] == "stopped" else code)
 
 
 def _stretch(kind: RopeMaterial) -> str:

@@ -12,6 +12,7 @@ import typer
 from gantline.checks import Check, Outcome, Verdict, has_failed, outcome_of, verdict_of
 from gantline.cli.messages import CHECK_FAILED, DONE, NO_VERDICT
 from gantline.cli.table import ABSENT, wrapped
+from gantline.results.ending import ending_of
 from gantline.results.file.gaps import without_gaps
 
 if TYPE_CHECKING:
@@ -140,13 +141,14 @@ def _notes(check: Check, *, full: bool) -> Iterator[str]:
 
 def checks_json(recording: Recording, checks: Sequence[Check]) -> str:
     """All checks of a recording as a JSON document, SI units; null for a value that is no number."""
-    rig = recording.rig
+    rig, ending = recording.rig, ending_of(recording)
     document = {
         "title": rig.title,
         "number": rig.number,
         "revision": rig.revision,
         "rule": rig.limits.get("rule"),
         "status": recording.attributes.get("status"),
+        "ending": None if ending is None else ending.to_json(),
         "failed": has_failed(checks),
         "outcome": outcome_of(checks).value,
         "verdict": verdict_of(checks),

@@ -11,6 +11,7 @@ from gantline.cli.table import ABSENT, show, table
 
 if TYPE_CHECKING:
     from gantline.statics import Equilibrium, Statics
+    from gantline.study.state import State
 
 
 #: A load at rest this far from where the lift file has it has slid [m]; a vessel that leans takes its
@@ -57,6 +58,27 @@ def stands_loosely(rests: Sequence[Equilibrium]) -> list[str]:
             if not series.load_is_clear(rest.recording, load)[-1]:
                 names[load.name] = None
     said = "stands where it is unstable, free to slide; --held has friction hold what it can"
+    return [f"  {name} {said}" for name in names]
+
+
+def fails_as_it_slides(question: Statics, states: Sequence[State]) -> list[str]:
+    """Loads that stand, and fail a check there, on contacts whose friction is left out.
+
+    A load that has been set down on a deck that leans slides as far as its slings let it, and pulls at them.
+    """
+    document = question.assembly.document
+    touching = [one for kind in ("contacts", "supports", "pairs") for one in document.get(kind, ())]
+    rough = {one["name"] for one in touching if one.get("friction", 0.0) > 0.0}
+    names: dict[str, None] = {}
+    for state in states:
+        rest = state.rest
+        if rest is None or rest.losses == "held" or not rest.is_stable or state.is_sound:
+            continue
+        for load in rest.recording.rig.loads:
+            bears = [one for one in load.contacts if rest.recording.column("contact_force", one)[-1] > 0.0]
+            if rough.intersection(one.partition("/")[0] for one in bears):
+                names[load.name] = None
+    said = "stands where a check fails, free to slide; --held has friction hold what it can"
     return [f"  {name} {said}" for name in names]
 
 

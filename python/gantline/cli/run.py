@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 import typer
 
 from gantline.cli.lift import (
+    RECORDING,
     Lift,
     TypedSetting,
     folder_option,
@@ -99,9 +100,9 @@ def run(
 ) -> None:
     """Simulate a lift; write its recording, pictures and report into a folder and print its table.
 
-    Ends with code 1 if a check failed, with 3 if the simulation could not go on, which prints what is known
-    up to then, and with 4 if the checks give no verdict. Ctrl-C stops the lift, saves what there is and ends
-    with code 130.
+    Ends with code 1 if a check failed, with 3 if the simulation could not go on, of which it writes all up to
+    then, and with 4 if the checks give no verdict. Ctrl-C stops the lift, saves what there is and ends with
+    code 130.
     """
     clock = _Clock()
     settings = {} if integrator is None else {"integrator": _typed("--integrator", integrator)}
@@ -121,9 +122,11 @@ def run(
     clock.lap("prepare")
     with live_view(simulation, browser=browser, aside=as_json) if live else nullcontext() as view:
         with noted_interrupt() as is_interrupted:
-            recording = _simulate(simulation, folder, view, as_json=as_json)
+            recording, problem = _simulate(simulation, view)
             clock.lap("simulate")
             written = save_run(recording, folder)
+            if problem is not None:
+                _save_state(problem, folder)
             clock.lap("save")
             if refine and recording.attributes["status"] == "done":
                 recording = with_refinement(simulation, recording)
@@ -132,7 +135,7 @@ def run(
         if is_interrupted():
             warn(f"interrupted after the last step; the recording is {written}")
             raise typer.Exit(INTERRUPTED)
-        code = _print_json(recording) if as_json else _print_table(recording, simulation)
+        code = _told(recording, simulation, as_json=as_json)
         clock.lap("table")
         typer.echo(f"Recording   {written}", err=as_json)
         if plots:
@@ -143,6 +146,8 @@ def run(
             clock.lap("report")
         if profile:
             _print_profile(clock, simulation.stages(), recording, aside=as_json)
+    if problem is not None:
+        _end_with(problem, folder)
     if recording.attributes["status"] == "stopped":
         warn(f"stopped at {recording.time[-1]:.2f} s of {simulation.duration:g} s")
         raise typer.Exit(INTERRUPTED)
@@ -167,7 +172,8 @@ def _typed(option: str, text: str, dimension: str | None = None) -> TypedSetting
     return TypedSetting(option, text, text if dimension is None else quantity_of(option, text, dimension))
 
 
-def _simulate(simulation: Simulation, folder: Path, view: LiveView | None, *, as_json: bool) -> Recording:
+def _simulate(simulation: Simulation, view: LiveView | None) -> tuple[Recording, SimulationError | None]:
+    """What was recorded, and why the simulation could not go on if it could not."""
     from gantline.simulation import SimulationError
 
     try:
@@ -178,27 +184,34 @@ def _simulate(simulation: Simulation, folder: Path, view: LiveView | None, *, as
                 if view is not None:
                     view.offer()
 
-            recording = simulation.run(on_progress=tell)
+            recording, failure = simulation.run(on_progress=tell), None
     except SimulationError as problem:
-        if view is not None:
-            view.finish(problem.recording, "failed")
-        _end_with(problem, simulation, folder, as_json=as_json)
+        recording, failure = problem.recording, problem
     if view is not None:
         view.finish(recording, str(recording.attributes["status"]))
-    return recording
+    return recording, failure
 
 
-def _end_with(problem: SimulationError, simulation: Simulation, folder: Path, *, as_json: bool) -> NoReturn:
-    """Save what there is of a run that could not go on, and print what is known up to then."""
-    recording = problem.recording
-    written = save_run(recording, folder)
+def _save_state(problem: SimulationError, folder: Path) -> None:
+    """Save the last good state of a run that could not go on."""
     state = folder / STATE
     with writing(state):
         replace_bytes(state, problem.state)
-    if len(recording.time):
-        _print_json(recording) if as_json else _print_table(recording, simulation)
-        warn(f"the table ends at {recording.time[-1]:.2f} s: what would have come after is not checked")
-    stop(f"{problem}\n  recording up to then: {written}\n  last good state: {state}", COULD_NOT_GO_ON)
+
+
+def _end_with(problem: SimulationError, folder: Path) -> NoReturn:
+    """Say why a run could not go on, below all that is known up to then, and end the program."""
+    end = f"{problem.recording.time[-1]:.2f} s" if len(problem.recording.time) else "its start"
+    warn(f"all of this ends at {end}: what would have come after is not checked")
+    there = f"  recording up to then: {folder / RECORDING}\n  last good state: {folder / STATE}"
+    stop(f"{problem}\n{there}", COULD_NOT_GO_ON)
+
+
+def _told(recording: Recording, simulation: Simulation, *, as_json: bool) -> int:
+    """Print table or JSON, if there are samples; the answer is the code that tells of the verdict."""
+    if not len(recording.time):
+        return DONE
+    return _print_json(recording) if as_json else _print_table(recording, simulation)
 
 
 def _print_table(recording: Recording, simulation: Simulation) -> int:

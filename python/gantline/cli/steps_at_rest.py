@@ -49,7 +49,7 @@ def steps(question: Statics, *, held: bool, as_json: bool) -> NoReturn:
 
 def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[str]:
     from gantline.cli.cases_table import notes
-    from gantline.cli.friction import slid_loads, stands_loosely
+    from gantline.cli.friction import fails_as_it_slides, slid_loads, stands_loosely
     from gantline.cli.rest_table import friction_of
     from gantline.cli.summary import heading
 
@@ -57,6 +57,7 @@ def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[s
     rest = next((state.rest for state in states if state.rest is not None), None)
     slides = [] if rest is None else slid_loads(question, rest)
     loose = [] if slides else stands_loosely([state.rest for state in states if state.rest is not None])
+    loose = loose or ([] if slides else fails_as_it_slides(question, states))
     parts = [
         [
             *(*heading(question.rig), *question.scenario.left_out_at_rest),

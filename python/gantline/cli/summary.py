@@ -12,6 +12,7 @@ from gantline.checks.sling_figures import SlingFigures, sling_figures
 from gantline.cli.chain_hoist_table import chain_hoist_table
 from gantline.cli.check_table import check_table
 from gantline.cli.compensator_table import compensator_table
+from gantline.cli.ending import ending_lines
 from gantline.cli.equalizer_table import equalizer_table
 from gantline.cli.hinge_table import hinge_table
 from gantline.cli.hold_points import hold_points
@@ -76,6 +77,7 @@ def summary(
         check_table(checks, str(rig.limits.get("rule") or ""), style=style, width=width, full=False),
         refinement_table(refinement_of(recording)),
         _trust(recording, metrics),
+        ending_lines(recording, width),
     ]
     return [line for part in parts if part for line in (*part, "")]
 

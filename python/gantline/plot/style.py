@@ -17,8 +17,8 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from gantline.plot.timeline import LETTER, draw_strip, is_tall, strips_of
+from gantline.results.ending import ending_of
 from gantline.results.loads.lift_off import lift_off_time
-from gantline.results.progress import unfinished
 from gantline.results.recording import Recording
 from gantline.results.ropes.families import shortened_inside
 from gantline.results.variable import FloatArray
@@ -29,6 +29,7 @@ QUIET = "#6B6B6B"
 FAINT = "#D9D9D9"
 ALARM = "#B3261E"
 WARN = "#8A5A00"
+BAD = "#B3261E"
 #: Behind a text that curves run past.
 PALE: Any = {"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6}
 
@@ -383,16 +384,16 @@ def _mark_lift_off(recordings: Mapping[str, Recording], panels: Sequence[Axes]) 
 
 
 def _mark_ends(recordings: Mapping[str, Recording], panels: Sequence[Axes]) -> None:
-    """Where a run ends before its plan: a line, and in which step that is."""
+    """Where a run fails, or ends before its plan: a line, and in which step that is."""
     for row, (letter, recording) in enumerate(recordings.items()):
-        left = unfinished(recording)
-        if left is None:
+        ending = ending_of(recording)
+        if ending is None or not len(recording.time):
             continue
-        end = float(recording.time[-1])
+        end, ink = float(recording.time[-1]), BAD if ending.how == "failed" else WARN
         for panel in panels:
-            panel.axvline(end, color=WARN, linewidth=1.6, zorder=1)
+            panel.axvline(end, color=ink, linewidth=1.6, zorder=1)
         panels[0].annotate(
-            f"{letter} {left.in_words}".strip(),
+            f"{letter} {ending.in_short}".strip(),
             xy=(end, 0.0),
             xycoords=("data", "axes fraction"),
             xytext=(-4, 3 + 11 * row),
@@ -400,7 +401,7 @@ def _mark_ends(recordings: Mapping[str, Recording], panels: Sequence[Axes]) -> N
             ha="right",
             va="bottom",
             fontsize=8,
-            color=WARN,
+            color=ink,
             bbox=PALE,
             in_layout=False,
         )

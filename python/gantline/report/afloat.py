@@ -120,7 +120,10 @@ def _value(subject: Subject, vessel: Vessel, variable: str, moment: _Moment) -> 
 
 
 def _moments(subject: Subject) -> list[_Moment]:
-    """The start, and the end of each step that has begun, with their samples; of several together one."""
+    """The start, and the end of each step that has begun, with their samples; of several together one.
+
+    Where a run did not reach its end, that too.
+    """
     time = subject.recording.time
     ends: dict[float, tuple[float, str]] = {}
     for name, (begin, end) in spans(subject.recording).items():
@@ -132,7 +135,11 @@ def _moments(subject: Subject) -> list[_Moment]:
 
     moments = sorted((end, begin, name) for begin, (end, name) in ends.items())
     steps = [_Moment(name, sample(begin), sample(end)) for end, begin, name in moments]
-    return [_Moment("at the start", 0, 0), *steps]
+    known = [_Moment("at the start", 0, 0), *steps]
+    last = len(time) - 1
+    # Of a run that failed between steps, or without a plan, the end is what there is to see.
+    is_missing = subject.ending is not None and known[-1].at < last
+    return [*known, _Moment("where the run ended", last, last)] if is_missing else known
 
 
 def _changes(subject: Subject, vessel: Vessel) -> list[_Moment]:

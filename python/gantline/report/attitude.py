@@ -33,8 +33,6 @@ def attitude(subject: Subject) -> list[tuple[str, str]]:
     rows += _tag_lines(subject)
     rows += _guides(subject)
     rows += _clearance(subject)
-    if recording.attributes.get("status") == "failed":
-        rows.append(("the run failed", str((recording.attributes.get("failure") or {}).get("cause", ""))))
     return rows
 
 

@@ -7,7 +7,16 @@ from typing import Any
 
 import numpy as np
 
-from gantline.checks import NO_WARNINGS, Check, Verdict, foremost, hold_points, outcome_of, past_limits
+from gantline.checks import (
+    NO_WARNINGS,
+    Check,
+    Outcome,
+    Verdict,
+    foremost,
+    hold_points,
+    outcome_of,
+    past_limits,
+)
 from gantline.checks.check import ALL_KNOWN, HANGS_STILL, LOAD_LIFTED, PLAN_FINISHED
 from gantline.checks.forces import hook_force
 from gantline.report.afloat import afloat_facts, vessel_tables
@@ -70,6 +79,8 @@ class FirstPage(Section):
             "cranes": list(dict.fromkeys(hook.crane or hook.name for hook in subject.rig.hooks)),
             "version": str(subject.recording.attributes.get("gantline_version", "")),
             "fingerprint": fingerprint(subject),
+            "ending": _ending(subject),
+            "broke_off": _broke_off(subject),
             "verdict": _verdict(subject),
             "sketches": sketches(subject),
             "weights": _weights(subject),
@@ -86,7 +97,8 @@ class FirstPage(Section):
             "booms": boom_rows(subject),
             "stands_on_tracks": bool(subject.rig.crawlers),
             "steps": first_steps(subject),
-            "stop_if": stop_if(subject),
+            # Nobody lifts by the page of a run that broke off.
+            "stop_if": [] if _broke_off(subject) else stop_if(subject),
             "what_if": what_if(subject),
             "trust": _trust(subject),
         }
@@ -100,11 +112,9 @@ def fingerprint(subject: Subject) -> str:
 
 def _verdict(subject: Subject) -> dict[str, Any]:
     checks = subject.checks
-    head = outcome_of(checks).value
-    status = str(subject.recording.attributes.get("status", "done"))
-    if status in INCOMPLETE:
-        head = f"INCOMPLETE: the run {INCOMPLETE[status]}; {head} so far"
-    tone = "bad" if head.startswith(("NO-GO", "INCOMPLETE")) else "none" if head.startswith("NO") else "good"
+    head, ending = outcome_of(checks).value, subject.ending
+    is_bad = head == Outcome.NO_GO or _broke_off(subject)
+    tone = "bad" if is_bad else "none" if head.startswith("NO") else "good"
     warned = [check for check in checks if check.verdict is Verdict.WARNING]
     if tone == "good" and warned:
         tone = "warn"
@@ -124,9 +134,11 @@ def _verdict(subject: Subject) -> dict[str, Any]:
     return {
         "head": head,
         "tone": tone,
+        # No more than what was simulated has a verdict.
+        "up_to": "" if ending is None else ending.up_to,
         "failed": [_failure(check) for check in failed[:_MOST_FAILED]],
         "failed_too": _named_failures(failed[_MOST_FAILED:]),
-        "warned": [_warning(check, own) for check in _foremost_warnings(checks)],
+        "warned": [_warning(check, own) for check in _foremost_warnings(checks, is_told=ending is not None)],
         "warnings": len(warned),
         "unsound": unsound,
         # What failed is past its limit and has been told with its numbers.
@@ -134,6 +146,29 @@ def _verdict(subject: Subject) -> dict[str, Any]:
         "missing": _listed(missing) if missing else "",
         "without": _listed(without) if without else "",
         "beyond": beyond(subject.rig),
+    }
+
+
+def _broke_off(subject: Subject) -> bool:
+    """Whether the run itself did not reach its end, and not its plan alone."""
+    return subject.ending is not None and subject.ending.how in INCOMPLETE
+
+
+def _ending(subject: Subject) -> dict[str, Any] | None:
+    """That a run did not get through its lift: at the top of the page, above all that it seems to say."""
+    ending = subject.ending
+    if ending is None:
+        return None
+    is_no_go = outcome_of(subject.checks) is Outcome.NO_GO
+    passed = "; it is NO-GO all the same, by what failed before" if is_no_go else ""
+    return {
+        "is_failure": ending.how == "failed",
+        "head": ending.head,
+        "happened": ending.happened[0].upper() + ending.happened[1:],
+        "cause_is": "likely cause" if ending.how == "failed" else "why",
+        "cause": ending.cause,
+        "advice": ending.advice,
+        "no_go": f"{ending.no_go}{passed}",
     }
 
 
@@ -161,8 +196,10 @@ def _named_failures(failed: list[Check]) -> str:
     return ", ".join(named) + more
 
 
-def _foremost_warnings(checks: list[Check]) -> list[Check]:
+def _foremost_warnings(checks: list[Check], *, is_told: bool) -> list[Check]:
     """Warnings that the first page spells out: what is past its limit, and what has a remark of its own.
+
+    `is_told`: that the run did not get through its plan stands above all of them.
 
     Why there is no verdict comes first, and that a load never hung still, before what all is not known for
     that; then what came to pass in the run, such as a load that is dropped on its bed, before what limits and
@@ -170,6 +207,7 @@ def _foremost_warnings(checks: list[Check]) -> list[Check]:
     """
     past = past_limits(checks)
     others = [one for one in checks if one.verdict is Verdict.WARNING and one not in past and one.remark]
+    others = [one for one in others if not (is_told and one.name == PLAN_FINISHED)]
     others.sort(key=lambda one: (one.name not in _FIRST, not _came_to_pass(one)))
     return [*past, *others][:_MOST_WARNINGS]
 
@@ -398,7 +436,9 @@ def _current(subject: Subject) -> list[str]:
 
 def _trust(subject: Subject) -> str:
     stability = subject.stability
-    parts = list(stability.sentences())
+    how, *parts = stability.sentences()
+    # Where it ended too early stands at the top of the page.
+    parts = parts if subject.ending is not None else [how, *parts]
     settings = subject.recording.attributes.get("settings") or {}
     method = str((settings.get("integrator") or {}).get("type", ""))
     bound = energy_bound(settings) if method else None

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from gantline.checks import Check, check_recording
 from gantline.results import series
+from gantline.results.ending import Ending, ending_of
 from gantline.results.file.saved import Beside
 from gantline.results.progress import under_way
 from gantline.results.recording import Recording
@@ -64,6 +65,11 @@ class Subject:
     def stability(self) -> Stability:
         """How sound the run was."""
         return stability_of(self.recording)
+
+    @cached_property
+    def ending(self) -> Ending | None:
+        """How a run ended that did not get through its lift; None of one that did."""
+        return ending_of(self.recording)
 
     @cached_property
     def counts(self) -> BoolArray:

@@ -49,13 +49,6 @@ class Unfinished:
     under_way: tuple[str, ...]
     not_begun: tuple[str, ...]
 
-    @property
-    def in_words(self) -> str:
-        """In which step it ended, or before which."""
-        if self.under_way:
-            return f"the run ends in '{self.under_way[0]}'"
-        return f"the run ends before '{self.not_begun[0]}'"
-
 
 def spans(recording: Recording) -> dict[str, tuple[float, float]]:
     """When each step that began did so, and when it ended or the run did [s], in the order of begins."""

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -132,7 +131,7 @@ def stability_of(recording: Recording) -> Stability:
     return Stability(
         status=str(attributes.get("status", "done")),
         end=float(recording.time[-1]) if len(recording.time) else None,
-        failure=_failure(attributes.get("failure")),
+        failure=failure_of(recording),
         energy_remainder=None if remainder is None else float(remainder),
         energy_bound=energy_bound(attributes["settings"]),
         energy_gain=gain,
@@ -144,7 +143,9 @@ def stability_of(recording: Recording) -> Stability:
     )
 
 
-def _failure(document: Any) -> Failure | None:
+def failure_of(recording: Recording) -> Failure | None:
+    """Why a run could not go on; None if it could, or if an old recording does not tell."""
+    document = recording.attributes.get("failure")
     if not document:
         return None
     return Failure(float(document["time"]), str(document["element"]), str(document["cause"]))

@@ -15,11 +15,12 @@ from typing import Any
 import numpy as np
 
 from gantline.results import series
+from gantline.results.ending import ending_of
 from gantline.results.file.gaps import gap
 from gantline.results.loads.clearances import watched_span
 from gantline.results.loads.hinges import HINGE_OPENED
 from gantline.results.loads.lift_off import lift_off_time
-from gantline.results.progress import stretches, unfinished
+from gantline.results.progress import stretches
 from gantline.results.recording import Recording
 from gantline.results.rig import Watch
 from gantline.results.ropes.upper_end import utilisation
@@ -102,7 +103,7 @@ def pack(recording: Recording, *, since: int = 0) -> Packed:
         **_surroundings(recording, arrays),
         "events": [list(event) for event in recording.events()],
         "steps": [{"names": one.names, "begin": one.begin, "end": one.end} for one in stretches(recording)],
-        "unfinished": _unfinished(recording),
+        **_ending(recording),
         "strokes": _strokes(recording),
         "curves": _curves(recording, since, arrays),
         "arrays": arrays.index,
@@ -279,12 +280,15 @@ def _surroundings(recording: Recording, arrays: Arrays) -> dict[str, Any]:
     }
 
 
-def _unfinished(recording: Recording) -> str | None:
-    """Where in its plan a run has ended, in words; None if it came through, or is still running."""
-    left = unfinished(recording)
-    if left is None or recording.attributes.get("status") not in OVER:
-        return None
-    return left.in_words
+def _ending(recording: Recording) -> dict[str, Any]:
+    """Where in its plan a run has ended, in words, and whether it could not go on; None if it came through.
+
+    Of one that is still running nothing says where it will end.
+    """
+    ending = ending_of(recording)
+    if ending is None or recording.attributes.get("status") not in OVER:
+        return {"unfinished": None, "failed": False}
+    return {"unfinished": ending.in_short, "failed": ending.how == "failed"}
 
 
 def _strokes(recording: Recording) -> dict[str, list[float | None]]:

@@ -179,7 +179,7 @@ export function liftOffName(session: Session, area: Area, limits: readonly Limit
   return [{ text, left, right: left + wide, baseline, line: Number.NEGATIVE_INFINITY }];
 }
 
-/** Where the run has ended before its plan; to be drawn upon the curves. */
+/** Where the run has failed, or ended before its plan; to be drawn upon the curves. */
 export function unfinished(session: Session, area: Area, limits: readonly LimitName[]): SVGElement[] {
   const { header, end } = session.lift;
   if (!header.unfinished || end > session.span[1]) return [];
@@ -188,9 +188,10 @@ export function unfinished(session: Session, area: Area, limits: readonly LimitN
   const isTaken = (y: number) => limits.some(({ baseline }) => Math.abs(baseline - y) < LINE);
   let y = area.bottom - 6;
   while (isTaken(y) && y > area.top + LINE) y -= LINE;
-  const place = { x: x - 4, y, "text-anchor": "end", class: "gl-note gl-unfinished-name" };
+  const failed = header.failed ? " gl-failed" : "";
+  const place = { x: x - 4, y, "text-anchor": "end", class: `gl-note gl-unfinished-name${failed}` };
   return [
-    svg("line", { x1: x, x2: x, y1: 2, y2: area.bottom, class: "gl-unfinished" }),
+    svg("line", { x1: x, x2: x, y1: 2, y2: area.bottom, class: `gl-unfinished${failed}` }),
     svg("text", place, header.unfinished),
   ];
 }

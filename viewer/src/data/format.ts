@@ -138,6 +138,8 @@ export interface Header {
   steps: StepEntry[];
   /** Where in its plan the run has ended, in words; null if it came through. */
   unfinished: string | null;
+  /** Whether it could not go on there. */
+  failed: boolean;
   strokes: Record<string, [number | null, number | null]>;
   curves: CurveEntry[];
   arrays: Record<string, ArrayEntry>;

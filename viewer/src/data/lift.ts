@@ -88,8 +88,8 @@ export class Lift {
     this.curves.forEach((curve, place) => {
       curve.append(header.curves[place]!, time, ...kept(arrays));
     });
-    const { samples, liftOff, events, steps, unfinished } = header;
-    Object.assign(this.header, { samples, liftOff, events, steps, unfinished });
+    const { samples, liftOff, events, steps, unfinished, failed } = header;
+    Object.assign(this.header, { samples, liftOff, events, steps, unfinished, failed });
     for (const list of ["ropes", "structures", "hinges"] as const)
       this.header[list].forEach((one, place) => {
         Object.assign(one, header[list][place]);

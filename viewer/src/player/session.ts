@@ -46,6 +46,9 @@ const NOTABLE = [
 /** An event that comes again so soon belongs to a row, of which the first and the last are told [s]. */
 const SOON = 10;
 
+/** How much of a run that did not get through its lift a page shows first [s]. */
+const LAST = 5;
+
 /** What happened at one time. */
 export interface Notable {
   time: number;
@@ -68,7 +71,7 @@ export class Session {
   private last: number | null = null;
 
   constructor(readonly lift: Lift) {
-    this.time = lift.begin;
+    this.time = opensAt(lift);
     this.span = [lift.begin, lift.end];
     this.speed = usualSpeed(lift.end - lift.begin);
   }
@@ -199,6 +202,12 @@ export class Session {
         isGrave: GRAVE.includes(kind) || (before?.isGrave ?? false),
       });
     }
+    // Where a run fails, or ends before its plan, it is looked for.
+    if (header.unfinished !== null) {
+      const before = found.get(end);
+      const text = before ? `${before.text}, ${header.unfinished}` : header.unfinished;
+      found.set(end, { time: end, text, isGrave: true });
+    }
     return [...found.values()].sort((one, other) => one.time - other.time);
   }
 
@@ -211,6 +220,11 @@ export class Session {
       : times.reverse().find((time) => time < this.time - slack);
     this.seek(next ?? (forward ? this.lift.end : this.lift.begin));
   }
+}
+
+/** When a page opens [s]: at the start; of a run that did not get through its lift in its last seconds. */
+export function opensAt({ begin, end, header }: Lift): number {
+  return header.unfinished === null ? begin : end - Math.min(LAST, 0.25 * (end - begin));
 }
 
 /** A kind of event in words. */

@@ -7,4 +7,5 @@ mod parted;
 pub mod plane;
 pub mod rim;
 pub mod shape;
+mod spare;
 pub mod spot;

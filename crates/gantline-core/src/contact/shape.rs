@@ -14,11 +14,12 @@ use parry3d_f64::shape::{PackedFeatureId, PolygonalFeature, SharedShape};
 
 use super::parted::parted;
 use super::plane::Plane;
+use super::spare;
 use super::spot::{Crossing, Spot};
 use crate::tree::pose::Pose;
 
 /// Points of two parts that are closer than this are one [m].
-const SAME: f64 = 1e-3;
+pub(super) const SAME: f64 = 1e-3;
 /// Cosine of the angle between a face and the direction in which shapes part, at most, for them to part along the face:
 /// 1.8°.
 const ALIGNED: f64 = 0.9995;
@@ -185,7 +186,8 @@ impl Shape {
                 }
                 let parts = ((index as u64) << 20) ^ other_index as u64;
                 for manifold in &manifolds {
-                    let near = manifold.points.iter().filter(|point| point.dist <= reach);
+                    let near = manifold.points.iter();
+                    let near = near.filter(|point| point.dist <= reach && !spare::is_spare(manifold, point));
                     let one = Located { local, body: &own, part };
                     let located = [one, Located { local: other_local, body: &its, part: other_part }];
                     found.extend(near.map(|point| {

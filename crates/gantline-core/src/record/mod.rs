@@ -246,10 +246,11 @@ impl Recorder {
         &self.sample
     }
 
-    /// Takes one of a state that the run does not go on from, where there is none of it yet.
+    /// Takes one of a state that the run does not go on from, where there is none of it yet: in a first step that of the
+    /// start, without which nobody could see where it failed.
     pub fn close(&self, system: &System, state: &State, samples: &mut Samples) {
         let is_later = |last: &f64| state.time > last + NEAR * self.interval;
-        if samples.time.last().is_some_and(is_later) && !self.is_past(state.time) {
+        if samples.time.last().is_none_or(is_later) && !self.is_past(state.time) {
             samples.push_state(system, state.time, state);
         }
     }

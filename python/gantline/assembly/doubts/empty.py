@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 from gantline.assembly.plain import bodies_in_hook, ropes_ending_at, ropes_over
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.cranes.hooks import full_name
+from gantline.scenario.cranes.hooks import full_names
 from gantline.scenario.errors import Doubt
+from gantline.scenario.plan.lead import LeadStep
 from gantline.scenario.plan.pins import Pins
 from gantline.scenario.plan.steps import HookStep
 
@@ -58,10 +59,8 @@ def _moved_first(scenario: Scenario) -> dict[str, tuple[int, str]]:
     """The first step that moves each hook, by its place, and the word for what it does."""
     found: dict[str, tuple[int, str]] = {}
     for place, step in enumerate(scenario.plan):
-        if not isinstance(step, HookStep):
+        if not isinstance(step, HookStep | LeadStep):
             continue
-        for text in step.moved:
-            hook = full_name(text, scenario.hooks)
-            if hook is not None:
-                found.setdefault(hook, (place, f"{step.verb}s"))
+        for hook in full_names(step.lead if isinstance(step, LeadStep) else step.moved, scenario.hooks):
+            found.setdefault(hook, (place, f"{step.verb}s"))
     return found

@@ -13,6 +13,7 @@ from gantline.scenario import Rigging, Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Path
 from gantline.scenario.gear import RopeMaterial
+from gantline.scenario.plan.lead import LeadStep
 from gantline.scenario.plan.steps import LowerStep
 from gantline.units import format_by_size
 
@@ -233,7 +234,11 @@ def _rough(scenario: Scenario) -> Iterator[Doubt]:
 def _smooth(scenario: Scenario) -> Iterator[Doubt]:
     """Each group of supports that a load comes down on, if nothing says their friction."""
     load = scenario.load
-    if load is None or not any(isinstance(step, LowerStep) for step in scenario.plan):
+    lowers = any(
+        isinstance(step, LowerStep) or (isinstance(step, LeadStep) and step.by[2] < 0.0)
+        for step in scenario.plan
+    )
+    if load is None or not lowers:
         return
     for name, group in (scenario.supports or {}).items():
         own = (*(group.each or {}).values(), *(group.places or {}).values())

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gantline.assembly.afloat.vessels import vessel_hull
 from gantline.assembly.parts import Parts
 from gantline.assembly.spatial import Array
 from gantline.scenario import Scenario
@@ -89,17 +90,22 @@ def guide_fits(parts: Parts, scenario: Scenario) -> dict[str, GuideFit]:
     fits: dict[str, GuideFit] = {}
     for name, guide in (scenario.guides or {}).items():
         place, turn = parts.pose(guide_body(name))
-        if turn[2, 2] < _UPRIGHT:
+        at, faces = guide.foot
+        foot, lies = parts.place(guide.holder, at), parts.pose(guide.holder)[1]
+        if turn[2, 2] < _UPRIGHT or lies[2, 2] < _UPRIGHT:
             continue
         if guide.frame is not None:
-            fits[name] = _of_frame(guide.frame, guide.post_there, place, turn)
+            fits[name] = _of_frame(guide.frame, guide.post_there, turn.T @ (foot - place))
         else:
-            fits[name] = _of_wall(guide.bumper_there, guide.wall_there, place)
+            out = (lies @ np.array([math.cos(faces), math.sin(faces), 0.0]))[:2]
+            out = out / np.linalg.norm(out)
+            fits[name] = _of_wall(guide.bumper_there, guide.wall_there, place - foot, out)
     return fits
 
 
-def _of_frame(frame: GuideFrame, post: GuidePost, place: Array, turn: Array) -> GuideFit:
-    x, y, foot = (float(part) for part in turn.T @ (np.array(post.at) - place))
+def _of_frame(frame: GuideFrame, post: GuidePost, apart: Array) -> GuideFit:
+    """Of a frame; from its middle the foot of the post is apart, in the load's own axes (3,) [m]."""
+    x, y, foot = (float(part) for part in apart)
     run = 0.0 if frame.flare is None else frame.flare.run
     reach = post.diameter / 2 + frame.clearance + run - post.tip_radius
     off = {side: x * SIDES[side][0] + y * SIDES[side][1] for side in frame.sides}
@@ -134,14 +140,13 @@ def _deepest(
     return float(np.max(np.interp(corners, heights, radii) - np.interp(corners, knees, away)))
 
 
-def _of_wall(bumper: Bumper, wall: GuideWall, place: Array) -> GuideFit:
-    out = np.array([math.cos(wall.faces), math.sin(wall.faces)])
-    apart = place[:2] - np.array(wall.at[:2])
+def _of_wall(bumper: Bumper, wall: GuideWall, apart: Array, out: Array) -> GuideFit:
+    """Of a wall that faces `out` from above (2,); from its foot the bumper is apart, world axes (3,) [m]."""
     radius = bumper.diameter / 2
-    gap, aside = float(apart @ out) - radius, float(apart @ np.array([-out[1], out[0]]))
+    gap, aside = float(apart[:2] @ out) - radius, float(apart[:2] @ np.array([-out[1], out[0]]))
     run = 0.0 if wall.slope is None else wall.slope.run
     caught, off = {"wall": run}, {"wall": -gap}
-    over, rise = float(place[2]) - wall.at[2], 0.0
+    over, rise = float(apart[2]), 0.0
     if wall.slope is not None:
         rise = wall.slope.length * math.cos(wall.slope.angle)
     knees = [0.0, wall.height, wall.height + rise]
@@ -152,10 +157,12 @@ def _of_wall(bumper: Bumper, wall: GuideWall, place: Array) -> GuideFit:
     )
 
 
-def doubtful_guides(scenario: Scenario, fits: Mapping[str, GuideFit]) -> Iterator[Doubt]:
-    """Each guide that the load comes down beside, and each whose faces hold it by friction."""
+def doubtful_guides(parts: Parts, scenario: Scenario, fits: Mapping[str, GuideFit]) -> Iterator[Doubt]:
+    """Each guide that the load comes down beside, that stands amid a vessel, or that friction holds it on."""
     for name, guide in (scenario.guides or {}).items():
         yield from _too_flat(name, guide)
+        if guide.holder is None:
+            yield from _in_vessels(parts, scenario, name, guide)
     for name, fit in fits.items():
         if fit.depth > _DEEP:
             post, face = ("post", "frame") if (scenario.guides or {})[name].frame else ("bumper", "wall")
@@ -171,6 +178,18 @@ def doubtful_guides(scenario: Scenario, fits: Mapping[str, GuideFit]) -> Iterato
             where, ends = missed
             moved = "as the load hangs at the start, from where no step takes it along"
             yield Doubt(("guides", name), f"the load misses guide {name}: {where}, {moved}; it {ends}")
+
+
+def _in_vessels(parts: Parts, scenario: Scenario, name: str, guide: LandingGuide) -> Iterator[Doubt]:
+    """A guide of the world that stands within the hull of a vessel from above: on her deck, most likely."""
+    for vessel, given in (scenario.vessels or {}).items():
+        position, lies = parts.pose(vessel)
+        box = vessel_hull(scenario, vessel, given).box[:, :2]
+        there = (lies.T @ (np.array(guide.foot[0]) - position))[:2]
+        if (box[0] < there).all() and (there < box[1]).all():
+            stands = f"guide {name} stands in the world, amid {vessel} from above, who moves without it"
+            right = f"'held_by: {vessel}' has it stand on her, at a place in her own axes"
+            yield Doubt(("guides", name), f"{stands}; {right}")
 
 
 def _missed(fit: GuideFit, on_load: bool) -> tuple[str, str] | None:

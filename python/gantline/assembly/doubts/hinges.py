@@ -21,9 +21,11 @@ from gantline.scenario.cranes.hooks import Hook, full_names
 from gantline.scenario.cranes.kept_plumb import is_moved_by
 from gantline.scenario.errors import Doubt
 from gantline.scenario.loads.hinge import LoadHinge
+from gantline.scenario.plan.lead import LeadStep
 from gantline.scenario.plan.movers import mover
+from gantline.scenario.plan.plan import Step
 from gantline.scenario.plan.slinging import slings_on
-from gantline.scenario.plan.steps import AlongStep, HoistStep, HoldStep, LineStep, MovingStep
+from gantline.scenario.plan.steps import AlongStep, HoistStep, HoldStep, LineStep
 from gantline.scenario.rigging import SlingRigging
 from gantline.units import format_quantity
 
@@ -124,8 +126,7 @@ def _hoists(
     for place, (step, on) in enumerate(zip(scenario.plan, slings_on(scenario), strict=True)):
         if name in step.open_hinges:
             return
-        if isinstance(step, AlongStep):
-            aside |= _taken_along(scenario, step)
+        aside |= _taken_along(scenario, step)
         if isinstance(step, LineStep):
             _pay_out(scenario, step, longer)
         slings = [
@@ -142,7 +143,7 @@ def _hoists(
         if gear or known is None or hook not in full_names(step.moved, scenario.hooks):
             continue
         beside = _beside(scenario, place)
-        taken = aside.union(*(_taken_along(scenario, one) for one in beside if isinstance(one, AlongStep)))
+        taken = aside.union(*(_taken_along(scenario, one) for one in beside))
         changing = dict.fromkeys((one.name for one in slings), 0.0)
         for other in (one for one in beside if isinstance(one, LineStep)):
             _pay_out(scenario, other, changing)
@@ -161,19 +162,22 @@ def _pay_out(scenario: Scenario, step: LineStep, longer: dict[str, float]) -> No
             longer[name] = longer.get(name, 0.0) + step.direction * way
 
 
-def _beside(scenario: Scenario, place: int) -> list[MovingStep]:
-    """Steps after one that go on beside it and move something."""
-    found: list[MovingStep] = []
+def _beside(scenario: Scenario, place: int) -> list[Step]:
+    """Steps after one that go on beside it."""
+    found: list[Step] = []
     for step in scenario.plan[place + 1 :]:
         if isinstance(step, HoldStep) or step.starts != "with_previous":
             break
-        if isinstance(step, MovingStep):
-            found.append(step)
+        found.append(step)
     return found
 
 
-def _taken_along(scenario: Scenario, step: AlongStep) -> set[str]:
+def _taken_along(scenario: Scenario, step: Step) -> set[str]:
     """Hooks that a step takes along."""
+    if isinstance(step, LeadStep):
+        return set(full_names(step.lead, scenario.hooks)) if any(step.by[:2]) or step.turn else set()
+    if not isinstance(step, AlongStep):
+        return set()
     moved = [one for name in step.moved if (one := mover(scenario, step.kind, name)) is not None]
     return {name for name, hook in scenario.hooks.items() if any(is_moved_by(one, hook) for one in moved)}
 

@@ -19,6 +19,7 @@ from gantline.scenario import Rigging, Scenario
 from gantline.scenario.cranes.hooks import full_names
 from gantline.scenario.cranes.kept_plumb import slings_under
 from gantline.scenario.errors import Doubt
+from gantline.scenario.plan.lead import LeadStep
 from gantline.scenario.plan.slinging import slings_on
 from gantline.scenario.plan.steps import AlongStep, HookStep
 from gantline.units import format_quantity
@@ -51,10 +52,12 @@ def doubtful_tilts(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | No
     for place, step in enumerate(scenario.plan):
         if (isinstance(step, AlongStep) and not step.keep_plumb) or stages[place] != stages[0]:
             return
+        holding = {hook for hook in scenario.hooks if _lugs(scenario, rigging, [hook], stages[place])}
+        if isinstance(step, LeadStep) and holding - set(full_names(step.lead, scenario.hooks)):
+            return  # hooks that lead together keep their distances
         if not isinstance(step, HookStep) or step.until is None or step.until.load_tilt is None:
             continue
         asked, moved = step.until.load_tilt.above, set(full_names(step.moved, scenario.hooks))
-        holding = {hook for hook in scenario.hooks if _lugs(scenario, rigging, [hook], stages[place])}
         higher = holding & moved if step.sign > 0 else holding - moved
         if asked is None or not higher or higher == holding:
             continue

@@ -1,16 +1,19 @@
-"""Steps that hoist a hook into the sheaves above it, or lower it below the ground, as the plan tells."""
+"""Steps that bring a hook into the sheaves above it, or below the ground, as the plan tells."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from gantline.assembly.parts import Parts
 from gantline.scenario import Scenario
 from gantline.scenario.consistency.travel import Bounds, bounds_after
 from gantline.scenario.cranes.hooks import Hook
 from gantline.scenario.errors import Doubt
+from gantline.scenario.findings import Path
+from gantline.scenario.plan.lead import LeadStep
+from gantline.scenario.plan.leading import gone_along
 from gantline.scenario.plan.movers import mover
-from gantline.scenario.plan.positions import boom_angles_at_end
+from gantline.scenario.plan.positions import Places, boom_angles_at_end, places_of_cranes
 from gantline.scenario.plan.steps import HookStep
 from gantline.units import format_quantity
 
@@ -32,7 +35,12 @@ def doubtful_ways(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
     """
     where: dict[str, Bounds] = {}
     tops = {name: _top(parts, scenario, hook) for name, hook in scenario.hooks.items()}
+    before_step = places_of_cranes(scenario)
     for place, (step, angles) in enumerate(zip(scenario.plan, boom_angles_at_end(scenario), strict=True)):
+        if isinstance(step, LeadStep):
+            path: Path = ("plan", place, "by" if any(step.by) else "turn")
+            told = _led(scenario, step, before_step[place], where, tops)
+            yield from (Doubt(path, sentence) for sentence in told)
         if not isinstance(step, HookStep):
             continue
         for text in dict.fromkeys(step.moved):
@@ -43,26 +51,59 @@ def doubtful_ways(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
             head_up = 0.0 if one.head is None else one.head.rise(angle)
             before = where.get(one.name, (one.start, one.start))
             where[one.name] = after = bounds_after(step, before, head_up)
-            path = (
-                "plan",
-                place,
-                "to" if step.to is not None else "by" if step.by is not None else step.verb,
-            )
+            key = "to" if step.to is not None else "by" if step.by is not None else step.verb
+            path = ("plan", place, key)
             top = tops[one.name]
             if top is not None and step.sign > 0 and before[0] <= top + _ROUNDING < after[0]:
-                yield Doubt(path, _too_high(step, one.name, after[0] + head_up, top + head_up))
-            ground = scenario.ground
-            lowest = after[1] + head_up
-            if ground is not None and is_known and step.sign < 0 and lowest < ground.level - _BELOW:
-                below = format_quantity(ground.level - lowest, "m", 2)
+                high = _too_high(f"step '{step.step}' hoists {one.name}", after[0] + head_up, top + head_up)
+                yield Doubt(path, f"{high}; hoist it less far")
+            below = _below(scenario, after[1] + head_up)
+            if is_known and step.sign < 0 and below is not None:
                 sentence = f"step '{step.step}' lowers {one.name} to {below} below the ground, or deeper"
                 yield Doubt(path, f"{sentence}: nothing stops it there; lower it less far")
 
 
-def _too_high(step: HookStep, hook: str, height: float, top: float) -> str:
+def _led(
+    scenario: Scenario,
+    step: LeadStep,
+    before: Places,
+    where: dict[str, Bounds],
+    tops: Mapping[str, float | None],
+) -> Iterator[str]:
+    """The same of a step that leads, which takes boom heads along; notes where it leaves hooks.
+
+    Amid a way a boom may have to flatten, with its head nearer to the hook than at both ends.
+    """
+    for gone in gone_along(scenario, step, before):
+        hoist, head = gone.led.hoist, gone.led.hoist.head
+        if hoist.start is None:
+            continue
+        low, high = where.get(hoist.name, (hoist.start, hoist.start))
+        up, top = max(gone.hoisted), tops[hoist.name]
+        where[hoist.name] = low + gone.hoisted[-1], high + gone.hoisted[-1]
+        rises = [0.0 if head is None else head.rise(pose.angle) for pose in gone.poses]
+        if top is not None and low <= top + _ROUNDING < low + up:
+            there = rises[gone.hoisted.index(up)]
+            leads = f"step '{step.step}' leads {hoist.name}"
+            yield f"{_too_high(leads, low + up + there, top + there)}; lead it elsewhere, or lower"
+        below = _below(scenario, high + gone.hoisted[-1] + rises[-1])
+        if before[gone.led.boom.name][1] and step.by[2] < 0.0 and below is not None:
+            leads = f"step '{step.step}' leads {hoist.name} to {below} below the ground, or deeper"
+            yield f"{leads}: nothing stops it there; lead it less far down"
+
+
+def _below(scenario: Scenario, height: float) -> str | None:
+    """How far below the ground a hook is; None where it is not, or hardly."""
+    ground = scenario.ground
+    if ground is None or height >= ground.level - _BELOW:
+        return None
+    return format_quantity(ground.level - height, "m", 2)
+
+
+def _too_high(does: str, height: float, top: float) -> str:
     comes, meets = (format_quantity(one, "m", 2) for one in (height, top))
     there = f"where it is at {meets} its hook block meets the sheaves above (two-blocking)"
-    return f"step '{step.step}' hoists {hook} to {comes} at least, and {there}; hoist it less far"
+    return f"{does} to {comes} at least, and {there}"
 
 
 def _top(parts: Parts, scenario: Scenario, hook: Hook) -> float | None:

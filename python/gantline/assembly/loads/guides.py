@@ -1,4 +1,4 @@
-"""Landing guides: posts and walls in the world, frames and bumpers on the load."""
+"""Landing guides: posts and walls in the world or on a body, frames and bumpers on the load."""
 
 from __future__ import annotations
 
@@ -21,9 +21,10 @@ from gantline.scenario.loads.guide import (
     Slope,
     guide_body,
     guide_contact,
+    guide_stand,
 )
 
-__all__ = ["add_guides", "guide_rig", "guide_shape", "guide_structures"]
+__all__ = ["add_guides", "guide_rig", "guide_shape", "guide_structures", "stand_shape"]
 
 #: How thick frames and walls are drawn [m].
 _THICK = 0.03
@@ -33,11 +34,23 @@ _UP, _DOWN = [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]
 
 
 def add_guides(parts: Parts, scenario: Scenario, lifted: LiftedLoad) -> None:
-    """Add landing guides; the load is there. Each has a body without mass on the load, for pictures."""
+    """Add landing guides; the load and what holds them are there.
+
+    Each has a body without mass on the load, for pictures, and one on the body that holds it.
+    """
     assert scenario.load is not None
     for name, guide in (scenario.guides or {}).items():
         at = np.array((guide.frame or guide.bumper_there).at) - lifted.centre
         parts.add_body(guide_body(name), {"type": "fixed"}, parent=scenario.load.name, position=at.tolist())
+        if guide.holder is not None:
+            foot, faces = guide.foot
+            parts.add_body(
+                guide_stand(name),
+                {"type": "fixed"},
+                parent=guide.holder,
+                position=list(foot),
+                orientation=about_axis((0.0, 0.0, 1.0), faces),
+            )
         for side, pair in _pairs(guide, scenario.load.name, at):
             parts.landings.append(
                 {
@@ -62,17 +75,17 @@ def _pairs(guide: LandingGuide, load: str, at: Array) -> Iterator[tuple[str, Jso
             "radius": bumper.diameter / 2,
             "height": bumper.length,
         }
-        yield "wall", {"post": post, "wall": _standing_wall(wall)}
+        yield "wall", {"post": post, "wall": _standing_wall(wall, guide.holder)}
         return
-    post = _standing_post(guide.post_there)
+    post = _standing_post(guide.post_there, guide.holder)
     for side in guide.frame.sides:
         yield side, {"post": post, "wall": _frame_wall(guide.frame, guide.post_there, side, load, at)}
 
 
-def _standing_post(post: GuidePost) -> Json:
+def _standing_post(post: GuidePost, holder: str | None) -> Json:
     cone = {} if post.cone is None else {"cone": post.cone.length, "tip_radius": post.tip_radius}
     return {
-        "body": None,
+        "body": holder,
         "base": list(post.at),
         "axis": _UP,
         "radius": post.diameter / 2,
@@ -81,10 +94,10 @@ def _standing_post(post: GuidePost) -> Json:
     }
 
 
-def _standing_wall(wall: GuideWall) -> Json:
+def _standing_wall(wall: GuideWall, holder: str | None) -> Json:
     x, y, z = wall.at
     return {
-        "body": None,
+        "body": holder,
         "knee": [x, y, z + wall.height],
         "normal": [math.cos(wall.faces), math.sin(wall.faces), 0.0],
         "up": _DOWN,
@@ -132,52 +145,63 @@ def guide_rig(scenario: Scenario) -> Json:
 
 
 def guide_structures(scenario: Scenario) -> list[Json]:
-    """Posts and walls as boxes of the world, for pictures."""
+    """Posts and walls that stand in the world as its boxes, for pictures."""
     return [
-        {"name": guide_body(name), "kind": "structure", "boxes": _boxes(guide)}
+        {"name": guide_body(name), "kind": "structure", "boxes": _in_world(guide)}
         for name, guide in (scenario.guides or {}).items()
+        if guide.holder is None
     ]
 
 
-def _boxes(guide: LandingGuide) -> list[Json]:
+def stand_shape(guide: LandingGuide) -> Json:
+    """A post or a wall as boxes from its foot, its face along x, for pictures; a round is one of them."""
+    return {"type": "boxes", "boxes": _post_boxes(guide) if guide.frame is not None else _wall_boxes(guide)}
+
+
+def _in_world(guide: LandingGuide) -> list[Json]:
+    """Boxes of what stands in the world; a round is squares turned against each other, as broad as it."""
+    foot, faces = guide.foot
     if guide.frame is None:
-        return _wall_boxes(guide.wall_there)
+        return [_turned(box, foot, faces) for box in _wall_boxes(guide)]
+    part, narrow = math.pi / (2 * _SQUARES), math.cos(math.pi / (4 * _SQUARES)) / math.sqrt(2)
+    squares = []
+    for box in _post_boxes(guide):
+        across, _, height = box["size"]
+        square = {**box, "size": [across * narrow, across * narrow, height]}
+        squares += [_turned(square, foot, one * part) for one in range(_SQUARES)]
+    return squares
+
+
+def _turned(box: Json, foot: Sequence[float], angle: float) -> Json:
+    """A box from a foot, turned about the vertical through it, in the world."""
+    x, y, z = box["centre"]
+    cosine, sine = math.cos(angle), math.sin(angle)
+    centre = [foot[0] + x * cosine - y * sine, foot[1] + x * sine + y * cosine, foot[2] + z]
+    turn = list(about_axis((0.0, 0.0, 1.0), angle))
+    return {"type": "box", "size": box["size"], "centre": centre, "orientation": turn}
+
+
+def _post_boxes(guide: LandingGuide) -> list[Json]:
+    """A post from its foot: a box for its upright part, and some for its cone."""
     post = guide.post_there
-    foot = np.array(post.at)
-    boxes = _round(foot, post.diameter, post.height)
-    if post.cone is None:
-        return boxes
-    rise = post.cone.length / _STEPS
-    for step in range(_STEPS):
-        share = (step + 0.5) / _STEPS
-        across = post.diameter + share * (post.cone.tip_diameter - post.diameter)
-        boxes += _round(foot + np.array([0.0, 0.0, post.height + step * rise]), across, rise)
-    return boxes
-
-
-def _round(foot: Array, diameter: float, height: float) -> list[Json]:
-    """An upright round as squares turned against each other, as broad as it."""
-    side = diameter * math.cos(math.pi / (4 * _SQUARES)) / math.sqrt(2)
-    centre = (foot + np.array([0.0, 0.0, height / 2])).tolist()
-    turns = [about_axis((0.0, 0.0, 1.0), math.pi / 2 * one / _SQUARES) for one in range(_SQUARES)]
+    pieces = [(0.0, post.height, post.diameter)]
+    if post.cone is not None:
+        rise, less = post.cone.length / _STEPS, (post.cone.tip_diameter - post.diameter) / _STEPS
+        pieces += [
+            (post.height + step * rise, rise, post.diameter + (step + 0.5) * less) for step in range(_STEPS)
+        ]
     return [
-        {"type": "box", "size": [side, side, height], "centre": centre, "orientation": list(turn)}
-        for turn in turns
+        {"size": [across, across, height], "centre": [0.0, 0.0, low + height / 2]}
+        for low, height, across in pieces
     ]
 
 
-def _wall_boxes(wall: GuideWall) -> list[Json]:
-    turn = list(about_axis((0.0, 0.0, 1.0), wall.faces))
-    out = np.array([math.cos(wall.faces), math.sin(wall.faces), 0.0])
-    foot = np.array(wall.at)
+def _wall_boxes(guide: LandingGuide) -> list[Json]:
+    """A wall from the middle of its foot, its face along x."""
+    wall = guide.wall_there
     pieces = [(0.0, 0.0, wall.height), *_stairs(wall.slope, wall.height, 1.0)]
     return [
-        {
-            "type": "box",
-            "size": [_THICK, wall.breadth, height],
-            "centre": (foot - (back + _THICK / 2) * out + np.array([0.0, 0.0, low + height / 2])).tolist(),
-            "orientation": turn,
-        }
+        {"size": [_THICK, wall.breadth, height], "centre": [-(back + _THICK / 2), 0.0, low + height / 2]}
         for back, low, height in pieces
     ]
 

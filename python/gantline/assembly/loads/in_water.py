@@ -18,6 +18,7 @@ from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Findings
 from gantline.scenario.loads.in_water import InWater
 from gantline.scenario.loads.load import Load
+from gantline.scenario.plan.lead import LeadStep
 from gantline.scenario.plan.slinging import slings_on
 from gantline.scenario.plan.steps import HoistStep
 from gantline.units import format_by_size
@@ -96,7 +97,11 @@ def _free_of_the_bed(scenario: Scenario, load: Load) -> Iterator[Doubt]:
     """Of a load that is lifted off a bed under water, which nothing holds there."""
     ground, water = scenario.ground, scenario.water or Water()
     sunk = load.stands_on == "ground" and ground is not None and ground.level < water.level
-    if not sunk or not any(isinstance(step, HoistStep) for step in scenario.plan):
+    lifts = any(
+        isinstance(step, HoistStep) or (isinstance(step, LeadStep) and step.by[2] > 0.0)
+        for step in scenario.plan
+    )
+    if not sunk or not lifts:
         return
     ropes = {} if scenario.mechanics is None else scenario.mechanics.ropes or {}
     held = (

@@ -19,6 +19,9 @@ __all__ = ["Guide", "guide_state", "missed_guides"]
 _OPPOSITE = (("fore", "aft"), ("port", "starboard"))
 #: A load that stands on the tip of a post is as near to it [m].
 _ON_TIP = 0.02
+#: What comes down farther than this beside its post was taken elsewhere: modules are to move by no more
+#: before they come to their guides (0027/ND, 17.2) [m].
+_FAR = 1.5
 #: Rounding of places [m].
 _JUST = 1e-6
 
@@ -145,7 +148,7 @@ def _missed(
     stands = near & (pressed > 0.0) & (np.abs(over) < _ON_TIP) & (np.abs(inside) < onto)
     # What has not been over the tip yet has not come down: a load that waits elsewhere, lower than that.
     was_over = np.logical_or.accumulate(over > 0.0)
-    beside = near & was_over & (over < -_ON_TIP) & (inside < -radius)
+    beside = near & was_over & (over < -_ON_TIP) & (inside < -radius) & (inside > -radius - _FAR)
     face = "its wall" if side == "wall" else f"the {side} side of its frame"
     kinds = (
         (stands, f"{face} stands on the rim of the {'bumper' if side == 'wall' else 'post'}"),

@@ -272,9 +272,14 @@ def _depths(one: _Body, other: _Body) -> tuple[FloatArray, BoolArray]:
     if one.is_mesh or other.is_mesh:
         near = np.flatnonzero(deepest > _TOUCH)
         looked_at = near[np.linspace(0, len(near) - 1, min(len(near), _EXACT_LOOKS)).astype(int)]
-        through = [look for look in looked_at if _pierce(one, other, int(look))]
-        only = np.isin(np.arange(looks), through)
-        deepest, is_past = np.where(only, deepest, 0.0), is_past & only
+        exact = np.zeros(looks)
+        for look in looked_at:
+            exact[look] = min(float(deepest[look]), _through(one, other, int(look)))
+        # Past the middle of a box, by what it is about, which a curved side over the top of a support is not.
+        is_past &= exact > 0.0
+        if "support" in (one.kind, other.kind):
+            is_past &= exact == deepest
+        deepest = exact
     return deepest, is_past
 
 
@@ -301,15 +306,29 @@ def _boxes(
     return shortest
 
 
-def _pierce(one: _Body, other: _Body, look: int) -> bool:
-    """Whether edges of one go through triangles of the other, at one look; of two meshes one is its box."""
+def _through(one: _Body, other: _Body, look: int) -> float:
+    """How deep skins go through each other at one look [m]: into a support how far below its top, into others
+    as far as boxes about both have it; 0 if not at all.
+
+    Of two meshes one is its box.
+    """
     skins = []
     for body in (one, other):
         own = body.skin
         if one.is_mesh and other.is_mesh and body is one:
             own = (body.centres[0] + SIGNS * body.sizes[0])[box_faces(1)]
         skins.append(body.place[look] + own @ body.turn[look].T)
-    return any(
-        len(crossings(edges.reshape(-1, 3), np.roll(edges, -1, axis=1).reshape(-1, 3), surface)[0])
+    points = [
+        crossings(edges.reshape(-1, 3), np.roll(edges, -1, axis=1).reshape(-1, 3), surface)[0]
         for edges, surface in (skins, skins[::-1])
-    )
+    ]
+    if not any(len(some) for some in points):
+        return 0.0
+    for support, skin in ((one, skins[1]), (other, skins[0])):
+        if support.kind == "support":
+            corners, half = skin.reshape(-1, 3), support.sizes[0]
+            own = (corners - support.place[look]) @ support.turn[look]
+            inside = corners[(np.abs(own) <= half).all(axis=1)]
+            lowest = np.concatenate([*points, inside])[:, 2].min()
+            return max(0.0, float(support.place[look, 2] + half[2] - lowest))
+    return np.inf

@@ -26,6 +26,7 @@ from gantline.scenario.quantities import (
 __all__ = [
     "AIR",
     "CURRENT_SHOWN",
+    "ORIGIN",
     "WIND_SHOWN",
     "Current",
     "Gusts",
@@ -41,6 +42,7 @@ AIR = 1.225
 
 WIND_SHOWN = "Areas that air resists and wind pushes, by name."
 CURRENT_SHOWN = "Areas under water that water resists and current pushes, by name."
+#: Where an area pushes that says nothing of it: the origin of its body, the datum of a load.
 ORIGIN = (0.0, 0.0, 0.0)
 
 
@@ -79,7 +81,11 @@ class LoadArea(Element):
     along: Literal["x", "y", "z"] = Field(
         description="Axis of the load across which it stands, and along which the force acts."
     )
-    at: Position = Field(ORIGIN, description="Where the force acts, from the datum of the load.")
+    at: Position | None = Field(
+        None,
+        description="Where the force acts, from the datum of the load; if not given, the datum itself, and "
+        "without an 'area' the middle of what it shows.",
+    )
 
 
 class Stream(Element):

@@ -218,7 +218,7 @@ def _check_standing(findings: Findings, load: Load, base: str) -> None:
 def _check_round_standing(findings: Findings, cylinder: Cylinder) -> None:
     """Note a round load at rest on the ground where it has no place of rest."""
     path = ("load", "stands_on")
-    if cylinder.along == "x":
+    if cylinder.along == "x" and not findings.scenario.hinges:  # a hinge keeps it from rolling
         sentence = "a round load that lies on the ground rolls, so it has no place of rest there"
         right = (
             "lay it on 'supports' to both sides of its lowest line, with 'height: to_load', or let it roll "

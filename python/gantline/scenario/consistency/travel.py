@@ -13,7 +13,7 @@ from gantline.scenario.cranes.goliath import Goliath
 from gantline.scenario.cranes.hooks import trolley_name
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.plan.lead import LeadStep
-from gantline.scenario.plan.leading import Beyond, led_hooks, pose_before, way_of
+from gantline.scenario.plan.leading import gone_along
 from gantline.scenario.plan.movers import Mover, mover
 from gantline.scenario.plan.positions import Places, boom_angles_at_end, places_of_cranes
 from gantline.scenario.plan.steps import HookStep, Kind, MovingStep
@@ -78,14 +78,9 @@ def _lead(findings: Findings, path: Path, step: LeadStep, before: Places, where:
 
     Ranges of booms and cranes are looked at along the whole way by `check_lead`.
     """
-    hooks = led_hooks(findings.scenario, step)
-    for index, led in enumerate(hooks):
-        way, begin = way_of(step, hooks, before), pose_before(led, before)
-        try:
-            *_, end = way.poses(index, led, begin, [part / 64 for part in range(65)])
-        except Beyond:
-            continue
-        up, start = way.hoisted(led, begin, end, 1.0), led.hoist.start or 0.0
+    for gone in gone_along(findings.scenario, step, before):
+        led, end, up = gone.led, gone.poses[-1], gone.hoisted[-1]
+        start = led.hoist.start or 0.0
         low, high = where.get(led.hoist.name, (start, start))
         where[led.hoist.name] = low + up, high + up
         head_up = 0.0 if led.hoist.head is None else led.hoist.head.rise(end.angle)

@@ -34,7 +34,7 @@ from gantline.scenario.errors import ScenarioError, nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.ground import INTEGRATOR_KEYS
 from gantline.scenario.levels import check_levels
-from gantline.scenario.loads.guide import guide_body
+from gantline.scenario.loads.guide import guide_body, guide_stand
 from gantline.scenario.mechanics import HalfTurn, HingeJoint, Mechanics, Slider
 from gantline.scenario.model import Scenario
 from gantline.scenario.plan.parting import check_partings
@@ -159,6 +159,11 @@ def _named(scenario: Scenario) -> list[tuple[str, str, Path]]:
     named += [
         (guide_body(name), "what of a guide is on the load", ("guides", name))
         for name in scenario.guides or {}
+    ]
+    named += [
+        (guide_stand(name), "what of a guide stands on a body", ("guides", name))
+        for name, guide in (scenario.guides or {}).items()
+        if guide.holder is not None
     ]
     named += [(name, "a group of supports", ("supports", name)) for name in scenario.supports or {}]
     named += [(name, "a structure", ("structures", name)) for name in scenario.structures or {}]

@@ -95,6 +95,15 @@ class Cylinder(Element):
         return (end, side, side) if self.along == "x" else (side, side, end)
 
     @property
+    def middle(self) -> Triple:
+        """Middle of its side, on its axis, from the load's bottom centre [m], by (RL4)."""
+        first, last = self.radii
+        share = (first + 2.0 * last) / (3.0 * (first + last))
+        if self.along == "x":
+            return self.length * (share - 0.5), 0.0, self.widest
+        return 0.0, 0.0, self.length * share
+
+    @property
     def moments(self) -> Moments:
         """Of what it is made of, a tube of its wall, by (RL2)."""
         outer, bore = (_moments(ends, self.length) for ends in (self.radii, self.bores))

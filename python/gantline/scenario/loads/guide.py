@@ -7,11 +7,13 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field, model_validator
 
+from gantline.scenario.afloat.mooring import body_of
 from gantline.scenario.base import Element
 from gantline.scenario.quantities import (
     Angle,
     Damping,
     ListOf,
+    Name,
     NotNegativeLength,
     Position,
     PositiveAngle,
@@ -34,6 +36,7 @@ __all__ = [
     "Slope",
     "guide_body",
     "guide_contact",
+    "guide_stand",
 ]
 
 #: Stiffness and damping of a guide, if the lift file does not say them [N/m, N s/m].
@@ -54,11 +57,14 @@ class Cone(Element):
 
 
 class GuidePost(Element):
-    """A round post that stands in the world."""
+    """A round post that stands where the load is to come down."""
 
     what: ClassVar[str] = "a guide post"
 
-    at: Position = Field(description="Where the middle of its foot stands in the world.")
+    at: Position = Field(
+        description="Where the middle of its foot stands: in the world, or in the axes of what 'held_by' "
+        "names."
+    )
     diameter: PositiveLength = Field(description="Its diameter.")
     height: PositiveLength = Field(description="From its foot to where its cone begins.")
     cone: Cone | None = Field(None, description="The cone on top of it; none if not given.")
@@ -128,12 +134,14 @@ class GuideFrame(Element):
 
 
 class GuideWall(Element):
-    """An upright wall that stands in the world, with a slope on top."""
+    """An upright wall that stands where the load is to come down, with a slope on top."""
 
     what: ClassVar[str] = "a guide wall"
 
-    at: Position = Field(description="Middle of the foot of its face in the world.")
-    faces: Angle = Field(description="Direction in which its face looks, from world x towards y.")
+    at: Position = Field(
+        description="Middle of the foot of its face: in the world, or in the axes of what 'held_by' names."
+    )
+    faces: Angle = Field(description="Direction in which its face looks, from x towards y of these axes.")
     breadth: PositiveLength = Field(description="Its breadth.")
     height: PositiveLength = Field(description="From its foot to where it leans away.")
     slope: Slope | None = Field(None, description="How it leans away on top; not if not given.")
@@ -152,7 +160,7 @@ class Bumper(Element):
 
 
 class LandingGuide(Element):
-    """A post in the world and a frame on the load, or a wall in the world and a bumper on the load."""
+    """A post and a frame on the load that comes down over it, or a wall and a bumper on the load."""
 
     what: ClassVar[str] = "a landing guide"
 
@@ -160,6 +168,11 @@ class LandingGuide(Element):
     frame: GuideFrame | None = Field(None, description="What of the load runs along the post.")
     wall: GuideWall | None = Field(None, description="The wall that stands there, with 'bumper'.")
     bumper: Bumper | None = Field(None, description="What of the load runs along the wall.")
+    held_by: Name | None = Field(
+        None,
+        description="What post or wall stand on: a vessel, a part of a crane, a body of 'mechanics'; the "
+        "world if not given.",
+    )
     friction: Ratio = Field(description="Coefficient of friction; 0.1 greased, 0.2 to 0.4 steel on steel.")
     stiffness: PositiveStiffness = Field(
         USUAL_STIFFNESS,
@@ -181,6 +194,16 @@ class LandingGuide(Element):
             right = "a guide has 'post' and 'frame', or 'wall' and 'bumper'"
             raise refuse(f"{right}; found {found}")
         return self
+
+    @property
+    def holder(self) -> str | None:
+        """The body that post or wall stand on; None is the world."""
+        return body_of(self.held_by)
+
+    @property
+    def foot(self) -> tuple[tuple[float, float, float], float]:
+        """Where post or wall stand [m], and the direction in which a face looks [rad], axes of the holder."""
+        return (self.post.at, 0.0) if self.post is not None else (self.wall_there.at, self.wall_there.faces)
 
     @property
     def sides(self) -> tuple[str, ...]:
@@ -209,6 +232,11 @@ class LandingGuide(Element):
 def guide_body(name: str) -> str:
     """Name of what of a guide is on the load among the bodies, and of its contacts together."""
     return f"guide.{name}"
+
+
+def guide_stand(name: str) -> str:
+    """Name of the body for pictures that is what of a guide stands on a body, and not in the world."""
+    return f"{guide_body(name)}.stand"
 
 
 def guide_contact(name: str, side: str) -> str:

@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from gantline.scenario.afloat.stream import CURRENT_SHOWN, WIND_SHOWN, LoadArea, StreamArea
+from gantline.scenario.afloat.stream import CURRENT_SHOWN, ORIGIN, WIND_SHOWN, LoadArea, StreamArea
 from gantline.scenario.afloat.water import BallastTank
 from gantline.scenario.base import Element, Named
 from gantline.scenario.errors import shorten
@@ -90,6 +90,13 @@ class Shape(Element):
             return None
         length, breadth, height = self.box
         return breadth * height, length * height, length * breadth
+
+    @property
+    def middle(self) -> tuple[float, float, float] | None:
+        """Middle of what it shows from any side, from the bottom centre [m]; None of a CAD file."""
+        if self.cylinder is not None:
+            return self.cylinder.middle
+        return None if self.box is None else (0.0, 0.0, self.box[2] / 2.0)
 
 
 class Weight(Element):
@@ -223,12 +230,13 @@ class Load(Element):
         given = self.wind_areas if stream == "wind" else self.current_areas
         found = {}
         for name, one in (given or {}).items():
-            area = one.area
+            area, at = one.area, ORIGIN
             if area is None:
                 assert self.shape.seen is not None  # checked
-                area = self.shape.seen["xyz".index(one.along)]
+                assert self.shape.middle is not None
+                area, at = self.shape.seen["xyz".index(one.along)], self.shape.middle
             found[name] = StreamArea.model_construct(
-                area=area, coefficient=one.coefficient, along=one.along, at=one.at
+                area=area, coefficient=one.coefficient, along=one.along, at=one.at or at
             )
         return found
 

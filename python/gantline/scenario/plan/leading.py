@@ -18,8 +18,21 @@ from gantline.scenario.model import Scenario
 from gantline.scenario.plan.lead import LeadStep
 from gantline.scenario.plan.movers import Mover, mover
 
-__all__ = ["Beyond", "LedHook", "Pose", "Way", "led_hooks", "movers_of_lead", "pose_before", "way_of"]
+__all__ = [
+    "Beyond",
+    "Gone",
+    "LedHook",
+    "Pose",
+    "Way",
+    "gone_along",
+    "led_hooks",
+    "movers_of_lead",
+    "pose_before",
+    "way_of",
+]
 
+#: So many parts of a way are looked at: a crane that goes all round turns by less than 10 degrees in each.
+_PARTS = 64
 #: So near to square to its way is a boom at 90 degrees but for rounding [rad, and as a share of its reach].
 _SQUARE = 1e-9
 #: Where things are before a step: the last place that the plan says, as `to` counts it, and whether they are.
@@ -214,6 +227,35 @@ class Way:
     def hoisted(self, led: LedHook, begin: Pose, pose: Pose, share: float) -> float:
         """How far the hoist has taken the hook up: the way up less what the boom head has risen (LD6) [m]."""
         return share * self.by[2] - (led.height(pose.angle) - led.height(begin.angle))
+
+
+@dataclass(frozen=True)
+class Gone:
+    """What a crane does along a whole way, at even shares of it from 0 to 1.
+
+    Attributes:
+        led: the hook that it leads.
+        poses: how it stands.
+        hoisted: how far its hoist has taken the hook up (LD6) [m].
+    """
+
+    led: LedHook
+    poses: Sequence[Pose]
+    hoisted: Sequence[float]
+
+
+def gone_along(scenario: Scenario, step: LeadStep, before: Places) -> Iterator[Gone]:
+    """What each crane does in a step that leads, without those that do not reach all of their way."""
+    hooks = led_hooks(scenario, step)
+    shares = [part / _PARTS for part in range(_PARTS + 1)]
+    for index, led in enumerate(hooks):
+        way, begin = way_of(step, hooks, before), pose_before(led, before)
+        try:
+            poses = list(way.poses(index, led, begin, shares))
+        except Beyond:
+            continue
+        risen = [way.hoisted(led, begin, pose, share) for pose, share in zip(poses, shares, strict=True)]
+        yield Gone(led, poses, risen)
 
 
 def led_hooks(scenario: Scenario, step: LeadStep) -> list[LedHook]:

@@ -7,7 +7,7 @@ from gantline.scenario.cranes.crawler import Crawler
 from gantline.scenario.cranes.slewing import upper_body
 from gantline.scenario.model import Scenario
 from gantline.scenario.plan.lead import LeadStep
-from gantline.scenario.plan.leading import Beyond, led_hooks, pose_before, way_of
+from gantline.scenario.plan.leading import gone_along, led_hooks
 from gantline.scenario.plan.movers import mover, movers
 from gantline.scenario.plan.steps import AlongStep
 
@@ -75,19 +75,11 @@ def _of_booms(scenario: Scenario, before: list[Places]) -> list[Places]:
 def _led_to(scenario: Scenario, step: LeadStep, before: Places) -> Places:
     """Where a step that leads leaves cranes."""
     found: Places = {}
-    hooks = led_hooks(scenario, step)
-    if not hooks:
-        return found
-    way = way_of(step, hooks, before)
-    shares = [place / 64 for place in range(65)]  # so near that none turns by more than half round between
-    for index, led in enumerate(hooks):
-        begin = pose_before(led, before)
-        names = (led.boom.name, led.upper.name, "" if led.track is None else led.track.name)
-        known = all(before[name][1] for name in names if name)
-        try:
-            *_, end = way.poses(index, led, begin, shares)
-        except Beyond:
-            end, known = begin, False
-        ends = zip(names, (end.angle, end.slew, end.travel), strict=True)
-        found |= {name: (at, known) for name, at in ends if name}
+    ends = {gone.led.name: gone.poses[-1] for gone in gone_along(scenario, step, before)}
+    for led in led_hooks(scenario, step):
+        names = [led.boom.name, led.upper.name, *([] if led.track is None else [led.track.name])]
+        end = ends.get(led.name)
+        known = end is not None and all(before[name][1] for name in names)
+        ats = [before[name][0] for name in names] if end is None else [end.angle, end.slew, end.travel]
+        found |= {name: (at, known) for name, at in zip(names, ats, strict=False)}
     return found

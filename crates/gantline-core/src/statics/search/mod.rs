@@ -360,8 +360,16 @@ impl Search {
     fn endless(&self, system: &System, start: &[glam::DVec3]) -> Option<usize> {
         let centres = &self.here.frame.kinematics.centre_of_gravity;
         let moved = |body: usize| (centres[body] - start[body]).length();
-        let farthest = (0..system.tree.bodies.len()).max_by(|&a, &b| moved(a).total_cmp(&moved(b)))?;
-        (moved(farthest) > ENDLESS).then_some(farthest)
+        let bodies = &system.tree.bodies;
+        let mut farthest = (0..bodies.len()).max_by(|&a, &b| moved(a).total_cmp(&moved(b)))?;
+        if moved(farthest) <= ENDLESS {
+            return None;
+        }
+        // What is fixed to another falls with it.
+        while let (0, Some(parent)) = (bodies[farthest].velocities, bodies[farthest].parent) {
+            farthest = parent;
+        }
+        Some(farthest)
     }
 
     /// Poses at `there` = `here` ⊕ step; true where no part of a rope runs through its end on the way.
