@@ -52,3 +52,14 @@ def test_a_hook_that_leads_with_nothing_in_it() -> None:
     text = led_text(_lead(2.0, "b.H")).replace("  B: {from: b.H, to: beam.B, length: 6 m, rope: sling}\n", "")
     (found,) = [one for one in _warnings(text) if "nothing hangs in hook" in one]
     assert found.endswith("nothing hangs in hook b.H, which step 'l' leads")
+
+
+@pytest.mark.parametrize(("hooks", "told"), [("[a.H, b.H]", True), ("a.H", False)])
+def test_a_tilt_beyond_the_balance_after_a_lead(hooks: str, told: bool) -> None:
+    """Hooks that lead together stay over their lugs; one alone does not, and the tilt is not known then.
+
+    From one lug, 12 m off and 2 m over the centre of gravity, the beam hangs at atan(12/2), 80.5 degrees.
+    """
+    tilt = "{step: t, hoist: a.H, speed: 3 m/min, until: {load_tilt: {above: 86 deg}}}"
+    lead = _lead(0.0, hooks).replace("[0 m, 0 m, 0.0 m]", "[0 m, 3 m, 0 m]")
+    assert any("step 't' waits for a tilt above" in one for one in _warnings(led_text(lead, tilt))) == told
