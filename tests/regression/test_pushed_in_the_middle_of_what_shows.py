@@ -1,4 +1,4 @@
-"""Areas in wind and current that a load takes from its shape were pushed at its datum, the middle of its underside.
+"""Areas in wind and current that a load takes from its shape were pushed at its datum, below its middle.
 
 A column of 20 m on one sling leaned twice as much as wind leans it, since its foot was pushed away.
 """

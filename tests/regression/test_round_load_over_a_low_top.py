@@ -1,5 +1,6 @@
-"""A round load in a cradle of supports was told to be 0.13 m in the same place as one of them, as soon as that one
-carried nothing: its bounding box is as low as its lowest line, and the flat top beside it is higher.
+"""A round load in a cradle of supports was told to be 0.13 m in the same place as one that carried nothing.
+
+Its bounding box is as low as its lowest line, and the flat top beside that is higher.
 """
 
 from __future__ import annotations
@@ -13,8 +14,8 @@ from round_lift import round_lift, simulated
 
 
 def test_a_top_that_its_curve_has_room_for_is_not_told(tmp_path: Path) -> None:
-    """A load of 5 m across is 0.168 m up at 0.9 m from its lowest line, and 0.073 m at the inner edge of a top
-    there. One 0.115 m up carries nothing; that edge is 0.042 m in the load, and its box 0.115 m.
+    """A load of 5 m across is 0.168 m up at 0.9 m from its lowest line, and 0.073 m at the inner edge of a
+    top there. One 0.115 m up carries nothing; that edge is 0.042 m in the load, and its box 0.115 m.
     """
     places = {"al": (-6, -0.9), "ar": (-6, 0.9), "bl": (6, -0.9), "br": (6, 0.9), "low": (0, 0.9)}
     given = round_lift(

@@ -1,4 +1,4 @@
-"""A column that lies in a hinge with its head on the ground was refused at rest: "rolls, so it has no place of rest".
+"""A column that lies in a hinge with its head on the ground was refused at rest as one that rolls.
 
 The hinge keeps it from rolling.
 """
@@ -27,7 +27,7 @@ def test_lies_on_the_rim_of_its_head(tmp_path: Path) -> None:
         start="rest",
     )
     recording = simulated(tmp_path, given)
-    # The lever of its weight is 10 m, that of the lowest point of its rim 20 m, less 2.5 m times the tilt of 1e-4.
+    # The lever of its weight is 10 m, that of its rim 20 m, less 2.5 m times the tilt of 1e-4.
     assert recording.column("contact_force", "column.rim_2")[-1] == pytest.approx(WEIGHT / 2, rel=2e-5)
     tilt = WEIGHT / 2 / (2 * STIFFNESS) / 20.0
     assert recording.column("load_tilt", "column") == pytest.approx(tilt, rel=1e-4)

@@ -307,9 +307,9 @@ def _boxes(
 
 
 def _through(one: _Body, other: _Body, look: int) -> float:
-    """How deep skins go through each other at one look [m]: into a support how far below its top, into others
-    as far as boxes about both have it; 0 if not at all.
+    """How deep skins go through each other at one look [m]; 0 if not at all.
 
+    Into a support it is how far below its top, into others infinite, so that the boxes about both have it.
     Of two meshes one is its box.
     """
     skins = []
