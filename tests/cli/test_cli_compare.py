@@ -187,14 +187,15 @@ def test_a_run_that_cannot_go_on_is_compared_as_far_as_it_got(core: type[FakeCor
     assert "B FAILED at 2.000 s at sling.S1: a pivot is zero" in lines(again)
 
 
-def test_a_run_that_fails_before_its_first_sample(tmp_path: Path) -> None:
+def test_a_run_that_fails_in_its_first_step(tmp_path: Path) -> None:
     lift = tmp_path / "lift.yaml"
     lift.write_text(DEAD_CENTRE, encoding="utf-8")
     result = compare(lift, "pulleys", "-o", tmp_path / "out")
     assert result.exit_code == 3
     said = "\n".join(lines(result))
     assert "Only in A: ropes plumb" in said
-    assert "There is no time that both recorded" in said
+    assert "FAILED at 0.000 s at plumb" in said
+    assert "Compared at 0 s alone, which both have." in said
     assert not list((tmp_path / "out").glob("*.png"))
 
 

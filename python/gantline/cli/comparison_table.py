@@ -323,6 +323,8 @@ def _stability(comparison: Comparison) -> list[str]:
         lines.append("There is no time that both recorded: nothing over time can be compared.")
     elif any(side.is_at_rest for side in comparison.stability):
         lines.append(f"Compared at {comparison.common.times[0]:g} s alone, at rest.")
+    elif len(comparison.common.times) == 1:
+        lines.append(f"Compared at {comparison.common.times[0]:g} s alone, which both have.")
     elif min(side.end or 0.0 for side in comparison.stability) < max(
         side.end or 0.0 for side in comparison.stability
     ):
