@@ -40,7 +40,7 @@ def test_a_body_without_a_shape_is_drawn_as_steel_of_its_mass() -> None:
 @pytest.mark.parametrize(("text", "is_lift"), [(PENDULUM, False), (LIFT, True)])
 @pytest.mark.usefixtures("player")
 def test_only_a_lift_has_reasons_to_stop_it(text: str, is_lift: bool) -> None:
-    recording = gantline.simulate(parse_scenario(text), duration=0.1)
+    recording = gantline.simulate(parse_scenario(text))
     html = render_report(recording)
     assert ("<h2>Stop if</h2>" in html) is is_lift
     assert ('class="signatures"' in html) is is_lift
