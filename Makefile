@@ -15,7 +15,7 @@ unexport PYTHONPATH PYTHONHOME
 # Tests start the program some hundred times, which compiles its modules anew each time where this is set.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help setup demo test lint bench docs packages pictures lock clean
+.PHONY: help setup demo test core lint bench docs packages pictures lock clean
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 16
@@ -26,11 +26,16 @@ setup: ## make .venv: locked packages, gantline, its compiled core and its playe
 demo: setup ## simulate the lift of scenarios/equalizer; table, numerical error, pictures and report in build/demo
 	@gantline run scenarios/equalizer --refine -o build/demo
 
+# The tests of the core need no Python: they are compiled and run beside set-up and lints, which leave a processor idle.
 # Files of tests in their order: the browser has one long test, which begins first.
-test: setup lint ## all tests and lints
-	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
+test: ## all tests and lints
+	@tools/prerequisites.sh >/dev/null
+	@$(MAKE) --jobs=2 core lint
 	npm --prefix viewer test --silent
 	pytest --numprocesses auto --maxprocesses 8 --dist loadfile --no-loadscope-reorder --hypothesis-seed=$(SEED)
+
+core: ## tests of the compiled core by themselves
+	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
 
 lint: setup ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
 	cargo fmt --all --check

@@ -9,7 +9,7 @@ lies in the middle of the plate, as exporters declare centres of gravity.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -147,40 +147,71 @@ def curved_sheet(
     cuts = [
         simplified(piece, tolerance) if each.is_alone else piece for each in apart for piece in each.pieces
     ]
+    if bounds(surface.facets(surface.parts(_BOUNDARY_PARTS)), outline, _SAME_EDGE * size):
+        doubts = ["openings in a curved surface that it bounds alone are not cut out"] if cuts else []
+        return _whole(surface, thickness, density, tuple(doubts))
     seen = abs(of_polygon(rim).area)
-    is_whole = bounds(surface.facets(surface.parts(_BOUNDARY_PARTS)), outline, _SAME_EDGE * size)
     pieces: list[tuple[Moments, Frame]] = []
     drawn: list[Array] = []
-    area, parts, is_steep = 0.0, surface.parts(2), False
-    while parts <= surface.parts(_FINEST):
-        facets = surface.facets(parts)
-        if is_whole:
-            pieces, drawn = _whole(facets, size)
-        else:
-            pieces, drawn, is_steep = _pieces(facets, rim, cuts, frame, size)
-            if _covered(pieces, frame) > 1.02 * seen:
-                # The surface comes over the contour twice, as the far side of a cylinder does.
-                near = along_edge(facets[_over(facets, rim, frame)], outline)
-                pieces, drawn, is_steep = _pieces(near, rim, cuts, frame, size)
+    area, is_steep = 0.0, False
+    for facets in _finer(surface):
+        pieces, drawn, is_steep = _pieces(facets, rim, cuts, frame, size)
+        if _covered(pieces, frame) > 1.02 * seen:
+            # The surface comes over the contour twice, as the far side of a cylinder does.
+            near = along_edge(facets[_over(facets, rim, frame)], outline)
+            pieces, drawn, is_steep = _pieces(near, rim, cuts, frame, size)
         before, area = area, sum(moments.area for moments, _ in pieces)
-        if surface.is_faceted or abs(area - before) <= _SETTLED * area:
+        if abs(area - before) <= _SETTLED * area:
             break
-        parts *= 2
+    covered = _covered(pieces, frame)
+    holes = sum(_positive(of_polygon(cut)).area for cut in cuts)
+    if not pieces or not 0.98 * seen <= covered + holes <= 1.02 * seen + holes:
+        return None
     doubts = []
-    if is_whole and cuts:
-        doubts.append("openings in a curved surface that it bounds alone are not cut out")
-    if not is_whole:
-        covered = _covered(pieces, frame)
-        holes = sum(_positive(of_polygon(cut)).area for cut in cuts)
-        if not 0.98 * seen <= covered + holes <= 1.02 * seen + holes:
-            return None
     if is_steep:
         doubts.append("its surface is too steep to be seen along one direction: its area is doubtful")
-    if not pieces:
+    return Sheet(area, _weighed(pieces, thickness, density), _mesh(np.concatenate(drawn)), tuple(doubts))
+
+
+def _finer(surface: Surface) -> Iterator[Array]:
+    """Facets of a surface, halved from one to the next; those of one that has none but its own as they are."""
+    parts = surface.parts(2)
+    while parts <= surface.parts(_FINEST):
+        yield surface.facets(parts)
+        if surface.is_faceted:
+            return
+        parts *= 2
+
+
+def _mesh(facets: Array) -> TriangleMesh:
+    corners = np.round(facets, 6)  # neighbours meet to a micrometre
+    return TriangleMesh(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3)).welded()
+
+
+def _whole(surface: Surface, thickness: float, density: float, doubts: tuple[str, ...]) -> Sheet | None:
+    """All of a surface.
+
+    A facet of area A with corners r₁, r₂, r₃ and their sum s has ∫ r dA = ⅓ A s and
+    ∫ r rᵀ dA = A/12 (r₁r₁ᵀ + r₂r₂ᵀ + r₃r₃ᵀ + s sᵀ).
+    """
+    area = 0.0
+    for facets in _finer(surface):
+        normals = np.cross(facets[:, 1] - facets[:, 0], facets[:, 2] - facets[:, 0])
+        doubled = np.linalg.norm(normals, axis=1)
+        before, area = area, float(doubled.sum()) / 2
+        if abs(area - before) <= _SETTLED * area:
+            break
+    if not area > 0.0:
         return None
-    corners = np.round(np.concatenate(drawn), 6)  # neighbours meet to a micrometre
-    mesh = TriangleMesh(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3)).welded()
-    return Sheet(area, _weighed(pieces, thickness, density), mesh, tuple(doubts))
+    origin = facets[0, 0]
+    sums = (facets - origin).sum(axis=1)
+    ways = np.concatenate([facets - origin, sums[:, None]], axis=1)
+    second = np.einsum("n,nki,nkj->ij", doubled / 24, ways, ways)
+    # Seen along its normal n a facet of thickness t has A t²/12 n nᵀ; |normal| is 2 A.
+    shares = np.divide(1.0, doubled, out=np.zeros_like(doubled), where=doubled > 0.0)
+    second += thickness**2 / 24 * np.einsum("n,ni,nj->ij", shares, normals, normals)
+    properties = _about_centre(origin, area, doubled @ sums / 6, second, thickness * density)
+    return Sheet(area, properties, _mesh(facets), doubts)
 
 
 def _covered(pieces: Sequence[tuple[Moments, Frame]], frame: Frame) -> float:
@@ -201,18 +232,6 @@ def _over(facets: Array, rim: Array, frame: Frame) -> npt.NDArray[np.bool_]:
         triangle = flat[index] if of_polygon(flat[index]).area > 0 else flat[index][::-1]
         reach[index] = len(clipped(rim, triangle)) >= 3
     return np.asarray(slope & reach)
-
-
-def _whole(facets: Array, size: float) -> tuple[list[tuple[Moments, Frame]], list[Array]]:
-    """All facets of a surface, each in its own plane."""
-    pieces = []
-    for facet in facets:
-        normal = np.cross(facet[1] - facet[0], facet[2] - facet[0])
-        doubled = float(np.linalg.norm(normal))
-        if doubled > 1e-14 * size**2:
-            own = Frame.across(facet[0], normal / doubled)
-            pieces.append((of_polygon(own.flat(facet)), own))
-    return pieces, [facets]
 
 
 def _pieces(
@@ -287,10 +306,14 @@ def _weighed(pieces: Sequence[tuple[Moments, Frame]], thickness: float, density:
         second = second + axes @ moments.second @ axes.T + mixed + mixed.T
         second = second + moments.area * np.outer(shift, shift)
         second = second + moments.area * thickness**2 / 12 * np.outer(frame.normal, frame.normal)
+    return _about_centre(origin, area, first, second, density * thickness)
+
+
+def _about_centre(origin: Array, area: float, first: Array, second: Array, mass: float) -> MassProperties:
+    """Mass properties by an area [m²], its moments about a point, and the mass of a square metre [kg]."""
     centre = first / area
     about = second - area * np.outer(centre, centre)
     about = (about + about.T) / 2
-    mass = density * thickness
     return MassProperties(mass * area, origin + centre, mass * (np.trace(about) * np.eye(3) - about))
 
 
