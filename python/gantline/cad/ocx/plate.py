@@ -174,7 +174,7 @@ def curved_sheet(
 
 
 def _finer(surface: Surface) -> Iterator[Array]:
-    """Facets of a surface, halved from one to the next; those of one that has none but its own as they are."""
+    """Facets of a surface, halved from one to the next; where it has only its own, these."""
     parts = surface.parts(2)
     while parts <= surface.parts(_FINEST):
         yield surface.facets(parts)
