@@ -102,7 +102,9 @@ def _hauled(scenario: Scenario, place: int, step: LeadStep) -> Iterator[Doubt]:
                 return
             if step.about is not None:
                 off = "this axis is off by as far as she has gone"
-                yield Doubt(("plan", place, "about"), f"{hauls}: {off}; say where it is from there, or leave it out")
+                yield Doubt(
+                    ("plan", place, "about"), f"{hauls}: {off}; say where it is from there, or leave it out"
+                )
                 return
 
 
