@@ -1,7 +1,7 @@
 """A load was turned about an axis beside the one that its lift file gave, without a word.
 
-Cranes lead as if their vessel lay where the lift file has her. One that mooring lines have hauled by 20 m before
-took the axis `about`, in x and y of the world, along with her.
+Cranes lead as if their vessel lay where the lift file has her. One that mooring lines have hauled by 20 m
+before took the axis `about`, in x and y of the world, along with her.
 """
 
 from __future__ import annotations

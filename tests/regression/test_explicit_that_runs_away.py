@@ -1,9 +1,10 @@
-"""Runs by `explicit` with too long a step came to their end with figures of nothing, and a verdict on the lift.
+"""Runs by `explicit` with too long a step ended with figures of nothing, and a verdict on the lift.
 
-The equalizer at 3 ms, where 2.55 ms is the limit, was a NO-GO with 1291 kN in its equalizing rope in place of 350 kN, and
-at 5 ms one by 883904926 % of a breaking force, until a speed passed that of light. Ropes that shake damp what the
-method puts in at once, so that neither speeds nor the energy that is stored tell it. The audit knows what the method
-put in: a run ends once that is half of the largest energy that the lift has held and its drives have worked.
+The equalizer at 3 ms, where 2.55 ms is the limit, was a NO-GO with 1291 kN in its equalizing rope in place
+of 350 kN, and at 5 ms one by 883904926 % of a breaking force, until a speed passed that of light. Ropes
+that shake damp what the method puts in at once, so that neither speeds nor the energy that is stored tell
+it. The audit knows what the method put in: a run ends once that is half of the largest energy that the lift
+has held and its drives have worked.
 """
 
 from __future__ import annotations

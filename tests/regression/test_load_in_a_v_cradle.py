@@ -1,9 +1,10 @@
-"""A load in a V cradle was told to have less than nothing transferred, and a step that waits for half came too late.
+"""A load in a V cradle had less than nothing transferred, and steps that wait for half came late.
 
-Forces of contacts were added up by their sizes. In a cradle at 45 degrees each face presses with W/(2 cos 45):
-together 1.414 W, so that a column of 100 t that stood there was at -41.4 %, and `until: {load_transferred: 50 %}`
-went on until 64.6 % of it hung. Its wall by which a load is pressed counted as if it bore it. What counts is what
-contacts bear, their forces upwards with that of friction: 1 less that is what the hook carries of the weight.
+Forces of contacts were added up by their sizes. In a cradle at 45 degrees each face presses with W/(2 cos
+45): together 1.414 W, so that a column of 100 t that stood there was at -41.4 %, and `until:
+{load_transferred: 50 %}` went on until 64.6 % of it hung. Its wall by which a load is pressed counted as if
+it bore it. What counts is what contacts bear, their forces upwards with that of friction: 1 less that is
+what the hook carries of the weight.
 """
 
 from __future__ import annotations
@@ -87,8 +88,8 @@ def test_what_a_cradle_bears_is_the_weight_less_the_hook_load(
 ) -> None:
     """Of what stands still the forces up are W: transferred = hook load/W, whatever its sides press with.
 
-    At rest without friction the sides press with W sqrt 2. Braking from 0.1 m/min in 1.7 mm/s over 0.05 m/s2 and
-    ramps of 1 s the hook goes on by less than 2 mm; slings and contacts together give 8 mm for W.
+    At rest without friction the sides press with W sqrt 2. From 0.1 m/min the hook brakes within less than
+    2 mm; slings and contacts together give 8 mm for W.
     """
     path = written(tmp_path, cradle(friction, swap=swap))
     recording = gantline.simulate(path)

@@ -1,7 +1,7 @@
 """Seas in which every run stopped were told to last as long as the longest of these came.
 
-`gantline seas` of a lift of 20 s that gave up at 3 s had "3 s" in its head line, as if that were the plan, and
-nothing there said that records had not come to their end; the report had the same.
+`gantline seas` of a lift of 20 s that gave up at 3 s had "3 s" in its head line, as if that were the plan,
+and nothing there said that records had not come to their end; the report had the same.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A pile of 10,000 t with a wall of 72 mm, which weighs 991 t, was in order; so was a box of 50 t in a cubic metre.
+"""A pile of 10,000 t with a wall of 72 mm, which weighs 991 t, was in order.
 
 Only loads `in_water` were held against what they displace.
 """

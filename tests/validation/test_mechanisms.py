@@ -33,7 +33,7 @@ def test_the_longest_step_of_explicit_is_that_of_the_sheaves() -> None:
     assert limit == pytest.approx(2.55e-3, abs=0.01e-3)
     below = gantline.simulate(SCENARIOS / "equalizer", integrator="explicit", step=0.98 * limit)
     assert stability_of(below).is_sound
-    with pytest.raises(gantline.SimulationError, match="the step of .* is too long") as failure:
+    with pytest.raises(gantline.SimulationError, match="is too long for an explicit method") as failure:
         gantline.simulate(SCENARIOS / "equalizer", integrator="explicit", step=1.02 * limit)
     assert failure.value.element.startswith("e1")
 

@@ -64,8 +64,8 @@ def test_the_map_of_a_step() -> None:
 def test_stable_below_the_limit_unstable_above(damping_time: float) -> None:
     """λ = -1 at the limit h²ω² + 2hω²τ = 4. Below it the motion stays bounded: undamped by
 
-    1/√(1 - (hω/2)²) times that of the mass, 7 times at 1 % below. 1 % above it it grows past that, and the run
-    ends before 200 steps: the method has put in half as much energy as the rope holds.
+    1/√(1 - (hω/2)²) times that of the mass, 7 times at 1 % below. 1 % above it it grows past that, and
+    the run ends before 200 steps: the method has put in half as much energy as the rope holds.
     """
     h = limit(damping_time)
     below = simulate(hanging(damping_time), 200 * h, step=0.99 * h, type="explicit")

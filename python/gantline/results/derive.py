@@ -216,7 +216,7 @@ def _load_state(columns: Columns, names: Names, rig: Rig) -> Derived:
         - (borne[:, place] + held_up(columns, names, rig, load.name)) / weight_of(columns, names, rig, load)
         for place, load in enumerate(rig.loads)
     ]
-    # A hinge that holds its load down against its hooks bears nothing of its weight, nor does a wall by its friction.
+    # A hinge that holds its load down against its hooks bears nothing of it, nor does a wall by its friction.
     transferred = np.minimum(np.stack(hang, axis=1), 1.0)
     bodies = [list(names["body"]).index(load.body) for load in rig.loads]
     dims = ("time", "load")

@@ -1,4 +1,4 @@
-"""Loads that are led past the rows of a chart, hang in a hook that stays behind, or from a vessel that is hauled."""
+"""Loads that are led past their chart, hang in a hook left behind, or are led from a hauled vessel."""
 
 from __future__ import annotations
 
@@ -96,7 +96,8 @@ def _hauled(scenario: Scenario, place: int, step: LeadStep) -> Iterator[Doubt]:
         for vessel in dict.fromkeys(lines[name].vessel for name in moved):
             if vessel not in bases:
                 continue
-            hauls = f"step '{one.step}' moves lines of {vessel}, and cranes lead as if she lay where the lift file has her"
+            as_if = "cranes lead as if she lay where the lift file has her"
+            hauls = f"step '{one.step}' moves lines of {vessel}, and {as_if}"
             if len(bases) > 1:
                 yield Doubt(("plan", place, "lead"), f"{hauls}: hooks come apart from those on another base")
                 return

@@ -1,4 +1,4 @@
-"""Loads heavier than all that they hang from may carry, or than what they are made of: a digit has slipped."""
+"""Loads heavier than all that they hang from may carry, or than what they are made of: a slip."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ __all__ = ["doubtful_density", "doubtful_weight"]
 _SLIPPED = 2.0
 #: What fills a box or a solid cylinder is no denser than this [of steel]: lead has 1.44.
 _DENSEST = 1.5
-#: A tube weighs no more than this many times its wall of steel, and no less than that share of it [1]: a lining of
-#: 150 mm makes two and a half of one of 30 mm, and glass fibre is a quarter as heavy as steel.
+#: A tube weighs no more than this many times its wall of steel, and no less than that share of it [1]: a
+#: lining of 150 mm makes two and a half of one of 30 mm, and glass fibre is a quarter as heavy as steel.
 _OF_WALL, _LEAST_OF_WALL = 5.0, 0.1
 
 
@@ -49,7 +49,7 @@ def doubtful_weight(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
 
 
 def doubtful_density(scenario: Scenario) -> Iterator[Doubt]:
-    """Whether the load weighs more than what its box or cylinder has room for, or a tube other than its wall."""
+    """Whether the load weighs more than its box or cylinder has room for, or a tube other than its wall."""
     load = scenario.load
     if load is None or (load.shape.box is None and load.shape.cylinder is None):
         return
