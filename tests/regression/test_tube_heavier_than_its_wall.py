@@ -6,6 +6,7 @@ Only loads `in_water` were held against what they displace.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 import pytest
 
@@ -18,7 +19,7 @@ from round_lift import round_lift
 WALL = 7.85 * math.pi * (7.5 - 0.072) * 0.072 * 75.0
 
 
-def told(shape: dict[str, object], mass: float) -> list[str]:
+def told(shape: Mapping[str, object], mass: float) -> list[str]:
     """What is told of a load of that mass [t]."""
     given = round_lift(
         {"diameter": "1 m", "length": "2 m"}, (0.0, 0.0, 0.5), load={"weight": {"calculated": f"{mass!r} t"}}
