@@ -35,12 +35,14 @@ def test_a_tube_is_held_against_its_wall(share: float, is_told: bool) -> None:
     tube = {"cylinder": {"diameter": "7.5 m", "length": "75 m", "wall": "72 mm"}}
     found = told(tube, share * WALL)
     assert bool(found) is is_told
-    assert all(f"its wall of steel {WALL:.1f} t; a unit or digit has slipped" in one for one in found)
+    assert all(
+        f"its wall of steel {WALL:.1f} t; a digit of the weight or the sizes has slipped" in one
+        for one in found
+    )
 
 
 @pytest.mark.parametrize(("share", "is_told"), [(1.44, False), (1.51, True)])
 def test_what_is_solid_is_held_against_steel(share: float, is_told: bool) -> None:
-    """Lead fills a box with 1.44 times what steel would weigh there."""
-    assert bool(told({"box": ["2 m", "1 m", "0.5 m"]}, share * 7.85)) is is_told
+    """Lead fills it with 1.44 times what steel would weigh there."""
     rod = {"cylinder": {"diameter": "1 m", "length": "2 m"}}
     assert bool(told(rod, share * 7.85 * math.pi / 2.0)) is is_told

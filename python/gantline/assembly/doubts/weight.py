@@ -17,7 +17,7 @@ __all__ = ["doubtful_density", "doubtful_weight"]
 #: Loads that are tilted up by one end leave about half of their weight where they stand; what is more than
 #: this many times what may be carried is a slip [1].
 _SLIPPED = 2.0
-#: What fills a box or a solid cylinder is no denser than this [of steel]: lead has 1.44.
+#: What fills a solid cylinder is no denser than this [of steel]: lead has 1.44.
 _DENSEST = 1.5
 #: A tube weighs no more than this many times its wall of steel, and no less than that share of it [1]: a
 #: lining of 150 mm makes two and a half of one of 30 mm, and glass fibre is a quarter as heavy as steel.
@@ -49,24 +49,21 @@ def doubtful_weight(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
 
 
 def doubtful_density(scenario: Scenario) -> Iterator[Doubt]:
-    """Whether the load weighs more than its box or cylinder has room for, or a tube other than its wall."""
+    """Whether a round load weighs more than its cylinder has room for, or a tube other than its wall."""
     load = scenario.load
-    if load is None or (load.shape.box is None and load.shape.cylinder is None):
+    cylinder = None if load is None else load.shape.cylinder
+    if load is None or cylinder is None:
         return
-    mass, path = load.weight.simulated, ("load", "weight")
-    weighs, slipped = f"the load weighs {format_by_size(mass, 'mass', 4)}", "a unit or digit has slipped"
-    cylinder = load.shape.cylinder
-    if cylinder is not None and cylinder.wall is not None:
-        wall = STEEL * cylinder.moments.volume
-        of_steel = f"its wall of steel {format_by_size(wall, 'mass', 4)}"
-        if mass > _OF_WALL * wall or mass < _LEAST_OF_WALL * wall:
-            yield Doubt(path, f"{weighs}, and {of_steel}; {slipped}, of the weight or the sizes")
-        return
-    volume = math.prod(load.shape.box or ()) if cylinder is None else cylinder.enclosed
-    solid = STEEL * volume
-    if mass > _DENSEST * solid:
-        full = f"solid steel of its size {format_by_size(solid, 'mass', 4)}"
-        yield Doubt(path, f"{weighs}, and {full}; {slipped}, of the weight or the sizes")
+    mass, is_tube = load.weight.simulated, cylinder.wall is not None
+    solid = STEEL * cylinder.moments.volume
+    most, least = (_OF_WALL, _LEAST_OF_WALL) if is_tube else (_DENSEST, 0.0)
+    if not least * solid <= mass <= most * solid:
+        of_steel = "its wall of steel" if is_tube else "solid steel of its size"
+        weighs = f"the load weighs {format_by_size(mass, 'mass', 4)}"
+        sentence = f"{weighs}, and {of_steel} {format_by_size(solid, 'mass', 4)}"
+        yield Doubt(
+            ("load", "weight"), f"{sentence}; a unit or digit has slipped, of the weight or the sizes"
+        )
 
 
 def _carried_by(scenario: Scenario, hooks: set[str]) -> float:
