@@ -27,7 +27,7 @@ def test_a_step_that_is_too_long_ends_the_run_by_name(step: float, before: float
     with pytest.raises(gantline.SimulationError) as failure:
         gantline.simulate(EQUALIZER, integrator="explicit", step=step)
     assert 0.0 < failure.value.time < before
-    assert failure.value.element.startswith("e1")
+    assert failure.value.element.startswith("e1.")
     assert "the method has put in" in failure.value.cause
     assert f"the step of {step:g} s is too long for an explicit method" in failure.value.cause
     recording = failure.value.recording

@@ -35,10 +35,7 @@ def test_a_tube_is_held_against_its_wall(share: float, is_told: bool) -> None:
     tube = {"cylinder": {"diameter": "7.5 m", "length": "75 m", "wall": "72 mm"}}
     found = told(tube, share * WALL)
     assert bool(found) is is_told
-    assert all(
-        f"its wall of steel {WALL:.1f} t; a digit of the weight or the sizes has slipped" in one
-        for one in found
-    )
+    assert all(f"its wall of steel {WALL:.1f} t; a " in one and one.endswith("has slipped") for one in found)
 
 
 @pytest.mark.parametrize(("share", "is_told"), [(1.44, False), (1.51, True)])

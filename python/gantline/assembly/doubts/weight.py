@@ -61,9 +61,7 @@ def doubtful_density(scenario: Scenario) -> Iterator[Doubt]:
         of_steel = "its wall of steel" if is_tube else "solid steel of its size"
         weighs = f"the load weighs {format_by_size(mass, 'mass', 4)}"
         sentence = f"{weighs}, and {of_steel} {format_by_size(solid, 'mass', 4)}"
-        yield Doubt(
-            ("load", "weight"), f"{sentence}; a unit or digit has slipped, of the weight or the sizes"
-        )
+        yield Doubt(("load", "weight"), f"{sentence}; a digit of one of them has slipped")
 
 
 def _carried_by(scenario: Scenario, hooks: set[str]) -> float:
