@@ -259,6 +259,7 @@ def sample_columns(
         "joint_position": np.column_stack([hook - hook[0], yaw, travel]),
         "joint_force": joint_force,
         "contact_force": contact,
+        "contact_lift": contact,
         "energy": np.column_stack([kinds[kind] for kind in ENERGIES]),
         "residual_constraint": zero,
         "residual_complementarity": zero,

@@ -166,6 +166,9 @@ pub struct Ledger {
     scale: f64,
     /// Largest |remainder| so far.
     worst: f64,
+    /// The most that the method has taken away on balance so far.
+    #[serde(default)]
+    most_taken: f64,
 }
 
 impl Ledger {
@@ -195,6 +198,7 @@ impl Ledger {
         // Weight and water that bear each other are large beside what moves: their rounding is no gap of the books.
         let rounding = if fluid == 0.0 { 0.0 } else { ROUNDING * (gravity.abs() + fluid.abs()) };
         self.worst = self.worst.max(self.remainder().abs() - rounding);
+        self.most_taken = self.most_taken.max(self.flows.method);
     }
 
     /// What the balance does not explain [J].
@@ -221,7 +225,7 @@ impl Ledger {
     /// Takes flows since `before` for others, known better.
     pub fn correct(&mut self, before: &Self, (known, better): (Flows, Flows)) {
         self.flows += better - known;
-        (self.scale, self.worst) = (before.scale, before.worst);
+        (self.scale, self.worst, self.most_taken) = (before.scale, before.worst, before.most_taken);
         let Self { kinetic, gravity, elastic, fluid, .. } = *self;
         self.store(Stored { kinetic, gravity, elastic, fluid });
     }
@@ -230,6 +234,11 @@ impl Ledger {
     /// to what its weight does along some nanometres.
     pub fn relative_remainder(&self) -> f64 {
         if self.scale > 0.0 { self.worst / self.scale } else { 0.0 }
+    }
+
+    /// What the method has put in beyond what it had taken away before, relative to the same.
+    pub fn share_of_method(&self) -> f64 {
+        if self.scale > 0.0 { (self.most_taken - self.flows.method) / self.scale } else { 0.0 }
     }
 
     /// Energies in the order of [`KINDS`]; gravity relative to the start [J].

@@ -11,6 +11,7 @@ use crate::contact::landing::Landing;
 use crate::contact::pad::Pad;
 use crate::contact::plane::Plane;
 use crate::contact::shape::Shape;
+use crate::contact::spot::Spot;
 use crate::event::afloat::{Mark, Vessel};
 use crate::force;
 use crate::force::mooring::Mooring;
@@ -97,15 +98,18 @@ pub struct DriveJoint {
 pub struct ContactGroup {
     /// Name, usually the load's.
     pub name: String,
+    /// The body of that name; of another name there is none, and contacts bear their first bodies.
+    pub body: Option<usize>,
     /// Indices of the constraints.
     pub contacts: Vec<usize>,
 }
 
 impl ContactGroup {
     /// Number of the group of that name, which is added where it is not there yet.
-    pub fn named(groups: &mut Vec<Self>, name: &str) -> usize {
+    pub fn named(groups: &mut Vec<Self>, name: &str, tree: &Tree) -> usize {
         groups.iter().position(|group| group.name == name).unwrap_or_else(|| {
-            groups.push(Self { name: name.to_owned(), contacts: Vec::new() });
+            let body = tree.bodies.iter().position(|body| body.name == name);
+            groups.push(Self { name: name.to_owned(), body, contacts: Vec::new() });
             groups.len() - 1
         })
     }
@@ -140,6 +144,16 @@ pub enum Finder {
     },
     /// A landing guide, and the first of the touches that are reserved for it.
     Landing(usize, Box<Landing>),
+}
+
+impl Finder {
+    /// Its touch, or the first.
+    pub fn touch(&self) -> usize {
+        match self {
+            Self::Pad(touch, _) | Self::Rim(touch, _) | Self::Landing(touch, _) => *touch,
+            Self::Pair { first, .. } => *first,
+        }
+    }
 }
 
 /// What distances are measured from: shapes and straight parts of ropes.
@@ -339,6 +353,18 @@ impl System {
             AnyConstraint::Rope(rope) => Some(rope),
             _ => None,
         })
+    }
+
+    /// What a contact bears of the weight of the body of its group, with these forces of its rows: their part upwards [N].
+    pub fn lift_of(&self, contact: usize, kinematics: &Kinematics, spots: &[Spot], force: [f64; 3]) -> f64 {
+        let (group, facing, spot) = match &self.constraints[contact] {
+            AnyConstraint::Contact(contact) => (contact.group, &contact.facing, &contact.spot),
+            AnyConstraint::Touch(touch) => (touch.group, &touch.facing, &spots[touch.spot]),
+            _ => return 0.0,
+        };
+        let body = self.groups[group].body;
+        let upwards = facing.force(kinematics, spot, force).1.z;
+        if body.is_some() && facing.bodies[1] == body { -upwards } else { upwards }
     }
 
     /// Mooring lines. In recordings, cuts and events they count on from the ropes.

@@ -53,7 +53,7 @@ from gantline.assembly.doubts.turns import doubtful_turns
 from gantline.assembly.doubts.vessels import doubtful_vessels
 from gantline.assembly.doubts.waits import doubtful_waits
 from gantline.assembly.doubts.ways import doubtful_ways
-from gantline.assembly.doubts.weight import doubtful_weight
+from gantline.assembly.doubts.weight import doubtful_density, doubtful_weight
 from gantline.assembly.loads.guides import add_guides
 from gantline.assembly.loads.in_water import add_in_water
 from gantline.assembly.loads.lifted import LiftedLoad, add_load, lifted_load
@@ -223,6 +223,7 @@ def _doubts(
         *(() if lifted is None else lifted.body.doubts),
         *parts.doubts,
         *doubtful_weight(scenario, rigging),
+        *doubtful_density(scenario),
         *doubtful_masses(scenario),
         *doubtful_empty(scenario, rigging),
         *doubtful_pins(scenario, rigging, pins),

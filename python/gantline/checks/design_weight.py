@@ -81,7 +81,7 @@ def _left(recording: Recording, load: Load) -> tuple[FloatArray, FloatArray]:
     Both are the same of a load at rest. Where next to nothing is left, of one that floats, the first is the
     difference of two large numbers, and the second still no less than what any sling or support bears.
     """
-    borne = series.support_force(recording, load).copy()
+    borne = series.borne(recording, load).copy()
     for sling in recording.rig.slings:
         if sling.to_load == load.name:
             borne += np.maximum(series.sling_upright(recording, sling), 0.0)

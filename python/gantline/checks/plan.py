@@ -168,7 +168,7 @@ def _back_on_supports(recording: Recording) -> Iterator[str]:
     first = lift_off_time(recording)
     for load in recording.rig.loads:
         weight = series.load_weight(recording, load)
-        share = float(series.support_force(recording, load)[-1] / weight[-1])
+        share = float(series.borne(recording, load)[-1] / weight[-1])
         spans = progress.spans(recording).items()
         is_lowered = any(kinds.get(step) in _LOWERS and end > (first or 0.0) for step, (_, end) in spans)
         if share > 0.0 and not is_lowered and first is not None:

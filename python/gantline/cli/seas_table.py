@@ -19,8 +19,9 @@ def seas_table(found: SavedSeas, width: int) -> list[str]:
     """Lines of all tables, with what stops the lift and what to know of them below."""
     kind = "height over period" if found.is_regular else "significant height over peak period"
     each = "" if found.is_regular and found.records == 1 else f", {_records(found.records)} of each sea"
-    lasts = f", {found.duration:g} s" if found.duration > 0.0 else ""  # of none that was simulated
-    head = f"Waves '{found.waves}', {kind}{each}{lasts}; share of the limit that is used most"
+    lasts = f", {found.duration:g} s" if found.duration > 0.0 else ""  # nobody knows of an old file
+    short = f"; {found.short}" if found.short else ""
+    head = f"Waves '{found.waves}', {kind}{each}{lasts}{short}; share of the limit that is used most"
     lines = [found.title, *textwrap.wrap(head, max(width, 60), subsequent_indent=_INDENT), ""]
     for direction in found.directions:
         lines += [*_field(found, direction, width), ""]
@@ -98,7 +99,7 @@ def _notes(found: SavedSeas) -> Iterator[str]:
         yield f"too steep: there are no such waves ({limit})"
     if any(sea.is_run and not sea.has_verdict for sea in found.seas):
         yield "no verdict: the checks cannot show that the lift is a go"
-    if not found.is_regular and found.duration > 0.0:
+    if not found.is_regular and found.runs > found.unstarted:
         yield (
             f"by {_records(found.records)} of each sea: the chance that one more is worse than the worst of "
             f"them is 1 in {found.records + 1}; --records asks for more"

@@ -27,7 +27,8 @@ class Seas(Section):
             "waves": found.waves,
             "is_regular": found.is_regular,
             "records": found.records,
-            "duration": show(found.duration, "s", 0),
+            "duration": show(found.duration, "s", 0) if found.duration > 0.0 else "",
+            "short": found.short,
             "fields": [_field(found, direction) for direction in found.directions],
             "stops": [_stop(sea) for sea in stoppers if not _reason(sea)],
             "extremes": [

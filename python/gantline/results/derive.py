@@ -210,20 +210,28 @@ def _overloads(
 def _load_state(columns: Columns, names: Names, rig: Rig) -> Derived:
     if not rig.loads:
         return {}, {}
+    borne = np.stack([_borne(columns, names, load) for load in rig.loads], axis=1)
     hang = [
-        1.0 - _borne(columns, names, rig, load) / weight_of(columns, names, rig, load) for load in rig.loads
+        1.0
+        - (borne[:, place] + held_up(columns, names, rig, load.name)) / weight_of(columns, names, rig, load)
+        for place, load in enumerate(rig.loads)
     ]
-    transferred = np.stack(hang, axis=1)
-    if rig.hinges:  # one that holds its load down against its hooks bears nothing of its weight
-        transferred = np.minimum(transferred, 1.0)
+    # A hinge that holds its load down against its hooks bears nothing of it, nor does a wall by its friction.
+    transferred = np.minimum(np.stack(hang, axis=1), 1.0)
     bodies = [list(names["body"]).index(load.body) for load in rig.loads]
     dims = ("time", "load")
     return {
+        "load_borne": Variable(
+            dims,
+            borne,
+            "N",
+            "what supports, ground and other bodies bear of a load: their force upwards, with friction",
+        ),
         "load_transferred": Variable(
             dims,
             transferred,
             "1",
-            "1 - forces of supports and hinge/weight of a load with its tanks, 1 at most",
+            "1 - what supports and hinge bear/weight of a load with its tanks, 1 at most",
         ),
         "load_tilt": Variable(
             dims,
@@ -234,8 +242,8 @@ def _load_state(columns: Columns, names: Names, rig: Rig) -> Derived:
     }, {"load": [load.name for load in rig.loads]}
 
 
-def _borne(columns: Columns, names: Names, rig: Rig, load: Load) -> FloatArray:
-    """What supports bear of a load, whichever way they press, and hinges upwards [N], shape (time,)."""
+def _borne(columns: Columns, names: Names, load: Load) -> FloatArray:
+    """What all that a load touches bears of it, forces upwards [N], shape (time,)."""
     at = [list(names["contact"]).index(contact) for contact in load.contacts]
-    borne: FloatArray = columns["contact_force"][:, at].sum(axis=1)
-    return borne + held_up(columns, names, rig, load.name)
+    borne: FloatArray = columns["contact_lift"][:, at].sum(axis=1)
+    return borne

@@ -46,6 +46,15 @@ def support_force(recording: Recording, load: Load) -> FloatArray:
     return recording.kept(("support_force", *load.contacts), lambda: _sum_of_contacts(recording, load))
 
 
+def borne(recording: Recording, load: Load) -> FloatArray:
+    """What supports bear of a load: their force upwards, with friction [N], shape (time,).
+
+    Recordings of older versions have but the sizes of their forces.
+    """
+    known = "load_borne" in recording
+    return recording.column("load_borne", load.name) if known else support_force(recording, load)
+
+
 def _sum_of_contacts(recording: Recording, load: Load) -> FloatArray:
     total = np.zeros(len(recording.time))
     for contact in load.contacts:

@@ -195,6 +195,7 @@ class SeasResult(SeaGrid[Sea]):
         records: Records of each sea that were asked for.
         seas: All seas of the grid, by direction, period and height.
         interrupted: Whether Ctrl-C ended it before all were run.
+        duration: What each run was to simulate [s].
     """
 
     title: str
@@ -204,6 +205,7 @@ class SeasResult(SeaGrid[Sea]):
     records: int
     seas: Sequence[Sea]
     interrupted: bool = False
+    duration: float = 0.0
 
     def __repr__(self) -> str:
         run = sum(bool(sea.records) for sea in self.seas)
@@ -238,6 +240,7 @@ class SeasResult(SeaGrid[Sea]):
             "regular": self.is_regular,
             "records": self.records,
             "interrupted": self.interrupted,
+            "duration": self.duration,
             "allowed": [
                 {
                     "direction": direction,
@@ -305,7 +308,7 @@ def run_seas(
         for height in heights
     ]
     # What is wrong with the lift as such, or with a setting, is no matter of a sea.
-    Simulation(scenario, **overrides)
+    duration = Simulation(scenario, **overrides).duration
     interrupted, numbers = False, range(1, records + 1)
     with SideBySide(workers) as pool:
         try:
@@ -323,7 +326,7 @@ def run_seas(
             interrupted = True
             pool.give_up()
     title, text = scenario.lift.title, scenario.text
-    return SeasResult(title, text, name, train.is_regular, records, seas, interrupted)
+    return SeasResult(title, text, name, train.is_regular, records, seas, interrupted, duration)
 
 
 def _worth_a_run(seas: Sequence[Sea], height: float, *, all_heights: bool) -> list[int]:

@@ -58,7 +58,7 @@ pub(super) fn build_constraints(
     let brakes = build_brakes(spec, tree, &constraints)?;
     let mut groups: Vec<ContactGroup> = Vec::new();
     for given in &spec.contacts {
-        let group = ContactGroup::named(&mut groups, &given.group);
+        let group = ContactGroup::named(&mut groups, &given.group, tree);
         groups[group].contacts.push(constraints.len());
         constraints.push(AnyConstraint::Contact(build_contact(given, group, tree)?));
     }

@@ -99,7 +99,7 @@ pub(super) fn build_touches(
     let mut made = Touches::default();
     let mut add = |name: String, group: &str, facing: Facing, law: [f64; 3], is_support: bool| {
         let index = constraints.len();
-        let group = ContactGroup::named(groups, group);
+        let group = ContactGroup::named(groups, group, tree);
         groups[group].contacts.push(index);
         let [stiffness, damping_time, friction] = law;
         constraints.push(AnyConstraint::Touch(Touch {

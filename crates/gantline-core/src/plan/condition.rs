@@ -6,11 +6,20 @@ use glam::DVec3;
 use crate::spec::AttitudeSpec;
 use crate::tree::kinematics::Kinematics;
 
+/// What the contacts of a group do to the body that they bear.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Support {
+    /// Sum of their normal forces, whichever way they press [N].
+    pub pressed: f64,
+    /// What they bear of its weight: their force upwards, with that of friction [N].
+    pub borne: f64,
+}
+
 /// What conditions look at.
 #[derive(Clone, Copy)]
 pub struct Seen<'a> {
-    /// Normal force of each contact group [N].
-    pub support: &'a [f64],
+    /// What each contact group does.
+    pub support: &'a [Support],
     /// Tension that a row of a rope stands for [N]; mooring lines count on from the rows.
     pub tension: &'a dyn Fn(usize) -> f64,
     /// Where everything is.
@@ -109,11 +118,13 @@ impl Condition {
         let tension = |row: &usize| (seen.tension)(*row).max(0.0);
         match self {
             Self::LoadTransferred { group, weight, at_least } => {
-                1.0 - seen.support[*group] / weight >= *at_least
+                1.0 - seen.support[*group].borne / weight >= *at_least
             }
-            Self::LoadReturned { group, weight, at_most } => 1.0 - seen.support[*group] / weight <= *at_most,
-            Self::Clear(group) => seen.support[*group] <= 0.0,
-            Self::Touched(group) => seen.support[*group] > 0.0,
+            Self::LoadReturned { group, weight, at_most } => {
+                1.0 - seen.support[*group].borne / weight <= *at_most
+            }
+            Self::Clear(group) => seen.support[*group].pressed <= 0.0,
+            Self::Touched(group) => seen.support[*group].pressed > 0.0,
             Self::TensionAbove { rows, bound } => rows.iter().map(tension).sum::<f64>() >= *bound,
             Self::TensionBelow { rows, bound } => rows.iter().map(tension).sum::<f64>() <= *bound,
             Self::Plumb { falls, cosine } => falls.iter().all(|one| one.cosine(seen.kinematics) >= *cosine),
@@ -168,8 +179,10 @@ mod tests {
     fn each_holds_on_its_side_of_its_bound() {
         let tree = Tree::new(Vec::new(), DVec3::ZERO);
         let kinematics = Kinematics::new(&tree);
-        let seen =
-            Seen { support: &[600.0, 0.0], tension: &|row| [10.0, 12.0, -1.0][row], kinematics: &kinematics };
+        // In a cradle contacts press with more than they bear.
+        let support = [Support { pressed: 700.0, borne: 600.0 }, Support::default()];
+        let tension = |row: usize| [10.0, 12.0, -1.0][row];
+        let seen = Seen { support: &support, tension: &tension, kinematics: &kinematics };
         let transferred = |at_least| Condition::LoadTransferred { group: 0, weight: 1000.0, at_least };
         assert!(transferred(0.4).holds(&seen) && !transferred(0.41).holds(&seen));
         let returned = |at_most| Condition::LoadReturned { group: 0, weight: 1000.0, at_most };

@@ -58,6 +58,8 @@ pub struct Columns {
     pub joint_force: Vec<f64>,
     /// (contact) normal force [N].
     pub contact_force: Vec<f64>,
+    /// What contacts bear of the weight of the body of their group (samples, contacts) [N].
+    pub contact_lift: Vec<f64>,
     /// (pin) force that it holds, or moment, positive where that would move the joint forwards [N or N m].
     pub pin_force: Vec<f64>,
     /// (pair) smallest distance [m], not positive where they touch.
@@ -131,6 +133,7 @@ impl Columns {
             joint_position: room(names.joint.len()),
             joint_force: room(3 * bodies),
             contact_force: room(names.contact.len()),
+            contact_lift: room(names.contact.len()),
             pin_force: room(names.pin.len()),
             clearance: room(names.pair.len()),
             displaced_volume: room(names.hull.len()),
@@ -231,10 +234,12 @@ impl Sampled {
                 AnyConstraint::Pin(_) => columns.pin_force.push(tension[row]),
                 AnyConstraint::Contact(contact) => {
                     let forces = [0, 1, 2].map(|k| tension[row + k]);
+                    columns.contact_lift.push(system.lift_of(index, &self.kinematics, spots, forces));
                     self.add_touch(&contact.facing, &contact.spot, forces, columns);
                 }
                 AnyConstraint::Touch(touch) => {
                     let forces = [0, 1, 2].map(|k| tension[row + k]);
+                    columns.contact_lift.push(system.lift_of(index, &self.kinematics, spots, forces));
                     self.add_touch(&touch.facing, &spots[touch.spot], forces, columns);
                 }
             }

@@ -32,6 +32,7 @@ pub fn named(samples: &Samples, columns: Columns, names: &Names, events: Vec<f64
         ("joint_position", columns.joint_position, vec![count, names.joint.len()]),
         ("joint_force", columns.joint_force, vec![count, bodies, 3]),
         ("contact_force", columns.contact_force, vec![count, names.contact.len()]),
+        ("contact_lift", columns.contact_lift, vec![count, names.contact.len()]),
         ("pin_force", columns.pin_force, vec![count, names.pin.len()]),
         ("clearance", columns.clearance, vec![count, names.pair.len()]),
         ("displaced_volume", columns.displaced_volume, vec![count, names.hull.len()]),

@@ -44,6 +44,7 @@ use crate::clock::Stage;
 use crate::constraint::rope::span::Span;
 use crate::event::EventLog;
 use crate::force::{self, memory};
+use crate::plan::condition::Support;
 use crate::record::Sample;
 use crate::rope::seat::Winding;
 use crate::solver::brakes::holdings;
@@ -82,7 +83,7 @@ pub struct Del {
     force: Vec<f64>,
     v: Vec<f64>,
     increment: Vec<f64>,
-    support: Vec<f64>,
+    support: Vec<Support>,
     /// Configuration at the start of the step.
     before: Vec<f64>,
     wraps: Vec<Winding>,
@@ -108,7 +109,7 @@ impl Del {
             force: zeros.clone(),
             v: zeros.clone(),
             increment: zeros,
-            support: vec![0.0; system.groups.len()],
+            support: vec![Support::default(); system.groups.len()],
             before: Vec::new(),
             wraps: vec![Winding::default(); system.sheaves.len()],
             loosening: Loosening::new(system),
@@ -165,7 +166,7 @@ impl Del {
         end: f64,
         log: &mut EventLog,
     ) -> Result<bool, StepError> {
-        flows::supports(system, &state.tension, &mut self.support);
+        flows::supports(system, &frame.kinematics, (&state.spots, &state.tension), &mut self.support);
         flows::advance_plan(system, state, frame, (end, &self.support), log);
         parting::cut(system, state, frame, end, log);
         parting::break_ropes(system, state, frame, log);

@@ -20,6 +20,7 @@ use crate::audit::spring_energy;
 use crate::clock::Stage;
 use crate::constraint::Law;
 use crate::event::EventLog;
+use crate::plan::condition::Support;
 use crate::record::Sample;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
@@ -30,6 +31,10 @@ use crate::tree::mass::MassMatrix;
 
 /// Light: what is faster has been thrown, and would soon be no number any more.
 const FASTEST: f64 = 3e8;
+/// Of the largest energy that a lift has held and its drives have worked what the method may put in of its own. It is some
+/// thousandths where steps are short enough; past a half of all what moves is its own doing, and no figure stands for the
+/// lift. One that shakes a stiff rope, which damps it again, puts in many times as much.
+const OF_ITS_OWN: f64 = 0.5;
 
 /// The integrator with its work arrays.
 #[derive(Debug, Clone)]
@@ -52,7 +57,7 @@ pub struct Explicit {
     modes: Vec<Mode>,
     tension: Vec<f64>,
     trial: Vec<f64>,
-    support: Vec<f64>,
+    support: Vec<Support>,
 }
 
 impl Explicit {
@@ -75,7 +80,7 @@ impl Explicit {
             modes: vec![Mode::Slack; rows.len()],
             tension: rows.clone(),
             trial: rows,
-            support: vec![0.0; system.groups.len()],
+            support: vec![Support::default(); system.groups.len()],
         }
     }
 
@@ -101,11 +106,12 @@ impl Explicit {
                     .to_owned(),
             );
         }
-        if !system.finders.is_empty() {
-            return Some(
-                "the integrator explicit knows no supports and no contact between bodies; use adaptive or del"
-                    .to_owned(),
-            );
+        if let Some(finder) = system.finders.first() {
+            let name = system.constraints[finder.touch()].name();
+            return Some(format!(
+                "the integrator explicit knows no supports, no round loads on the ground and no contact between bodies, such as \
+                 {name}; use adaptive or del"
+            ));
         }
         if let Some((_, brake)) = system.brakes().next() {
             return Some(format!(
@@ -153,9 +159,10 @@ impl Explicit {
         frame: &mut Frame,
         log: &mut EventLog,
     ) -> Result<StepReport, StepError> {
+        self.refuse_runaway(system, state, frame)?;
         let h = self.h;
         let end = (state.steps + 1) as f64 * h;
-        flows::supports(system, &state.tension, &mut self.support);
+        flows::supports(system, &frame.kinematics, (&state.spots, &state.tension), &mut self.support);
         flows::advance_plan(system, state, frame, (end, &self.support), log);
         if state.steps == 0 {
             let State { v, bias, .. } = state;
@@ -201,6 +208,23 @@ impl Explicit {
         Ok(StepReport { converged: true, factorisations: 1, ..StepReport::default() })
     }
 
+    /// # Errors
+    /// [`StepError`] where the method drives the lift by energy of its own, ½h² aᵀMa of a step; at what has most of that.
+    fn refuse_runaway(&mut self, system: &System, state: &State, frame: &Frame) -> Result<(), StepError> {
+        let share = state.ledger.share_of_method();
+        if share <= OF_ITS_OWN {
+            return Ok(());
+        }
+        frame.mass.multiply(&state.acceleration, &mut self.work);
+        let energy = |dof: &usize| self.work[*dof] * state.acceleration[*dof];
+        let most = (0..self.work.len()).max_by(|one, other| energy(one).total_cmp(&energy(other)));
+        let cause = format!(
+            "the method has put in {share:.2} times the largest energy that the lift has held and its drives have worked: {}",
+            too_long(self.h)
+        );
+        Err(StepError { time: state.time, element: name_of(system, most.unwrap_or(0)), cause })
+    }
+
     /// Imbalance, acceleration and velocity after the step. Driven joints have their mean velocity over the step.
     fn accelerate(
         &mut self,
@@ -237,10 +261,7 @@ impl Explicit {
             *velocity = old + h * a;
         }
         if let Some(dof) = self.v.iter().position(|velocity| velocity.is_nan() || velocity.abs() > FASTEST) {
-            let cause = format!(
-                "a velocity has passed all bounds: the step of {h} s is too long for an explicit method; it must be \
-                 shorter than 2/ω of the fastest oscillation, shorter still with damping"
-            );
+            let cause = format!("a velocity has passed all bounds: {}", too_long(h));
             return Err(StepError { time: state.time, element: name_of(system, dof), cause });
         }
         Ok(())
@@ -360,6 +381,13 @@ impl Explicit {
             }
         }
     }
+}
+
+fn too_long(h: f64) -> String {
+    format!(
+        "the step of {h} s is too long for an explicit method; it must be shorter than 2/ω of the fastest oscillation, shorter \
+         still with damping"
+    )
 }
 
 fn name_of(system: &System, dof: usize) -> String {

@@ -3,9 +3,11 @@
 
 use crate::audit::{Stored, elastic_energy, gravity_energy, spring_energy};
 use crate::constraint::{AnyConstraint, Law};
+use crate::contact::spot::Spot;
 use crate::event::{EventKind, EventLog};
 use crate::force::{self, Energies};
 use crate::plan::Seen;
+use crate::plan::condition::Support;
 use crate::plan::course::Motion;
 use crate::plan::drive::Timeline;
 use crate::record::Sample;
@@ -339,10 +341,24 @@ pub fn is_friction(law: &Law) -> bool {
     matches!(law, Law::Friction { .. })
 }
 
-/// Sum of the normal forces of every contact group [N].
-pub fn supports(system: &System, tension: &[f64], out: &mut [f64]) {
+/// What every contact group does under the forces of all rows [N], where bodies and spots are.
+pub fn supports(
+    system: &System,
+    kinematics: &Kinematics,
+    (spots, tension): (&[Spot], &[f64]),
+    out: &mut [Support],
+) {
     for (sum, group) in out.iter_mut().zip(&system.groups) {
-        *sum = group.contacts.iter().map(|&contact| tension[system.rows.first[contact]]).sum();
+        *sum = Support::default();
+        for &contact in &group.contacts {
+            let first = system.rows.first[contact];
+            let force = [tension[first], tension[first + 1], tension[first + 2]];
+            // What does not press has no friction either.
+            if force[0] > 0.0 {
+                sum.pressed += force[0];
+                sum.borne += system.lift_of(contact, kinematics, spots, force);
+            }
+        }
     }
 }
 
@@ -369,7 +385,7 @@ pub fn advance_plan(
     system: &System,
     state: &mut State,
     frame: &Frame,
-    (to, support): (f64, &[f64]),
+    (to, support): (f64, &[Support]),
     log: &mut EventLog,
 ) {
     let kinematics = &frame.kinematics;

@@ -1,4 +1,4 @@
-"""Loads that are led past the rows of a rating chart, or hang in a hook that stays behind."""
+"""Loads that are led past their chart, hang in a hook left behind, or are led from a hauled vessel."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from gantline.scenario.plan.leading import LedHook, led_hooks, pose_before, way_
 from gantline.scenario.plan.plan import Step
 from gantline.scenario.plan.positions import places_of_cranes
 from gantline.scenario.plan.slinging import slings_on
+from gantline.scenario.plan.steps import LineStep
 from gantline.units import format_quantity
 
 __all__ = ["doubtful_lead", "row_of"]
@@ -42,6 +43,7 @@ def doubtful_lead(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
         if not isinstance(step, LeadStep):
             continue
         yield from _left_behind(scenario, rigging, place, step, on)
+        yield from _hauled(scenario, place, step)
         hooks = led_hooks(scenario, step)
         way = way_of(step, hooks, before[place])
         for index, led in enumerate(hooks):
@@ -77,6 +79,34 @@ def _left_behind(
     if left and set(holds) & set(named):
         hangs = f"the load hangs in {' and '.join(left)} as well, which stays behind and pulls at it"
         yield Doubt(("plan", place, "lead"), f"{hangs}; lead all hooks that have slings on")
+
+
+def _hauled(scenario: Scenario, place: int, step: LeadStep) -> Iterator[Doubt]:
+    """Vessels that lines haul before the step ends: ways are those of cranes where the lift file has them.
+
+    A way that goes with its one vessel does so wherever she is; an axis of the world, or a crane on another
+    base, does not go along.
+    """
+    cranes = scenario.cranes or {}
+    bases = {getattr(cranes[led.crane], "vessel", None) for led in led_hooks(scenario, step)}
+    lines = scenario.mooring_lines or {}
+    upto = [*scenario.plan[:place], *_beside(scenario, place)]
+    for one in upto:
+        moved = full_names(one.moved, lines) if isinstance(one, LineStep) else []
+        for vessel in dict.fromkeys(lines[name].vessel for name in moved):
+            if vessel not in bases:
+                continue
+            as_if = "cranes lead as if she lay where the lift file has her"
+            hauls = f"step '{one.step}' moves lines of {vessel}, and {as_if}"
+            if len(bases) > 1:
+                yield Doubt(("plan", place, "lead"), f"{hauls}: hooks come apart from those on another base")
+                return
+            if step.about is not None:
+                off = "this axis is off by as far as she has gone"
+                yield Doubt(
+                    ("plan", place, "about"), f"{hauls}: {off}; say where it is from there, or leave it out"
+                )
+                return
 
 
 def _beside(scenario: Scenario, place: int) -> Sequence[Step]:

@@ -1,4 +1,4 @@
-"""A load heavier than all that it can hang from may carry: a unit or digit of its weight has slipped."""
+"""Loads heavier than all that they hang from may carry, or than what they are made of: a slip."""
 
 from __future__ import annotations
 
@@ -6,16 +6,22 @@ import math
 from collections.abc import Iterator
 
 from gantline.assembly.checked import rating_charts, ratings
+from gantline.cad.assumptions import STEEL
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.loads.hinge import opened_in
 from gantline.units import format_by_size
 
-__all__ = ["doubtful_weight"]
+__all__ = ["doubtful_density", "doubtful_weight"]
 
 #: Loads that are tilted up by one end leave about half of their weight where they stand; what is more than
 #: this many times what may be carried is a slip [1].
 _SLIPPED = 2.0
+#: What fills a solid cylinder is no denser than this [of steel]: lead has 1.44.
+_DENSEST = 1.5
+#: A tube weighs no more than this many times its wall of steel, and no less than that share of it [1]: a
+#: lining of 150 mm makes two and a half of one of 30 mm, and glass fibre is a quarter as heavy as steel.
+_OF_WALL, _LEAST_OF_WALL = 5.0, 0.1
 
 
 def doubtful_weight(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
@@ -40,6 +46,22 @@ def doubtful_weight(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
         rated = format_by_size(carried, "mass", 4)
         sentence = f"{weighs}, and what its slings hang from may carry {rated} in all{slipped}"
         yield Doubt(("load", "weight"), sentence)
+
+
+def doubtful_density(scenario: Scenario) -> Iterator[Doubt]:
+    """Whether a round load weighs more than its cylinder has room for, or a tube other than its wall."""
+    load = scenario.load
+    cylinder = None if load is None else load.shape.cylinder
+    if load is None or cylinder is None:
+        return
+    mass, is_tube = load.weight.simulated, cylinder.wall is not None
+    solid = STEEL * cylinder.moments.volume
+    most, least = (_OF_WALL, _LEAST_OF_WALL) if is_tube else (_DENSEST, 0.0)
+    if not least * solid <= mass <= most * solid:
+        of_steel = "its wall of steel" if is_tube else "solid steel of its size"
+        weighs = f"the load weighs {format_by_size(mass, 'mass', 4)}"
+        sentence = f"{weighs}, and {of_steel} {format_by_size(solid, 'mass', 4)}"
+        yield Doubt(("load", "weight"), f"{sentence}; a digit of one of them has slipped")
 
 
 def _carried_by(scenario: Scenario, hooks: set[str]) -> float:

@@ -56,7 +56,7 @@ _OVER: dict[tuple[str, ...], str] = {
     ("time", "fender"): "fender_force",
     ("time", "guide"): "guide_force",
     ("time", "hull"): "displaced_volume",
-    ("time", "load"): "load_transferred load_tilt load_swing wind_at_load",
+    ("time", "load"): "load_borne load_transferred load_tilt load_swing wind_at_load",
     ("time", "energy_kind"): "energy",
     ("event",): "event_time event_kind event_name",
 }

@@ -131,11 +131,14 @@ class SavedSeas(SeaGrid[SavedSea]):
         waves: Name of the waves that were varied.
         is_regular: Whether these are all alike.
         records: Records of each sea.
-        duration: Longest time that was simulated in one [s].
+        duration: What each run was to simulate [s]; 0 where none was, of files that do not say it.
         seas: All seas, by direction, period and height.
         allowed: Largest height [m] up to which the lift is a go, by direction [rad] and period [s]; None
             where it is none in the lowest sea.
         warnings: Of lift file and runs, each once.
+        runs: How many records were run, or could not start.
+        stopped: How many of them could not go on to the end.
+        unstarted: How many could not start.
     """
 
     scenario_sha256: str
@@ -147,6 +150,9 @@ class SavedSeas(SeaGrid[SavedSea]):
     seas: Sequence[SavedSea]
     allowed: Mapping[tuple[float, float], float | None]
     warnings: Sequence[str]
+    runs: int = 0
+    stopped: int = 0
+    unstarted: int = 0
 
     @classmethod
     def from_json(cls, document: Any) -> SavedSeas:
@@ -165,7 +171,7 @@ class SavedSeas(SeaGrid[SavedSea]):
             text_in(whole, "waves"),
             whole.get("regular") is True,
             int(number_in(whole, "records")),
-            max((number_in(record, "time") for record in runs), default=0.0),
+            _duration(whole, runs),
             [_sea(one) for one in listed],
             {
                 (number_in(one, "direction"), number_in(one, "period")): None
@@ -174,7 +180,17 @@ class SavedSeas(SeaGrid[SavedSea]):
                 for one in allowed
             },
             list(dict.fromkeys(str(one) for record in runs for one in list_in(record, "warnings"))),
+            len(runs),
+            sum(_has_stopped(record) for record in runs),
+            sum(record.get("starts", True) is not True for record in runs),
         )
+
+    @property
+    def short(self) -> str:
+        """How many runs did not come to their end, in words; empty where all did."""
+        told = {"stopped on the way": self.stopped, "could not start": self.unstarted}
+        counts = [f"{count} of {self.runs} {what}" for what, count in told.items() if count]
+        return " and ".join(counts)
 
     def highest_allowed(self, direction: float, period: float) -> SavedSea | None:
         """The highest sea of a direction [rad] and a period [s] that is allowed; None of none."""
@@ -191,6 +207,17 @@ def degrees(direction: float) -> str:
     """A direction [rad] as people read it, with a decimal where it has one."""
     angle = math.degrees(direction)
     return format_quantity(round(direction, 9), "deg", 0 if abs(angle - round(angle)) < 1e-6 else 1)
+
+
+def _has_stopped(record: Mapping[str, Any]) -> bool:
+    return bool(record.get("cause")) and record.get("starts", True) is True
+
+
+def _duration(whole: Mapping[str, Any], runs: Sequence[Mapping[str, Any]]) -> float:
+    """What runs were to simulate [s]; files of older versions have but how far each of them came."""
+    if "duration" in whole:
+        return number_in(whole, "duration")
+    return max((number_in(record, "time") for record in runs if not record.get("cause")), default=0.0)
 
 
 def _sea(given: Mapping[str, Any]) -> SavedSea:

@@ -2,7 +2,7 @@
 
 use super::{GoesOn, StaticLift, placed};
 use crate::event::{Event, EventKind, EventLog};
-use crate::plan::condition::Seen;
+use crate::plan::condition::{Seen, Support};
 use crate::plan::switching::Switching;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
@@ -123,15 +123,16 @@ impl StaticLift {
         let mut last = None;
         let mut before = self.state.clone();
         let Self { system, state, statics, log, slides, trail, .. } = self;
-        let mut support = vec![0.0; system.groups.len()];
+        let mut support = vec![Support::default(); system.groups.len()];
         while state.time < time && until.is_none_or(|until| until.time(log).is_none()) {
             unless_stopped(goes_on)?;
             before.copy_from(state);
             let (now, stride_before) = (state.time, stride);
-            flows::supports(system, &state.tension, &mut support);
+            let frame = placed(system, state);
+            flows::supports(system, &frame.kinematics, (&state.spots, &state.tension), &mut support);
             // What is due now begins now, so that it is known what that waits for.
             let known = log.events.len();
-            flows::advance_plan(system, state, &placed(system, state), (now.next_up(), &support), log);
+            flows::advance_plan(system, state, &frame, (now.next_up(), &support), log);
             let waits = state.plan.waits_for_condition();
             stride = stride.min(if waits { AHEAD } else { LONGEST });
             let mut due = state.plan.next_time(&system.plan, now);
@@ -227,9 +228,9 @@ fn unless_stopped(goes_on: GoesOn) -> Result<(), NoEquilibrium> {
 }
 
 /// Whether a step under way waits for what holds now.
-fn is_fulfilled(system: &System, state: &State, support: &mut [f64]) -> bool {
-    flows::supports(system, &state.tension, support);
+fn is_fulfilled(system: &System, state: &State, support: &mut [Support]) -> bool {
     let kinematics = &placed(system, state).kinematics;
+    flows::supports(system, kinematics, (&state.spots, &state.tension), support);
     let tension =
         |row: usize| flows::tension_at(system, kinematics, (row, &state.tension), [&state.q, &state.v]);
     state.plan.is_fulfilled(&system.plan, &Seen { support, tension: &tension, kinematics })

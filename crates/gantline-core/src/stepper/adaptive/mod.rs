@@ -39,6 +39,7 @@ use crate::constraint::Law;
 use crate::constraint::rope::span::Span;
 use crate::event::{EventLog, standstill};
 use crate::force;
+use crate::plan::condition::Support;
 use crate::plan::soon;
 use crate::record::Sample;
 use crate::rope::seat::Winding;
@@ -114,7 +115,7 @@ pub struct Adaptive {
     laid: Laid,
     /// Where it was at the start of the step.
     laid_before: Laid,
-    support: Vec<f64>,
+    support: Vec<Support>,
     rows: Vec<f64>,
     defect: Vec<Twist>,
     /// Work space of [`crate::tree::drift::power`].
@@ -166,7 +167,7 @@ impl Adaptive {
             looks: Looks::new(system),
             laid: Laid::default(),
             laid_before: Laid::default(),
-            support: vec![0.0; system.groups.len()],
+            support: vec![Support::default(); system.groups.len()],
             rows: vec![0.0; system.rows.count()],
             defect: vec![Twist::default(); system.tree.bodies.len()],
             changes: vec![Twist::default(); system.tree.bodies.len()],
@@ -230,7 +231,7 @@ impl Adaptive {
     ) -> Result<StepReport, StepError> {
         let mut report = StepReport { converged: true, ..StepReport::default() };
         self.note_slipping(system, state);
-        flows::supports(system, &state.tension, &mut self.support);
+        flows::supports(system, &frame.kinematics, (&state.spots, &state.tension), &mut self.support);
         let soon = soon(state.time);
         flows::advance_plan(system, state, frame, (soon, &self.support), log);
         state.restart |= parting::cut(system, state, frame, soon, log);

@@ -13,7 +13,7 @@ use crate::plan::Seen;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
 use crate::stepper::STANDSTILL;
-use crate::stepper::flows::tension_at;
+use crate::stepper::flows::{supports, tension_at};
 use crate::system::System;
 
 impl Adaptive {
@@ -185,12 +185,9 @@ impl Adaptive {
 
     fn fulfilled(&mut self, system: &System, state: &State, theta: f64) -> bool {
         self.probe_rows(system, state, theta);
-        for (sum, group) in self.support.iter_mut().zip(&system.groups) {
-            let normals = group.contacts.iter().map(|&contact| system.rows.first[contact]);
-            *sum = normals.map(|row| self.probe.tension[row].max(0.0)).sum();
-        }
         let probe = &self.probe;
         let (kinematics, motion) = (&probe.frame.kinematics, [probe.q.as_slice(), &self.point.v]);
+        supports(system, kinematics, (&state.spots, &probe.tension), &mut self.support);
         let tension = |row: usize| tension_at(system, kinematics, (row, &probe.tension), motion);
         state.plan.is_fulfilled(&system.plan, &Seen { support: &self.support, tension: &tension, kinematics })
     }
