@@ -1,4 +1,4 @@
-"""Steps that wind more rope onto the drum of a hook than has room, or off it than may go, as the plan tells."""
+"""Steps that wind more rope onto the drum of a hook than it takes, or more off it than may go."""
 
 from __future__ import annotations
 
