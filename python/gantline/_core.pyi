@@ -146,7 +146,7 @@ class Statics:
         """Let the equilibrium swing in a mode, so that `columns` has one period of it."""
 
     def sensitivities(
-        self, parameters: list[tuple[str, str]], standing: bool = False
+        self, parameters: list[tuple[str, str]], stands: bool = False
     ) -> dict[str, npt.NDArray[np.float64]]:
         """Derivatives over pairs of a kind and a name, by kind of answer.
 

@@ -5,7 +5,6 @@ use gantline_core::statics::lift::{GoesOn, StaticLift};
 use gantline_core::statics::losses::Losses;
 use gantline_core::statics::modes::Mode;
 use gantline_core::statics::sensitivity::Parameter;
-use gantline_core::statics::standing::Friction;
 use gantline_core::statics::{NoEquilibrium, Rest};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -158,21 +157,17 @@ impl Statics {
         Ok(())
     }
 
-    /// Derivatives of the tension of every rope [N] and of the motion of every body over parameters: pairs of a kind
-    /// (`length`, `stiffness`, `mass`, `centre_x`, `place_x` and so on) and the name of a rope or body. `held` is 1 where
-    /// there is one, 0 where the parameter sets something going that nothing holds. `standing`: friction holds what
-    /// stands on vessels, and nothing else.
-    #[pyo3(signature = (parameters, standing=false))]
+    /// Derivatives over pairs of a kind, `length` or `centre_x`, and a name; it `stands`: friction holds what is on deck.
+    #[pyo3(signature = (parameters, stands=false))]
     fn sensitivities<'py>(
         &mut self,
         py: Python<'py>,
         parameters: Vec<(String, String)>,
-        standing: bool,
+        stands: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let friction = if standing { Friction::OnVessels } else { Friction::AsFound };
         let named = parameters.iter().map(|(kind, name)| self.inner.parameter(kind, name));
         let wanted: Vec<Parameter> = named.collect::<Result<_, _>>().map_err(value_error)?;
-        let found = py.detach(|| self.inner.sensitivities(&wanted, friction)).map_err(no_equilibrium)?;
+        let found = py.detach(|| self.inner.sensitivities(&wanted, stands.into())).map_err(no_equilibrium)?;
         let (ropes, bodies) = (self.inner.system().all_ropes(), self.inner.names().body.len());
         let answers = || found.iter().zip(&wanted);
         let values = answers().flat_map(|(one, parameter)| self.inner.tension_change(*parameter, one));

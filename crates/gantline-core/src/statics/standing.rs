@@ -19,6 +19,13 @@ pub enum Friction {
     OnVessels,
 }
 
+impl From<bool> for Friction {
+    /// Whether it holds what stands on vessels alone.
+    fn from(standing: bool) -> Self {
+        if standing { Self::OnVessels } else { Self::AsFound }
+    }
+}
+
 impl Statics {
     /// Which rows take part in derivatives of the equilibrium found last.
     pub(super) fn taking_part(&self, system: &System, friction: Friction) -> Vec<bool> {
