@@ -145,7 +145,9 @@ class Statics:
     def swing(self, mode: int, amplitude: float, frames: int) -> None:
         """Let the equilibrium swing in a mode, so that `columns` has one period of it."""
 
-    def sensitivities(self, parameters: list[tuple[str, str]]) -> dict[str, npt.NDArray[np.float64]]:
+    def sensitivities(
+        self, parameters: list[tuple[str, str]], stands: bool = False
+    ) -> dict[str, npt.NDArray[np.float64]]:
         """Derivatives over pairs of a kind and a name, by kind of answer.
 
         `rope_tension`, shape (parameters, ropes), and `body_motion`, of centre of gravity and rotation vector

@@ -157,17 +157,17 @@ impl Statics {
         Ok(())
     }
 
-    /// Derivatives of the tension of every rope [N] and of the motion of every body over parameters: pairs of a kind
-    /// (`length`, `stiffness`, `mass`, `centre_x`, `place_x` and so on) and the name of a rope or body. `held` is 1 where
-    /// there is one, 0 where the parameter sets something going that nothing holds.
+    /// Derivatives over pairs of a kind, `length` or `centre_x`, and a name; it `stands`: friction holds what is on deck.
+    #[pyo3(signature = (parameters, stands=false))]
     fn sensitivities<'py>(
         &mut self,
         py: Python<'py>,
         parameters: Vec<(String, String)>,
+        stands: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
         let named = parameters.iter().map(|(kind, name)| self.inner.parameter(kind, name));
         let wanted: Vec<Parameter> = named.collect::<Result<_, _>>().map_err(value_error)?;
-        let found = py.detach(|| self.inner.sensitivities(&wanted)).map_err(no_equilibrium)?;
+        let found = py.detach(|| self.inner.sensitivities(&wanted, stands.into())).map_err(no_equilibrium)?;
         let (ropes, bodies) = (self.inner.system().all_ropes(), self.inner.names().body.len());
         let answers = || found.iter().zip(&wanted);
         let values = answers().flat_map(|(one, parameter)| self.inner.tension_change(*parameter, one));

@@ -1,4 +1,7 @@
-"""Drums: whether rope enough stays on them. A simulation pays out more rope than there is."""
+"""Drums: whether rope enough stays on them, and no more comes on than there is room for.
+
+A simulation pays out more rope than there is, and winds it on in layers that the drum does not have.
+"""
 
 from __future__ import annotations
 
@@ -17,11 +20,12 @@ __all__ = ["turns_left"]
 
 
 def turns_left(recording: Recording) -> list[Check]:
-    """A check for each drum on which too few turns stay.
+    """A check for each drum on which too few turns stay, or more come than it has room for.
 
     One whose rope runs off fails: what hangs on it falls. So does one with fewer turns than its lift file
     asks for; fewer than two where nothing is asked for are a warning, and so is a drum for which the lift
-    file asks, and of which nothing says how many turns it has at the start.
+    file asks, and of which nothing says how many turns it has at the start. One with more turns than its
+    layers take fails: rope climbs over its flange.
     """
     return [check for drum in recording.rig.drums for check in _of_drum(recording, drum)]
 
@@ -35,9 +39,20 @@ def _of_drum(recording: Recording, drum: Drum) -> Iterator[Check]:
             yield replace(check, verdict=Verdict.WARNING, remark=remark)
         return
     during = series.everywhere(recording)
-    if asked is None or not during.any():
+    if not during.any():
         return
-    wraps = np.where(during, recording.column("drum_wraps", drum.name), np.inf)
+    wraps = recording.column("drum_wraps", drum.name)
+    if drum.wraps_per_layer is not None:
+        room = drum.layers * drum.wraps_per_layer
+        most = first_peak(np.where(during, wraps, -np.inf))
+        if wraps[most] > room:
+            over = f"{wraps[most]:.1f} turns come on it, and its layers take {room:g}"
+            time = float(recording.time[most])
+            remark = f"{over}: rope climbs over its flange"
+            yield replace(check, verdict=Verdict.FAILED, time=time, remark=remark)
+    if asked is None:
+        return
+    wraps = np.where(during, wraps, np.inf)
     at = first_peak(-wraps)
     left = float(wraps[at])
     if left >= asked and left >= 0.0:

@@ -43,7 +43,8 @@ class HookReading:
     Attributes:
         name: Of the hook, or `crane` and the name of the crane.
         hook_load: As simulated [N].
-        share: Of the hook loads of all hooks together [1]; None if nothing hangs in any.
+        share: Of the hook loads of all hooks together [1]; None if nothing hangs in any. A hook that hangs
+            from its slings itself, since its falls have parted, carries none: the others have it.
         hoist_load: With hook block and hanging falls, as simulated [N].
         height: Of its bearing [m]; None of a crane of several hooks, and where nothing records it.
         radius: Outreach or radius of the hook, of several the one that counts [m]; None without a boom.
@@ -111,11 +112,12 @@ def _reading(
         return sum(float(recording.column(variable, one)[sample]) for one in names)
 
     load = summed("hook_load", hooks)
-    every = summed("hook_load", tuple(hook.name for hook in recording.rig.hooks))
+    carried = {hook.name: max(summed("hook_load", (hook.name,)), 0.0) for hook in recording.rig.hooks}
+    every = sum(carried.values())
     reading = HookReading(
         name,
         load,
-        load / every if every > 0.0 else None,
+        sum(carried[one] for one in hooks) / every if every > 0.0 else None,
         summed("hoist_load", hooks),
         height=_height(recording, name, sample),
         radius=_radius(recording, hooks, sample, rating[0] if rating else None),

@@ -3,8 +3,9 @@
 Shifting the mass m of a vessel's body by dy across it, level, heels it with the moment m g dy, and it comes
 to rest where Δ g GM dφ rights it as much: GM = m dy/(Δ dφ), with Δ all that it displaces. That is what a yard
 does to find GM, done with derivatives of the equilibrium. So everything counts that follows the turn: liquids
-in slack tanks, loads that hang from its hooks, ropes that hold it. Derivatives are over shifts along the axes
-of the vessel, of which only the level part turns it where it lies with heel and trim.
+in slack tanks, loads that hang from its hooks, ropes that hold it. What stands on its deck goes along with
+it: friction holds that at an angle so small, whatever the equilibrium was found with. Derivatives are over
+shifts along the axes of the vessel, of which only the level part turns it where it lies with heel and trim.
 """
 
 from __future__ import annotations
@@ -82,7 +83,7 @@ def heights_of(question: Statics, rest: Equilibrium, body: str, displaced: float
         displaced: Mass of the water that it displaces [kg].
     """
     masses = {one["name"]: float(one["mass"]) for one in question.assembly.document["bodies"]}
-    answers = question.sensitivities([("centre_x", body), ("centre_y", body)])
+    answers = question.sensitivities([("centre_x", body), ("centre_y", body)], standing=True)
     orientation = rest.recording.column("body_orientation", body)[-1]
     ahead = float(heading(orientation))
     # Forward and to port, level, as rows.

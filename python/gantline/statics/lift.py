@@ -400,7 +400,9 @@ class Statics:
         return self._recording(f"mode {mode.number + 1}: {mode.motion}")
 
     @_one_at_a_time
-    def sensitivities(self, parameters: Sequence[tuple[str, str]] | None = None) -> list[Sensitivity]:
+    def sensitivities(
+        self, parameters: Sequence[tuple[str, str]] | None = None, *, standing: bool = False
+    ) -> list[Sensitivity]:
         """Derivatives of tensions and motions about the equilibrium found last, from its factorised tangent.
 
         Where none was asked for, that at the end of the lift counts.
@@ -409,6 +411,8 @@ class Statics:
             parameters: Pairs of a kind and a name such as `("length", "sling.S1")`, see `Sensitivity`; None
                 for the lengths and stiffnesses of all slings and the centres of gravity and masses of all
                 loads.
+            standing: Friction holds what stands on vessels, and nothing else; what it does in the equilibrium
+                if not.
 
         Raises:
             NoEquilibriumError: If there is none, or none that answers smoothly.
@@ -426,7 +430,7 @@ class Statics:
                 raise ValueError(f"there is no {name} to ask the {kind} of; there are {likely(name, known)}")
         asked = [names.asked(kind, name) for kind, name in wanted]
         try:
-            found = self._core.sensitivities([one for each in asked for one in each])
+            found = self._core.sensitivities([one for each in asked for one in each], standing)
         except RuntimeError as problem:
             raise NoEquilibriumError(self._core.time(), *problem.args) from None
         parts = zip(found["rope_tension"], found["body_motion"], found["held"], strict=True)

@@ -9,6 +9,7 @@ use glam::DVec3;
 use super::losses::{Contacts, Losses, Sheaves};
 use super::modes::Mode;
 use super::sensitivity::{Parameter, Sensitivity};
+use super::standing::Friction;
 use super::{NoEquilibrium, Rest, Statics};
 use crate::build::build;
 use crate::constraint::rope::span::Span;
@@ -346,12 +347,16 @@ impl StaticLift {
         rope.spans.len() > 1 || !rope.spans.iter().all(is_given)
     }
 
-    /// Derivatives of the equilibrium that was found last.
+    /// Derivatives of the equilibrium that was found last, with contacts that `friction` holds.
     ///
     /// # Errors
     /// As [`Statics::sensitivities`].
-    pub fn sensitivities(&mut self, parameters: &[Parameter]) -> Result<Vec<Sensitivity>, NoEquilibrium> {
-        self.statics.sensitivities(&self.system, &self.state, parameters)
+    pub fn sensitivities(
+        &mut self,
+        parameters: &[Parameter],
+        friction: Friction,
+    ) -> Result<Vec<Sensitivity>, NoEquilibrium> {
+        self.statics.sensitivities(&self.system, &self.state, parameters, friction)
     }
 
     /// The equilibrium that was found last swings in a mode: one period of `frames` samples in which the shape goes

@@ -20,6 +20,7 @@ pub mod modes;
 pub mod potential;
 pub mod search;
 pub mod sensitivity;
+pub mod standing;
 mod stepping_off;
 mod stream;
 mod winding;

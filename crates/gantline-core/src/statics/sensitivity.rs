@@ -22,6 +22,7 @@ use glam::DVec3;
 
 use super::bearing::Part;
 use super::search::LEAST;
+use super::standing::Friction;
 use super::{NoEquilibrium, Statics};
 use crate::constraint::AnyConstraint;
 use crate::constraint::brake::At;
@@ -75,7 +76,8 @@ pub struct Sensitivity {
 }
 
 impl Statics {
-    /// Derivatives of the equilibrium in which `state` is since the last [`Statics::settle`], for every parameter.
+    /// Derivatives of the equilibrium in which `state` is since the last [`Statics::settle`], for every parameter, with
+    /// contacts that `friction` holds.
     ///
     /// # Errors
     /// [`NoEquilibrium`] where none has been found, or the tangent is singular.
@@ -84,15 +86,16 @@ impl Statics {
         system: &System,
         state: &State,
         parameters: &[Parameter],
+        friction: Friction,
     ) -> Result<Vec<Sensitivity>, NoEquilibrium> {
         if !self.is_found {
             let cause = "none has been found about which it could be asked".to_owned();
             return Err(NoEquilibrium { element: "the lift".to_owned(), cause });
         }
+        let follows = self.taking_part(system, friction);
         let Self { search, bearings, .. } = self;
         search.linearise(system, state);
         search.matrix.extra.fill(0.0);
-        let follows = &search.here.follows;
         let compliance = |row: usize| {
             let bearing = &bearings[row];
             let share = if bearing.is_rigid { STIFFER } else { 1.0 };

@@ -1,9 +1,10 @@
-"""Steps that bring a hook into the sheaves above it, or below the ground, as the plan tells."""
+"""Steps that bring a hook into the sheaves above it, or below the ground, or its drum out of rope or room."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from gantline.assembly.doubts.wound import doubtful_turns
 from gantline.assembly.parts import Parts
 from gantline.scenario import Scenario
 from gantline.scenario.consistency.travel import Bounds, bounds_after
@@ -24,7 +25,7 @@ _ROUNDING, _BELOW = 1e-9, 0.1
 
 
 def doubtful_ways(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
-    """Each step by which a hook comes to its upper sheaves for sure, or below the ground.
+    """Each step by which a hook comes to its upper sheaves for sure, below the ground, or its drum overflows.
 
     A step that ends on a condition leaves a hook somewhere on its way, so heights are followed as bounds, as
     the drum of the hook counts them: under a boom they go up and down with its head.
@@ -53,6 +54,8 @@ def doubtful_ways(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
             where[one.name] = after = bounds_after(step, before, head_up)
             key = "to" if step.to is not None else "by" if step.by is not None else step.verb
             path = ("plan", place, key)
+            turns = doubtful_turns(step, scenario.hooks[one.name], one, before, after)
+            yield from (Doubt(path, sentence) for sentence in turns)
             top = tops[one.name]
             if top is not None and step.sign > 0 and before[0] <= top + _ROUNDING < after[0]:
                 high = _too_high(f"step '{step.step}' hoists {one.name}", after[0] + head_up, top + head_up)
