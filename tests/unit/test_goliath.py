@@ -133,6 +133,11 @@ def test_bodies_joints_and_masses_of_a_crane() -> None:
     bodies = {body["name"]: body for body in document["bodies"]}
     assert bodies["gol"]["mass"] == pytest.approx(700e3 + 450e3 + 700e3 + 18 / 35 * 2600e3)
     assert bodies["gol.girder"]["mass"] == pytest.approx(17 / 35 * 2600e3)
+    # By moments about the middle of the span and the rails: the fixed leg is 74 m towards -x, legs have their
+    # middles half as high as the girder, bogies are on the rails.
+    x, y, z = np.array(bodies["gol"]["centre_of_gravity"]) * bodies["gol"]["mass"]
+    assert x == pytest.approx((700e3 - 450e3) * -74.0) and y == 0.0
+    assert z == pytest.approx((700e3 + 450e3) * 40.0 + 18 / 35 * 2600e3 * 80.0)
     assert bodies["gol.one"]["joint"]["position"] == -20.0 and bodies["gol.one"]["parent"] == "gol.girder"
     assert bodies["gol.A"]["joint"]["type"] == "point" and bodies["gol.A"]["parent"] is None
     spring = bodies["gol.girder"]["joint"]["stops"]
