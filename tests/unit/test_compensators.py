@@ -289,7 +289,7 @@ vessels:
 
 
 def test_cylinder_and_rod_are_solid_round_bars() -> None:
-    """m (3 r² + l²)/12 across and m r²/2 along: 6 t of 0.6 m × 4 m, and 2 t of 0.25 m × 3.5 m, about the middle.
+    """m (3 r² + l²)/12 across and m r²/2 along, about the middle: 6 t of 0.6 m × 4 m, 2 t of 0.25 m × 3.5 m.
 
     The cylinder is below its bearing, the rod above its own.
     """

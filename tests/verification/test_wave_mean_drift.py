@@ -220,7 +220,6 @@ def test_a_file_about_a_point_to_port_pushes_as_one_about_the_middle(tmp_path: P
     """
     scenario = load_scenario(moored(tmp_path, table(ahead)))
     vessel = (scenario.vessels or {})["barge"]
-    assert vessel.wave_forces is not None
     box = np.array([[0.0, -10.0], [LENGTH, 10.0]])
     along, aside = -12.0, 3.0
 
@@ -229,6 +228,7 @@ def test_a_file_about_a_point_to_port_pushes_as_one_about_the_middle(tmp_path: P
         return np.stack([surge, sway, yaw - along * sway + aside * surge], axis=1)
 
     def around(drift: Any, at: tuple[float, float, float]) -> Any:
+        assert vessel.wave_forces is not None
         given = vessel.wave_forces.model_copy(update={"at": at})
         force = about_the_middle(scenario, "barge", given, [wave(drift, OMEGA, 0.8)], box)
         return np.array(force["around"])
