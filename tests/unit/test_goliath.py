@@ -207,7 +207,7 @@ def test_falls_at_a_boom_end_below_the_pin_of_their_sheave_block() -> None:
     """Falls of 20 m lean by 6 deg along x, in line with a sheave block with its sheaves 2 m below its pin.
 
     The pin is 22 m along the falls from the sheaves of the hook block, which stays upright, 3 m above its
-    bearing. A block that stays plumb has its sheaves 2 m plumb below its pin: over 1 m aside and 20 m up.
+    bearing. A sheave block that stays plumb has them 2 m plumb below its pin: over 1 m aside and 20 m up.
     """
     lean = math.radians(6.0)
     along = np.array([math.sin(lean), 0.0, math.cos(lean)])
