@@ -288,6 +288,22 @@ vessels:
 """
 
 
+def test_cylinder_and_rod_are_solid_round_bars() -> None:
+    """m (3 r² + l²)/12 across and m r²/2 along, about the middle: 6 t of 0.6 m × 4 m, 2 t of 0.25 m × 3.5 m.
+
+    The cylinder is below its bearing, the rod above its own.
+    """
+    bodies = {body["name"]: body for body in assemble(lift()).document["bodies"]}
+    for name, mass, radius, length, middle in (
+        ("PHC", 6e3, 0.3, 4.0, -2.0),
+        ("PHC.rod", 2e3, 0.125, 3.5, 1.75),
+    ):
+        across = mass * (3 * radius**2 + length**2) / 12
+        expected = [across, across, mass * radius**2 / 2, 0.0, 0.0, 0.0]
+        assert bodies[name]["inertia"] == pytest.approx(expected, rel=1e-12)
+        assert bodies[name]["centre_of_gravity"] == pytest.approx([0.0, 0.0, middle])
+
+
 @pytest.mark.parametrize(
     ("ratio", "said"),
     [

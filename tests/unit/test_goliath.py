@@ -9,7 +9,7 @@ import pytest
 
 from gantline.assembly import assemble
 from gantline.checks import check_recording
-from gantline.results.cranes.crane import Crane, corner_loads, crane_events, hook_state
+from gantline.results.cranes.crane import Crane, CraneHook, corner_loads, crane_events, hook_state
 from gantline.results.strength import Rating
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation
@@ -133,6 +133,11 @@ def test_bodies_joints_and_masses_of_a_crane() -> None:
     bodies = {body["name"]: body for body in document["bodies"]}
     assert bodies["gol"]["mass"] == pytest.approx(700e3 + 450e3 + 700e3 + 18 / 35 * 2600e3)
     assert bodies["gol.girder"]["mass"] == pytest.approx(17 / 35 * 2600e3)
+    # By moments about the middle of the span and the rails: the fixed leg is 74 m towards -x, legs have their
+    # middles half as high as the girder, bogies are on the rails.
+    x, y, z = np.array(bodies["gol"]["centre_of_gravity"]) * bodies["gol"]["mass"]
+    assert x == pytest.approx((700e3 - 450e3) * -74.0) and y == 0.0
+    assert z == pytest.approx((700e3 + 450e3) * 40.0 + 18 / 35 * 2600e3 * 80.0)
     assert bodies["gol.one"]["joint"]["position"] == -20.0 and bodies["gol.one"]["parent"] == "gol.girder"
     assert bodies["gol.A"]["joint"]["type"] == "point" and bodies["gol.A"]["parent"] is None
     spring = bodies["gol.girder"]["joint"]["stops"]
@@ -196,6 +201,29 @@ def test_corner_loads_are_those_of_moments() -> None:
     assert found["falls_out_of_plumb"].values[:, 0] == pytest.approx([0.0, math.atan(5 / 50)])
     assert found["load_swing"].values[:, 0] == pytest.approx([0.0, 5.0])
     assert found["hook_height"].values[:, 0] == pytest.approx([9.0, 9.0])
+
+
+def test_falls_at_a_boom_end_below_the_pin_of_their_sheave_block() -> None:
+    """Falls of 20 m lean by 6 deg along x, in line with a sheave block with its sheaves 2 m below its pin.
+
+    The pin is 22 m along the falls from the sheaves of the hook block, which stays upright, 3 m above its
+    bearing. A sheave block that stays plumb has them 2 m plumb below its pin: over 1 m aside and 20 m up.
+    """
+    lean = math.radians(6.0)
+    along = np.array([math.sin(lean), 0.0, math.cos(lean)])
+    pin = np.array([10.0, 5.0, 60.0])
+    sheaves = np.array([pin - 22.0 * along, pin - (1.0, 0.0, 22.0)])
+    columns = {
+        "body_position": np.stack((sheaves - (0.0, 0.0, 3.0), np.tile(pin, (2, 1))), axis=1),
+        "body_orientation": np.array(
+            [[[1.0, 0.0, 0.0, 0.0], [math.cos(lean / 2), 0.0, math.sin(lean / 2), 0.0]]] * 2
+        ),
+    }
+    columns["body_orientation"][1, 1] = 1.0, 0.0, 0.0, 0.0
+    hook = CraneHook("h", sheaves_above=3.0, top="h/top", sheaves_below=2.0)
+    found, _ = hook_state(columns, {"body": ["h", "h/top"]}, [hook], [])
+    expected = [lean, math.atan(1.0 / 20.0)]
+    assert found["falls_out_of_plumb"].values[:, 0] == pytest.approx(expected, abs=1e-12)
 
 
 def test_overloads_and_heights_are_events_at_their_crossing() -> None:

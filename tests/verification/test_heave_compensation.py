@@ -9,11 +9,23 @@ import numpy as np
 import pytest
 
 import gantline
-from compensated import EASE, HOOK, VESSEL, compensated, deck_below, expected, head_of, place_of
+from compensated import (
+    BARGE,
+    EASE,
+    HOOK,
+    VESSEL,
+    compensated,
+    compensated_text,
+    deck_below,
+    expected,
+    head_of,
+    place_of,
+)
 from gantline.results import Recording
 from gantline.scenario import parse_scenario
 from lift_text import changed
 
+START = "wraps_at_start: 60"
 STILL = "  - {step: still, hold: until_end, compensate_heave: H1}\n"
 
 
@@ -148,6 +160,25 @@ def test_one_step_after_another_it_goes_on() -> None:
     lowered = hook(recording) - hook(recording)[0] - (heave - heave[0] + wanted)
     # To what is left in the mean of 0.6 % of the heave, 0.18 m rms, over three waves.
     assert abs(np.mean(lowered[recording.time > 40.0]) + 1.0) < 5e-4
+
+
+def test_it_asks_as_much_of_the_hook_on_a_higher_layer() -> None:
+    """Rope from the second layer, wider by its diameter, goes faster: the drum turns by as much less.
+
+    What the hook adds is a matter of how its boom head heaves, which layers change by rounding.
+    """
+    text = compensated_text(STILL, lasts="8 s")
+    low, high = (
+        gantline.Simulation(
+            parse_scenario(changed(text, (START, f"wraps_at_start: {wraps}")), str(BARGE))
+        ).run()
+        for wraps in (60, 100)
+    )
+    layers = [run["drum_layer"].values[[0, -1], 0].tolist() for run in (low, high)]
+    assert layers == [[1.0, 1.0], [2.0, 2.0]]
+    on_first, on_second = (run.column("heave_compensation", HOOK) for run in (low, high))
+    assert np.ptp(on_first) > 1e-4
+    assert np.max(np.abs(on_second - on_first)) < 1e-6 * np.ptp(on_first)
 
 
 def test_an_emergency_stop_ends_it() -> None:

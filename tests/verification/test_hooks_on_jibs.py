@@ -116,6 +116,27 @@ def test_a_crawler_leans_on_its_tracks_by_each_hook_at_its_own_radius() -> None:
     assert (left - right) * GAUGE / 2 == pytest.approx(moment * G, rel=1e-3)
 
 
+def test_a_crawler_that_does_not_start_at_rest_stands_with_its_empty_jib_hook() -> None:
+    """Already at the first sample the corners press with the moments of all that is on the crane.
+
+    A hook block of 7 t on the jib, 5 m above the middle line of the boom, and one of 7 t and 1 kg under the
+    head: by moments about the middle of the tracks, boom to the left, as above.
+    """
+    text = crawler_lift(CRAWLER_HOOK_BLOCK + 1.0, slew=90.0, ground=2e11, start="as_given")
+    hooks = CRAWLER_HOOKS.replace("-1.5 m", "5 m")
+    recording = simulated(text.replace("    hooks:\n      H: {type: H, height: 30 m}\n", hooks))
+    radii = {hook: float(recording.column("crane_radius", f"c1.{hook}")[0]) for hook in "HA"}
+    moment = own_moment(16.0) + (CRAWLER_HOOK_BLOCK + 1.0) * radii["H"] + CRAWLER_HOOK_BLOCK * radii["A"]
+    crane = recording.rig.crawlers[0]
+    left, right = (
+        math.fsum(
+            float(recording.column("contact_force", corner)[0]) for corner in crane.corners if side in corner
+        )
+        for side in ("left", "right")
+    )
+    assert (left - right) * GAUGE / 2 == pytest.approx(moment * G, rel=1e-3)
+
+
 CHART = """\
     rating: {outreach: [20 m, 40 m, 60 m, 80 m], rated: [900 t, 800 t, 500 t, 300 t], hooks_share: 100 %}
 """

@@ -16,6 +16,7 @@ import waves
 from afloat import DRAFT, KG, LENGTH, MASS
 from drifting import HEADING, follows, growing, linear
 from gantline.assembly import assemble
+from gantline.assembly.afloat.mean_drift import mean_drift as about_the_middle
 from gantline.cli.app import app
 from gantline.hydro.database import ForcesAround
 from gantline.hydro.database.around import cubics_around
@@ -209,6 +210,32 @@ def table(shape: Any) -> Any:
 def ahead(frequency: float, _direction: float) -> list[float]:
     """A surge of 20 kN/m² at the wave's frequency, growing fast with it."""
     return [2e4 + 3e6 * (frequency - OMEGA), 0.0, 0.0]
+
+
+def test_a_file_about_a_point_to_port_pushes_as_one_about_the_middle(tmp_path: Path) -> None:
+    """F at P is F at M with the moment r × F, r = (l, b) from M to P: N_M = N_P + l F_y − b F_x.
+
+    Drift forces whose yaw is less by that, in a file for a point 12 m astern and 3 m to port of the middle,
+    are those of the file about the middle, to the rounding of differences over 2e-5 rad/s.
+    """
+    scenario = load_scenario(moored(tmp_path, table(ahead)))
+    vessel = (scenario.vessels or {})["barge"]
+    box = np.array([[0.0, -10.0], [LENGTH, 10.0]])
+    along, aside = -12.0, 3.0
+
+    def astern(frequency: float, directions: Any) -> Any:
+        surge, sway, yaw = made_up(frequency, directions).T
+        return np.stack([surge, sway, yaw - along * sway + aside * surge], axis=1)
+
+    def around(drift: Any, at: tuple[float, float, float]) -> Any:
+        assert vessel.wave_forces is not None
+        given = vessel.wave_forces.model_copy(update={"at": at})
+        force = about_the_middle(scenario, "barge", given, [wave(drift, OMEGA, 0.8)], box)
+        return np.array(force["around"])
+
+    middle = around(made_up, (LENGTH / 2, 0.0, DRAFT))
+    beside = around(astern, (LENGTH / 2 + along, aside, DRAFT))
+    assert np.abs(beside - middle).max() < 1e-9 * np.abs(middle).max()
 
 
 def test_a_moored_barge_lies_where_its_lines_hold_what_waves_push(tmp_path: Path) -> None:
