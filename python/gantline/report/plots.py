@@ -119,7 +119,7 @@ class HookLoads(_Plots):
     title = "Hook loads"
 
     def plots(self, subject: Subject) -> list[Plot]:
-        """Hook load, support force, load transferred."""
+        """Hook load, what supports bear, load transferred."""
         found = []
         if subject.rig.hooks and "hook_load" in subject.recording:
             found.append(
@@ -134,7 +134,7 @@ class HookLoads(_Plots):
                 )
             )
         if any(load.contacts for load in subject.rig.loads):
-            found.append(_plot("Force of all supports on a load", "support", "kN", height=180, smallest=1.0))
+            found.append(_plot("What supports bear of a load", "support", "kN", height=180, smallest=1.0))
         if "heave_compensation" in subject.recording:
             title = "Heave compensation, hook raised positive"
             found.append(_plot(title, "heave", "m", height=180, smallest=0.01, extreme="both"))

@@ -229,20 +229,23 @@ def _refuse_aboard(question: Statics, rest: Equilibrium, load: str) -> None:
             sentence = f"at {rest.time:g} s hinge '{hinge.name}' holds '{load}', which stays in it"
             raise ValueError(f"{sentence}; --time says when 'open_hinges' has let it go")
     weight = float(series.load_weight(rest.recording, lost)[-1])
+    # In a cradle contacts press harder than what they bear.
+    pressed = float(series.support_force(rest.recording, lost)[-1])
+    bears = float(series.borne(rest.recording, lost)[-1]) / pressed if pressed > 0.0 else 0.0
     borne = dict[str, float]()
     for contact in lost.contacts:
         body = lost.meets.get(contact)
         while body is not None and body not in afloat:
             body = parents.get(body)
         if body is not None:
-            force = float(rest.recording.column("contact_force", contact)[-1])
+            force = bears * float(rest.recording.column("contact_force", contact)[-1])
             borne[afloat[body]] = borne.get(afloat[body], 0.0) + force
     for vessel, force in borne.items():
         if force > _TOUCHES * weight:
-            bears = f"at {rest.time:g} s {vessel} bears {100.0 * force / weight:.3g} % of '{load}'"
+            sentence = f"at {rest.time:g} s {vessel} bears {100.0 * force / weight:.3g} % of '{load}'"
             stays = "which stays aboard where its slings let it go"
             right = f"--time says when it hangs clear of {vessel}, and a run with 'cut_at' on its slings"
-            raise ValueError(f"{bears}, {stays}; {right} shows where it comes down")
+            raise ValueError(f"{sentence}, {stays}; {right} shows where it comes down")
 
 
 def _lowest(up: Floats, height: Floats | float, points: Sequence[Sequence[float]] | Floats) -> float:

@@ -109,8 +109,7 @@ def _loads(recording: Recording) -> Iterator[Curve]:
         yield Curve("drift", load.name, load.name, "m", 1.0, load_drift(recording, load))
         yield Curve("height", load.name, load.name, "m", 1.0, place[:, 2] - place[0, 2])
         if load.contacts:
-            force = series.support_force(recording, load)
-            yield Curve("support", load.name, load.name, "kN", 1e-3, force)
+            yield Curve("support", load.name, load.name, "kN", 1e-3, series.borne(recording, load))
     for name, swing in swing_of(recording).items():
         yield Curve("swing", name, name, "m", 1.0, swing)
     clear = series.is_clear(recording)

@@ -34,7 +34,7 @@ class AtTilt:
         tilt: Of the load [rad].
         time: When that is [s].
         hook_loads: By hook [N].
-        supported: Force of all supports on the load [N].
+        supported: What supports bear of the load [N].
         sling: The sling that uses most of its minimum breaking force then; where no strength is known that
             with the largest tension; empty where none carries.
         tension: Of that sling at its upper end [N].
@@ -131,7 +131,7 @@ def _read(recording: Recording, load: Load, time: float) -> AtTilt:
         tilt=at(recording.column("load_tilt", load.name)),
         time=time,
         hook_loads={hook.name: at(recording.column("hook_load", hook.name)) for hook in rig.hooks},
-        supported=at(series.support_force(recording, load)),
+        supported=at(series.borne(recording, load)),
         sling=name,
         tension=tension,
         of_breaking_force=share or None,
