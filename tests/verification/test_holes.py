@@ -104,7 +104,7 @@ def test_a_compartment_open_to_the_sea_is_lost_buoyancy(integrator: str) -> None
 
 
 def test_what_holes_take_is_in_the_books() -> None:
-    """A tank ashore, its bottom D below the sea, fills through a hole there: each kilogram loses g (z_w − z_S),
+    """A tank ashore, its bottom D below the sea, fills through a hole: each kilogram loses g (z_w − z_S),
     (HO5), ρ A g D²/2 in all, and the work of drives is as much negative. The head that is left over is 5e-5
     of 2 m, of which the square counts.
     """

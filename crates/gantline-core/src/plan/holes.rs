@@ -18,10 +18,10 @@
 //! ```
 //!
 //! of second order, and at rest where J is large. The rate goes from u to the rate v at the next glance as a ramp, with what
-//! the ramps have missed made good by it: of T (u + v)/2 = Δ the difference is added to v once. Where the content would only
-//! decay, by x = T |J|, the pairs of content and rate have eigenvalues of −1/2 to 0 beside that of the decay, so that no
-//! content rings about its rest, however stiff it is. What begins from rest is T/6 late: the first ramps bring 3/4, 9/8, 15/16 …
-//! of what runs in T.
+//! the ramps have missed made good by it: of T (u + v)/2 = Δ the difference is added to v once. Where the content only
+//! decays, by x = T |J|, content and rate go on with roots of λ² = k (λ + 1), k = e⁻ˣ (1 − x/2)/2: 1 and −1/2 where it hardly
+//! does, 0 where it is stiff, so that it comes to rest however large the hole. What begins from rest is T/6 late: the first
+//! ramps bring 3/4, 9/8, 15/16 … of what runs in T.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -266,7 +266,8 @@ mod tests {
         assert!(run(&of, |_| 0.0, 20.0).iter().all(|&(_, content)| content == 0.0));
     }
 
-    /// Holes as large as the bottom: the level follows the sea, and comes to rest to the last digit without a ring.
+    /// Up to holes of half the bottom: the level comes to that of the sea, and to rest to the last digit. Where it fills within a
+    /// few glances it goes past that first, by no more than 1 % of the head at the start.
     #[test]
     fn equal_levels_come_to_rest_however_large_the_hole() {
         for passes in [0.01, 0.1, 1.0, 7.0] {
@@ -274,7 +275,7 @@ mod tests {
             let found = run(&of, |_| 0.0, 1500.0);
             let level = |content: f64| 0.25 + content / (DENSITY * BOX[0] * BOX[1]);
             let highest = found.iter().map(|&(_, content)| level(content)).fold(0.0, f64::max);
-            assert!(highest < 1.5 + 2.0 * STILL, "{passes} {highest}");
+            assert!(highest < 1.5 + 0.01 * 1.25, "{passes} {highest}");
             let last = found[found.len() - 100..].iter();
             assert!(last.clone().all(|&(_, content)| (level(content) - 1.5).abs() < 2.0 * STILL), "{passes}");
             assert!(last.map(|one| one.1).all(|content| content == found[found.len() - 1].1), "{passes}");

@@ -77,7 +77,9 @@ def check_shares(findings: Findings) -> None:
         if waits and contents.most - contents.least > _ROUNDED * contents.most:
             least, most = (f"{one / 1e3:.6g} t" for one in (contents.least, contents.most))
             sentence = f"this waits for a share of a weight that changes: from {least} to {most} may be in"
-            right = "wait for 'supports' or 'hoist_load', or pump 'by' an amount in a step of its own before"
+            right = "wait for 'supports' or 'hoist_load'"
+            if not set(load_tanks(scenario)) & set(holed_tanks(scenario)):
+                right += ", or pump 'by' an amount in a step of its own before"
             findings.add(("plan", place, "until"), f"{sentence} the tanks of the load by then; {right}")
 
 
