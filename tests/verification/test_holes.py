@@ -169,3 +169,16 @@ def test_holes_go_on_after_an_emergency_stop() -> None:
     crane = {"type": "fixed_hook", "at": ["0 m", "0 m", "30 m"], "hoist": hoist}
     run = Simulation(lift(tanks, plan, emergency_stop={"at": "30 s"}, cranes={"crane": crane})).run()
     assert run.column("tank_content", "module.inside")[-1] < 2e-4 * 24e3
+
+
+def test_steps_longer_than_glances_are_apart() -> None:
+    """Several glances fall into a step of `del`: the content is on (HO3) to 1 % of 24 t all the same, so far
+    as what was seen as a step began goes on evenly through it, and never less than nothing.
+    """
+    run = Simulation(drained(24.0, integrator="del", step="0.5 s")).run()
+    content = run.column("tank_content", "module.inside")
+    depth = 24e3 / (SEA * LEVEL) - STILL
+    fall = 0.5 * PASSES * math.sqrt(2 * G) / LEVEL
+    root = np.maximum(math.sqrt(depth) - fall * run.time, 0.0)
+    assert content == pytest.approx(SEA * LEVEL * (root**2 + STILL), abs=0.01 * 24e3)
+    assert content.min() >= 0.0

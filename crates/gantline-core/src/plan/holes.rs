@@ -220,7 +220,7 @@ mod tests {
             (kinematics.time, kinematics.q) = (now, vec![motion.position]);
             found.push((now, motion.position));
             let velocity = running.glance(of, motion, &kinematics);
-            timeline.add(now, EVERY, velocity);
+            timeline.add(now, (now, EVERY), velocity);
         }
         found
     }

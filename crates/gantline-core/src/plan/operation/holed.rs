@@ -13,7 +13,7 @@ impl PlanState {
             while running.next < to {
                 let (at, timeline) = (running.next, &mut self.timelines[of.drive]);
                 let rate = running.glance(of, timeline.added(at), seen.kinematics);
-                timeline.add(at, EVERY, rate);
+                timeline.add(seen.kinematics.time, (at, EVERY), rate);
             }
         }
     }
