@@ -30,7 +30,7 @@ from gantline.results.afloat.immersion import (
     out_of_water,
 )
 from gantline.results.afloat.pressed import pressed_through
-from gantline.results.afloat.tanks import pump_warnings
+from gantline.results.afloat.tanks import hole_warnings, pump_warnings
 from gantline.results.afloat.unfollowed import parted_neighbours, unfollowed
 from gantline.results.afloat.vessels import vessel_warnings, with_righting
 from gantline.results.cranes.crawler import tipping_warnings
@@ -427,6 +427,7 @@ class Simulation:
             ground = ground_in(self.assembly.scene)
             warnings += grounding_warnings(columns, names, rig.vessels, hulls, ground, water.depth)
         warnings += pump_warnings(rig, columns, names)
+        warnings += hole_warnings(rig, columns, names)
         if self.scenario.ground is not None:
             warnings += ground_warnings(rig, self.scenario.ground.level, columns, names)
         warnings += command_warnings(columns, names)

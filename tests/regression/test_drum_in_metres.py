@@ -45,6 +45,8 @@ slings: {S1: {from: hook, to: pump.L1, length: 3 m, rope: sling}}
 plan: [{step: down, lower: hook, by: 7 m, speed: 12 m/min}, {step: hold, hold: until_end}]
 limits: {rule: yard, load_tilt: 1 deg}
 """
+#: Half a turn more, so that 3.4 are left.
+IN_ORDER = LIFT.replace("wraps_at_start: 14,", "wraps_at_start: 14.5,")
 WINCH = """\
 format: 1
 lift: {title: A winch with two ropes}
@@ -69,7 +71,7 @@ def warnings_of(text: str) -> list[str]:
 
 
 def test_a_drum_in_order_is_not_told() -> None:
-    assert not warnings_of(LIFT)
+    assert not warnings_of(IN_ORDER)
     assert not warnings_of(WINCH)
 
 
@@ -86,7 +88,7 @@ def test_turns_that_a_slip_hid() -> None:
 
 
 def test_layers_ten_times_too_thick() -> None:
-    [told] = warnings_of(LIFT.replace("layer_step: 25 mm", "layer_step: 250 mm"))
+    [told] = warnings_of(IN_ORDER.replace("layer_step: 25 mm", "layer_step: 250 mm"))
     assert "cranes.hook.drum.layer_step: each layer of the drum of hook adds 250 mm to its radius" in told
 
 

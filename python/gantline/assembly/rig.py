@@ -362,7 +362,10 @@ def _sling(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
 def _tanks(scenario: Scenario) -> Json:
     """Tanks with what is in them at the start; nothing in a lift without."""
     tanks = [
-        {"name": name, "content": tank.content, "capacity": tank.capacity}
+        {
+            **{"name": name, "content": tank.content, "capacity": tank.capacity},
+            **({"holes": list(tank.holes)} if tank.holes else {}),
+        }
         for name, tank in tanks_of(scenario).items()
     ]
     return {"tanks": tanks} if tanks else {}

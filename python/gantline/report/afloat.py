@@ -16,6 +16,7 @@ import numpy as np
 from gantline.report.seas import allowed_seas
 from gantline.report.subject import ABSENT, Subject, number, share, show
 from gantline.results import series
+from gantline.results.afloat.tanks import ran_through_holes
 from gantline.results.afloat.vessels import AS_CARRIED, Vessel
 from gantline.results.alike import first_peak
 from gantline.results.file.saved import SavedLostLoad, SavedSwing
@@ -187,11 +188,25 @@ def _pumped(subject: Subject, vessel: Vessel) -> str:
 
 
 def afloat_facts(subject: Subject) -> list[tuple[str, str]]:
-    """Sea, largest forces of mooring lines and fenders, and what a sudden release does."""
+    """Sea, largest forces of mooring lines and fenders, what a release does, what runs through holes."""
     rig = subject.rig
     if not rig.vessels:
-        return []
-    return [*_sea(subject), *_moorings(subject), *_release(subject)]
+        return _holes(subject)
+    return [*_sea(subject), *_moorings(subject), *_release(subject), *_holes(subject)]
+
+
+def _holes(subject: Subject) -> list[tuple[str, str]]:
+    """What has run through holes of tanks, and until when."""
+    recording = subject.recording
+    contents = {tank.name: recording.column("tank_content", tank.name) for tank in subject.rig.tanks}
+    rows = []
+    for ran in ran_through_holes(subject.rig, recording.time, contents):
+        until = ", and it still runs" if ran.goes_on else f" from {show(ran.until, 's', 0)} on"
+        ends = f"{show(ran.first, 't', 1)} in it at the start, {show(ran.last, 't', 1)}"
+        rows.append(
+            (f"holes of {ran.tank}", f"{ends} {'at the end' if ran.goes_on else ''}".rstrip() + until)
+        )
+    return rows[:_MOST_TANKS]
 
 
 def _sea(subject: Subject) -> list[tuple[str, str]]:

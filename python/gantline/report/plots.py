@@ -218,8 +218,11 @@ class Tanks(_Plots):
     title = "Tanks"
 
     def plots(self, subject: Subject) -> list[Plot]:
-        """Contents of those that steps of the plan pump."""
-        if "tank_content" not in subject.recording or not any(step.tanks for step in subject.rig.plan):
+        """Contents of those that steps of the plan pump, or with holes."""
+        changes = any(step.tanks for step in subject.rig.plan) or any(
+            tank.holes for tank in subject.rig.tanks
+        )
+        if "tank_content" not in subject.recording or not changes:
             return []
         title = "Liquid in tanks of loads and vessels"
         return [_plot(title, "tanks", "t", smallest=0.1, extreme="both")]

@@ -170,11 +170,13 @@ class Tank(FromJson):
         name: Its full name, `<vessel>.<tank>` or `<load>.<tank>`.
         content: Mass of the liquid in it at the start [kg].
         capacity: Mass that goes into it [kg].
+        holes: Names of its holes.
     """
 
     name: str
     content: float = 0.0
     capacity: float = 0.0
+    holes: Sequence[str] = ()
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from gantline.results.loads.upright import borne_by_water, left_to_statics
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Resting
 from gantline.results.rotation import axes
+from gantline.scenario.afloat.tanks import holed_tanks
 from gantline.statics.answers import Equilibrium, Mode, NoEquilibriumError
 
 if TYPE_CHECKING:
@@ -66,6 +67,8 @@ def _resting(
     rest = None if state is None else question.equilibrium_of(state, losses="none")
     time = float(recording.time[sample])
     if rest is None or (rest.is_stable and _aside(recording, rest, load, sample) > _ELSEWHERE):
+        if holed_tanks(question.scenario):
+            return None  # what has run through holes by then no plan knows
         rest = question.equilibrium(min(time, question.scenario.duration))
     # Of contacts that slide freely, as here, the equilibrium lists none.
     if any(rest.recording.column("contact_force", one)[-1] > 0.0 for one in load.contacts):

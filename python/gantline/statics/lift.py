@@ -27,6 +27,7 @@ from gantline.results.rig import Rig, at_rest
 from gantline.results.ropes.beyond_curve import beyond_curve
 from gantline.results.ropes.flows import drum_warnings
 from gantline.scenario import Scenario, load_scenario
+from gantline.scenario.afloat.tanks import holed_tanks
 from gantline.statics.answers import (
     KINDS,
     OF_ROPES,
@@ -488,6 +489,9 @@ class Statics:
         warnings = [*self.assembly.warnings, *dry_hulls(self.assembly.document, columns, names)]
         warnings += loads_in_bed(columns, names, self.assembly.scene, loads, depth)
         warnings += drum_warnings(self.rig, columns, names)
+        if holed := list(holed_tanks(self.scenario)):
+            sentence = f"nothing runs through the holes of {', '.join(holed)} in equilibria"
+            warnings.append(f"{sentence}: of times in the plan they have what is in at the start")
         places = dict(zip(names["body"], columns["body_position"][-1], strict=True))
         warnings += drifted(self.scenario, self.assembly.document, places)
         warnings += pressed_through(self.assembly.document, self.rig.fenders, columns, names)

@@ -67,14 +67,19 @@ def tanks_that_may_change(scenario: Scenario, vessel: str, tanks: Sequence[str] 
         QuestionError: If one of them is no tank of the vessel, or none is left.
     """
     own = bodies_afloat(scenario)[vessel].tanks or {}
+    closed = [name for name, tank in own.items() if not tank.holes]
     if tanks is None:
-        return list(own)
+        if own and not closed:
+            raise QuestionError("tanks", f"all tanks of {vessel} have holes, so that no content stays")
+        return closed
     known = {f"{vessel}.{tank}": tank for tank in own}
     found = []
     for text in names_of("tanks", tanks):
         full = full_name(text, known)
         if full is None:
             raise QuestionError("tanks", f"'{text}' is not a tank of {vessel}; {nearest(text, own)}")
+        if own[known[full]].holes:
+            raise QuestionError("tanks", f"{full} has holes, so that its content does not stay; leave it out")
         found.append(known[full])
     if not found:
         raise QuestionError("tanks", "no tank may change; name one at least")

@@ -95,9 +95,10 @@ def _ropes(recording: Recording) -> Iterator[Curve]:
 
 
 def _tanks(recording: Recording) -> Iterator[Curve]:
-    """What is in the tanks that steps of the plan pump: what is in others stays as it is."""
-    pumped = dict.fromkeys(tank for step in recording.rig.plan for tank in step.tanks)
-    for name in pumped if "tank_content" in recording else ():
+    """What is in the tanks that steps of the plan pump, or with holes: what is in others stays as it is."""
+    changing = dict.fromkeys(tank for step in recording.rig.plan for tank in step.tanks)
+    changing |= dict.fromkeys(tank.name for tank in recording.rig.tanks if tank.holes)
+    for name in changing if "tank_content" in recording else ():
         yield Curve("tanks", name, name, "t", 1e-3, recording.column("tank_content", name))
 
 

@@ -124,7 +124,7 @@ fn build_force(
         ForceSpec::Tank { body, vertices, triangles, density, volume, pumped, .. } => {
             let mesh = (vertices.as_slice(), triangles.as_slice());
             let mut tank = build_tank(name, find(body)?, mesh, (*density, *volume), tree)?;
-            if let Some(PumpedSpec { content, level }) = pumped {
+            if let Some(PumpedSpec { content, level, .. }) = pumped {
                 finite(name, "the level of the liquid outside", &[*level])?;
                 tank.pumped = Some(find_content(name, (content, *level), tank.body, spec, tree)?);
             }

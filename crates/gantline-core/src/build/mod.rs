@@ -6,6 +6,7 @@ mod coils;
 mod compensators;
 mod conditions;
 mod forces;
+mod holes;
 mod light;
 mod memory;
 mod moorings;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::coils::build_layers;
 use super::compensators::{build_compensations, build_compensators};
 use super::conditions::{build_condition, build_follow, build_way};
+use super::holes::build_holed;
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::constraint::AnyConstraint;
 use crate::plan::{
@@ -97,7 +98,7 @@ pub(super) fn build_plan(
             Some(EmergencyStop { at, drives: stopped })
         }
     };
-    Ok(Plan { steps, compensators, stop })
+    Ok(Plan { steps, compensators, holed: build_holed(spec, tree, drives)?, stop })
 }
 
 pub(super) fn find_drive(element: &str, wanted: &str, drives: &[DriveJoint]) -> Result<usize, BuildError> {

@@ -130,7 +130,7 @@ impl Tank {
     }
 
     /// What has been pumped in since the start [kg].
-    fn content(&self, q: &[f64]) -> f64 {
+    pub fn content(&self, q: &[f64]) -> f64 {
         self.pumped.map_or(0.0, |pumped| q[pumped.position])
     }
 
@@ -142,6 +142,13 @@ impl Tank {
     /// Where the next drop goes: what lies below a surface that there always is.
     fn surface(&self, up: DVec3, pumped: f64) -> (Immersion, Plane) {
         self.contents(up, self.filled(pumped).clamp(FREE * self.capacity, (1.0 - FREE) * self.capacity))
+    }
+
+    /// How high its surface is, along the vertical [m], and the area of that [m²].
+    pub fn lies(&self, pose: &Pose, gravity: DVec3, q: &[f64]) -> (f64, f64) {
+        let up = -gravity.normalize();
+        let (below, surface) = self.surface(pose.rotation.transpose() * up, self.content(q));
+        (up.dot(pose.position) - surface.height, below.area)
     }
 
     fn at(&self, pose: &Pose, gravity: DVec3, pumped: f64) -> Contents {

@@ -175,14 +175,15 @@ impl Timeline {
         }
     }
 
-    /// What heave compensation adds.
+    /// What heave compensation adds, or runs through holes.
     pub fn added(&self, time: f64) -> Motion {
         self.added.motion(time)
     }
 
-    /// What heave compensation adds goes to `velocity` [m/s] from `at` [s] on, within `duration` [s].
-    pub fn add(&mut self, at: f64, duration: f64, velocity: f64) {
-        self.added.forget(at);
+    /// What is added goes to `velocity` [m/s or kg/s] from `at` [s] on, within `duration` [s]. It is `now` [s], and until `at` what
+    /// was asked for before counts: several changes may follow within one step.
+    pub fn add(&mut self, now: f64, (at, duration): (f64, f64), velocity: f64) {
+        self.added.forget(now);
         self.added.ramp(at, duration, velocity, RampShape::Linear);
     }
 

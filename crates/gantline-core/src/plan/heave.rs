@@ -300,7 +300,7 @@ mod tests {
             let mut kinematics = at(DVec3::Z * heave(now), 0.0, 0.0);
             kinematics.time = now;
             let (velocity, duration) = watch.glance(of, timeline.added(now), &kinematics);
-            timeline.add(now, duration, velocity);
+            timeline.add(now, (now, duration), velocity);
             let sample = |part: i32| now + 0.25 * f64::from(part) * EVERY;
             found.extend((0..4).map(sample).map(|time| (time, timeline.added(time))));
         }
@@ -473,7 +473,7 @@ mod tests {
             kinematics.time = now;
             let (velocity, duration) = watch.glance(&of, timeline.added(now), &kinematics);
             fastest = fastest.max((velocity - timeline.added(now).velocity).abs() / duration);
-            timeline.add(now, duration, velocity);
+            timeline.add(now, (now, duration), velocity);
         }
         // Its deck needs 0.5·0.9² = 0.41 m/s², and its velocity that counts less and less 0.5·0.9/4 = 0.11 m/s² a quarter of a
         // period later; half of that, of what it makes good at once, more where that begins.
@@ -487,7 +487,7 @@ mod tests {
     fn it_begins_again_as_it_moves() {
         let of = compensator(5.0, 5.0, None);
         let (mut timeline, mut watch) = (Timeline::new(0.0, 0), Watch::from(0.0, None));
-        timeline.add(-1.0, 1.0, 0.4);
+        timeline.add(-1.0, (-1.0, 1.0), 0.4);
         let mut fastest = 0.0_f64;
         while watch.next < EASE + 1.0 {
             let now = watch.next;
@@ -495,7 +495,7 @@ mod tests {
             kinematics.time = now;
             let (velocity, duration) = watch.glance(&of, timeline.added(now), &kinematics);
             fastest = fastest.max((velocity - timeline.added(now).velocity).abs() / duration);
-            timeline.add(now, duration, velocity);
+            timeline.add(now, (now, duration), velocity);
         }
         // 0.4 m/s within 4 s; what drifts begins as suddenly as the velocity, with 0.2 m/20 s within a glance and half as much again.
         assert!(fastest < 0.4 / EASE + 1.5 * 0.2 / 20.0 / EVERY, "{fastest}");

@@ -1,6 +1,7 @@
 //! How the steps of a plan go on: when they begin, what they ask of drives, when they end.
 
 mod heaving;
+mod holed;
 mod looks;
 
 use serde::{Deserialize, Serialize};
@@ -9,6 +10,7 @@ use super::condition::Seen;
 use super::drive::Timeline;
 use super::follow::SETTLING;
 use super::heave::Compensating;
+use super::holes::Running;
 use super::step::{DriveStop, EmergencyStop, Leading, Move, Plan, Step, StopAt, Until};
 use crate::event::{EventKind, EventLog};
 use looks::{Following, look_every};
@@ -47,6 +49,8 @@ pub struct PlanState {
     phases: Vec<Phase>,
     /// What every compensator does.
     compensating: Vec<Compensating>,
+    /// What is known of every tank with holes.
+    running: Vec<Running>,
     /// First step of the stage that is under way or comes next.
     stage: usize,
     /// How many steps have begun.
@@ -82,6 +86,9 @@ impl PlanState {
         }
         self.phases.copy_from_slice(&other.phases);
         self.compensating.copy_from_slice(&other.compensating);
+        for (running, other) in self.running.iter_mut().zip(&other.running) {
+            running.copy_from(other);
+        }
         (self.stage, self.begun, self.begin) = (other.stage, other.begun, other.begin);
         (self.stop_at, self.stopped) = (other.stop_at, other.stopped);
     }
@@ -101,12 +108,15 @@ impl PlanState {
         };
         let phases = vec![Phase::Ahead; plan.steps.len()];
         let compensating = vec![Compensating::Off; plan.compensators.len()];
-        Self { timelines, phases, compensating, stage: 0, begun: 0, begin: 0.0, stop_at, stopped: false }
+        let running = plan.holed.iter().map(Running::new).collect();
+        let (stage, begun, begin, stopped) = (0, 0, 0.0, false);
+        Self { timelines, phases, compensating, running, stage, begun, begin, stop_at, stopped }
     }
 
     /// Lets the plan act on the interval from `from` to `to` [s]: everything that is due before `to`.
     /// Conditions see what there is at `from`; none holds where nothing is seen.
     pub fn advance(&mut self, plan: &Plan, from: f64, to: f64, seen: Option<&Seen>, log: &mut EventLog) {
+        self.let_run(plan, to, seen);
         let mut last = from;
         while !self.stopped {
             for index in self.stage..self.begun {
@@ -282,8 +292,9 @@ impl PlanState {
     /// of a ramp, an emergency stop.
     pub fn next_time(&self, plan: &Plan, time: f64) -> f64 {
         let due = if self.stopped { f64::INFINITY } else { self.next_due(plan).0 };
-        let due = if due > time { due } else { f64::INFINITY };
-        self.timelines.iter().map(|timeline| timeline.next_break(time)).fold(due, f64::min)
+        let breaks = self.timelines.iter().map(|timeline| timeline.next_break(time));
+        let glances = self.running.iter().map(|running| running.next);
+        [due].into_iter().chain(glances).filter(|&at| at > time).chain(breaks).fold(f64::INFINITY, f64::min)
     }
 
     /// True where a step under way ends on a condition.

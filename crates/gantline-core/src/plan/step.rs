@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::condition::Condition;
 use super::follow::Follow;
 use super::heave::Compensator;
+use super::holes::Holed;
 use super::series::Series;
 use crate::rope::coil::Layers;
 use crate::spec::RampShape;
@@ -148,12 +149,14 @@ pub struct EmergencyStop {
 }
 
 /// Steps in order, and what ends them all.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Plan {
     /// The steps.
     pub steps: Vec<Step>,
     /// What can compensate heave.
     pub compensators: Vec<Compensator>,
+    /// Tanks with holes.
+    pub holed: Vec<Holed>,
     /// An emergency stop, if there is one.
     pub stop: Option<EmergencyStop>,
 }

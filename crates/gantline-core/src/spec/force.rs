@@ -255,8 +255,26 @@ pub struct MooringSpec {
 pub struct PumpedSpec {
     /// Body below that of the tank whose joint is its content.
     pub content: String,
-    /// Height of the surface from which liquid outside is pumped [m].
+    /// Height of the surface from which liquid outside is pumped, or of that over holes [m].
     pub level: f64,
+    /// Density of the water outside [kg/m³]; 0 of air.
+    #[serde(default)]
+    pub outside: f64,
+    /// Through which it runs by itself.
+    #[serde(default)]
+    pub holes: Vec<HoleSpec>,
+}
+
+/// A hole of a tank.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HoleSpec {
+    /// Its middle [m], in the frame of the body.
+    pub at: [f64; 3],
+    /// Its area [m²].
+    pub area: f64,
+    /// Share of the ideal flow that passes it.
+    pub discharge: f64,
 }
 
 impl ForceSpec {

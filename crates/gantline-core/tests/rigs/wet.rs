@@ -98,7 +98,12 @@ pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
         };
         let has_tank = body(&mut draw);
         // One of the two is pumped.
-        let pumped = (k == 1).then(|| PumpedSpec { content: "content".to_owned(), level: draw.number() });
+        let pumped = (k == 1).then(|| PumpedSpec {
+            content: "content".to_owned(),
+            level: draw.number(),
+            outside: 0.0,
+            holes: Vec::new(),
+        });
         if pumped.is_some() {
             spec.bodies.push(content_of(&has_tank));
             spec.drives.push(DriveSpec { name: "pump".to_owned(), ramps: Vec::new(), waves: None });

@@ -14,7 +14,7 @@ from gantline.assembly.spatial import Array, inertia_matrix
 from gantline.cad.mass_properties import point_inertia
 from gantline.hydro import Hydrostatics, Tank, free_surface_correction
 from gantline.scenario import Scenario
-from gantline.scenario.afloat.tanks import pumped_tanks
+from gantline.scenario.afloat.tanks import changing_tanks
 from gantline.scenario.afloat.vessel import Vessel
 from gantline.scenario.afloat.water import BallastTank
 
@@ -64,7 +64,7 @@ def mass_aboard(
 
 def pumped_content(scenario: Scenario, name: str, vessel: Vessel) -> list[BallastTank]:
     """Tanks whose liquid is no body's mass, with some in them."""
-    pumped = pumped_tanks(scenario)
+    pumped = changing_tanks(scenario)
     tanks = (vessel.tanks or {}).items()
     return [tank for one, tank in tanks if f"{name}.{one}" in pumped and tank.content > 0.0]
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+import numpy.typing as npt
 
 from gantline.assembly.afloat.hulls import afloat_path, box_mesh, hull_mesh
 from gantline.assembly.afloat.radiation import add_radiation
@@ -11,8 +14,8 @@ from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import Array, inertia_list, inertia_matrix
 from gantline.hydro import Hull
 from gantline.scenario import Scenario
-from gantline.scenario.afloat.tanks import bodies_afloat, load_tanks, pumped_tanks
-from gantline.scenario.afloat.water import AddedMass, Afloat, BallastTank, Water, WaterDamping
+from gantline.scenario.afloat.tanks import bodies_afloat, changing_tanks, has_sea, load_tanks, sea_density
+from gantline.scenario.afloat.water import ORIGIN, AddedMass, Afloat, BallastTank, Water, WaterDamping
 from gantline.scenario.errors import Doubt
 
 __all__ = ["add_load_tanks", "add_water", "frozen", "hull_name", "pump_drive"]
@@ -35,12 +38,12 @@ def add_water(parts: Parts, scenario: Scenario) -> None:
         ScenarioError: if the file of a hull or a hydrodynamic database cannot be used.
     """
     water = scenario.water or Water()
-    pumped = pumped_tanks(scenario)
+    changing = changing_tanks(scenario)
     for name, body in bodies_afloat(scenario).items():
         for tank_name, tank in (body.tanks or {}).items():
             full = f"{name}.{tank_name}"
-            if full in pumped:
-                _let_pump(parts, name, full, tank, water.level)
+            if full in changing:
+                _let_change(parts, scenario, (name, full), tank, ORIGIN)
             else:
                 _fill(parts, name, full, tank)
         _around(parts, scenario, name, body, water)
@@ -54,11 +57,10 @@ def add_load_tanks(parts: Parts, scenario: Scenario, centre: Array) -> None:
         scenario: The lift.
         centre: That, from its datum (3,) [m].
     """
-    load, level, pumped = scenario.load, (scenario.water or Water()).level, pumped_tanks(scenario)
+    load, changing = scenario.load, changing_tanks(scenario)
     for full, tank in load_tanks(scenario).items():
-        if load is not None and (full in pumped or tank.content > 0.0):
-            x, y, z = (float(part) for part in np.array(tank.bottom) - centre)
-            _let_pump(parts, load.name, full, tank.model_copy(update={"bottom": (x, y, z)}), level)
+        if load is not None and (full in changing or tank.content > 0.0):
+            _let_change(parts, scenario, (load.name, full), tank, centre)
 
 
 def _around(parts: Parts, scenario: Scenario, name: str, body: Afloat, water: Water) -> None:
@@ -104,13 +106,35 @@ def frozen(tank: BallastTank) -> tuple[list[float], Array]:
     return [x, y, z + tank.depth / 2], tank.content / 12 * np.diag(squares.sum() - squares)
 
 
-def _let_pump(parts: Parts, body: str, name: str, tank: BallastTank, level: float) -> None:
-    """A tank whose content a drive moves: all of the liquid is in the force."""
+def _let_change(
+    parts: Parts, scenario: Scenario, names: tuple[str, str], tank: BallastTank, origin: npt.ArrayLike
+) -> None:
+    """A tank whose content a drive moves: all of the liquid is in the force.
+
+    Args:
+        parts: With the body.
+        scenario: The lift.
+        names: Of the body, and of the tank in full.
+        tank: The tank.
+        origin: Of the body's frame, in the axes in which the tank is given (3,) [m].
+    """
+    body, name = names
     content = f"{name}/content"
     parts.add_content(content, body, pump_drive(name))
     parts.add_drive(pump_drive(name))
-    pumped = {"content": content, "level": level}
-    parts.forces.append({**_tank(body, name, tank), "pumped": pumped})
+    pumped: Json = {"content": content, "level": (scenario.water or Water()).level}
+    if tank.holes:
+        holes = [
+            {"at": _seen_from(origin, hole.at), "area": hole.area, "discharge": hole.discharge}
+            for hole in tank.holes.values()
+        ]
+        pumped |= {"holes": holes, "outside": sea_density(scenario) if has_sea(scenario) else 0.0}
+    moved = tank.model_copy(update={"bottom": _seen_from(origin, tank.bottom)})
+    parts.forces.append({**_tank(body, name, moved), "pumped": pumped})
+
+
+def _seen_from(origin: npt.ArrayLike, place: Sequence[float]) -> tuple[float, ...]:
+    return tuple(float(part) for part in np.array(place) - np.array(origin))
 
 
 def _tank(body: str, name: str, tank: BallastTank) -> Json:

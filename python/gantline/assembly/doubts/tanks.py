@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from gantline.assembly.afloat.hulls import afloat_path
 from gantline.scenario import Scenario
+from gantline.scenario.afloat.tanks import has_sea, holed_tanks
 from gantline.scenario.afloat.water import BallastTank
 from gantline.scenario.errors import Doubt, PathPart
 from gantline.scenario.plan.steps import PumpStep
@@ -28,6 +29,16 @@ def doubtful_tanks(scenario: Scenario) -> Iterator[Doubt]:
     load = scenario.load
     if load is not None:
         yield from _in_one_place(("load",), load.name, load.tanks)
+    if load is not None and load.in_water is None and has_sea(scenario):
+        for name, tank in (load.tanks or {}).items():
+            if tank.holes:
+                sentence = (
+                    f"water runs through the holes of {load.name}.{name}, but carries nothing of {load.name}"
+                )
+                yield Doubt(("load", "tanks", name, "holes"), f"{sentence}: give the load 'in_water'")
+    if scenario.waves and (holed := list(holed_tanks(scenario))):
+        sentence = f"the holes of {', '.join(holed)} feel still water: waves run past them"
+        yield Doubt(("waves",), f"{sentence}, and only the motion of what has them counts")
     for place, step in enumerate(scenario.plan):
         if isinstance(step, PumpStep) and step.rate > _PUMPED:
             sentence = f"step '{step.step}' pumps {step.rate * 3.6:,.0f} t in an hour"
@@ -50,11 +61,6 @@ def _shared(one: BallastTank, other: BallastTank) -> float:
     """Volume that two tanks have in common [m^3]."""
     sides = []
     for axis in range(3):
-        (low, high), (under, over) = (_extent(tank, axis) for tank in (one, other))
+        (low, high), (under, over) = (tank.extents[axis] for tank in (one, other))
         sides.append(max(0.0, min(high, over) - max(low, under)))
     return math.prod(sides)
-
-
-def _extent(tank: BallastTank, axis: int) -> tuple[float, float]:
-    start = tank.bottom[axis] - (0.0 if axis == 2 else tank.box[axis] / 2)
-    return start, start + tank.box[axis]

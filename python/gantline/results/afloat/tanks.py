@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from gantline.results.rig import Load, Rig
 from gantline.results.variable import Columns, FloatArray, Names, Variable
+from gantline.units import format_quantity
 
-__all__ = ["pump_warnings", "tank_contents", "weight_of"]
+__all__ = ["Ran", "hole_warnings", "pump_warnings", "ran_through_holes", "tank_contents", "weight_of"]
 
 #: Share of its capacity within which a tank is empty or full.
 _ROUNDING = 1e-9
+#: Share of its capacity within which a tank has come to what is in it in the end.
+_SETTLED = 1e-3
+#: Share of a run at its end, and of the capacity of a tank by which its content still changes then.
+_LAST, _CHANGED = 0.05, 0.01
 
 
 def tank_contents(
@@ -66,6 +72,59 @@ def pump_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:
                 states.append(f"{tank.name} is full")
         because = " and ".join(states) or "a tank is empty or full"
         warnings.append(f"the pumps of '{step}' stop at {moment:.2f} s before it is done: {because}")
+    return warnings
+
+
+@dataclass(frozen=True)
+class Ran:
+    """What has run through the holes of a tank.
+
+    Attributes:
+        tank: Its full name.
+        first: Mass of the liquid in it at the start [kg].
+        last: The same at the end [kg].
+        until: When it came to that, to a thousandth of what the tank holds [s].
+        goes_on: Whether it still changed at the end.
+    """
+
+    tank: str
+    first: float
+    last: float
+    until: float
+    goes_on: bool
+
+
+def ran_through_holes(rig: Rig, time: FloatArray, contents: Mapping[str, FloatArray]) -> list[Ran]:
+    """What has run through holes of tanks, for each that has some.
+
+    Args:
+        rig: the lift.
+        time: of the samples [s], shape (time,).
+        contents: of tanks by their full names [kg], each of shape (time,).
+    """
+    found = []
+    for tank in rig.tanks if len(time) else ():
+        if not tank.holes:
+            continue
+        content = contents[tank.name]
+        other = np.abs(content - content[-1]) > _SETTLED * tank.capacity
+        after = min(int(np.flatnonzero(other)[-1]) + 1, len(time) - 1) if other.any() else 0
+        late = time >= time[-1] - _LAST * (time[-1] - time[0])
+        goes_on = bool(np.ptp(content[late]) > _CHANGED * tank.capacity)
+        ends = float(content[0]), float(content[-1])
+        found.append(Ran(tank.name, *ends, until=float(time[after]), goes_on=goes_on))
+    return found
+
+
+def hole_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:
+    """Tanks that still drain or flood as a run ends."""
+    contents = {tank.name: _content(columns, names, tank.name, tank.content) for tank in rig.tanks}
+    warnings = []
+    for ran in ran_through_holes(rig, columns["time"], contents):
+        if ran.goes_on:
+            now, then = (format_quantity(one, "t", 1) for one in (ran.last, ran.first))
+            sentence = f"as the run ends liquid still runs through the holes of {ran.tank}"
+            warnings.append(f"{sentence}: {now} are in it, of {then} at the start; let the run last longer")
     return warnings
 
 

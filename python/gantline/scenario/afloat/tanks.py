@@ -1,4 +1,4 @@
-"""Tanks of everything that floats and of the load, and which of them the plan pumps."""
+"""Tanks of everything that floats and of the load, and which of them the plan pumps, or have holes."""
 
 from __future__ import annotations
 
@@ -15,13 +15,14 @@ __all__ = [
     "SEA",
     "Contents",
     "bodies_afloat",
+    "changing_tanks",
     "contents_along",
     "contents_of_load",
     "ends_of_pump",
     "has_sea",
+    "holed_tanks",
     "load_tanks",
     "pumped_at_most",
-    "pumped_tanks",
     "sea_density",
     "tanks_of",
 ]
@@ -67,10 +68,16 @@ def ends_of_pump(scenario: Scenario, step: PumpStep) -> tuple[str | None, str | 
     return source, target
 
 
-def pumped_tanks(scenario: Scenario) -> set[str]:
-    """Full names of the tanks that a step of the plan pumps."""
+def holed_tanks(scenario: Scenario) -> dict[str, BallastTank]:
+    """Tanks with holes by their full name."""
+    return {name: tank for name, tank in tanks_of(scenario).items() if tank.holes}
+
+
+def changing_tanks(scenario: Scenario) -> set[str]:
+    """Full names of the tanks that a step of the plan pumps, or that have holes."""
     steps = [step for step in scenario.plan if isinstance(step, PumpStep)]
-    return {name for step in steps for name in ends_of_pump(scenario, step) if name is not None}
+    pumped = {name for step in steps for name in ends_of_pump(scenario, step) if name is not None}
+    return pumped | set(holed_tanks(scenario))
 
 
 def pumped_at_most(scenario: Scenario) -> dict[str, tuple[float, float]]:
@@ -105,9 +112,9 @@ class Contents:
 def contents_along(scenario: Scenario) -> list[dict[str, Contents]]:
     """What may be in each tank, by full name, as each step of the plan begins, and at the end.
 
-    A step that waits for something may pump anything or nothing.
+    A step that waits for something may pump anything or nothing; through holes anything may run in or out.
     """
-    known = tanks_of(scenario)
+    known, holed = tanks_of(scenario), holed_tanks(scenario)
     found = [{name: Contents(tank.content, tank.content) for name, tank in known.items()}]
     for step in scenario.plan:
         now = dict(found[-1])
@@ -118,7 +125,7 @@ def contents_along(scenario: Scenario) -> list[dict[str, Contents]]:
                 now[source] = now[source].pumped(-most, -least, known[source].capacity)
             if target is not None:
                 now[target] = now[target].pumped(least, most, known[target].capacity)
-        found.append(now)
+        found.append({**now, **{name: Contents(0.0, tank.capacity) for name, tank in holed.items()}})
     return found
 
 

@@ -21,6 +21,7 @@ from gantline.scenario.quantities import (
     Position,
     PositiveLength,
     Quantity,
+    Ratio,
     RotationalDamping,
     Sizes,
     SymmetricMatrix,
@@ -36,6 +37,7 @@ __all__ = [
     "Afloat",
     "BallastTank",
     "Extent",
+    "Hole",
     "HullShape",
     "Radiation",
     "Water",
@@ -50,6 +52,8 @@ LIGHTEST_WATER, HEAVIEST_WATER = 900.0, 1300.0
 #: Motions of a body along and about its x, y, z.
 MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 ORIGIN = (0.0, 0.0, 0.0)
+#: Share of the ideal flow that passes a hole with sharp edges: the jet contracts to it.
+SHARP_EDGED = 0.6
 
 Density = Annotated[float, Quantity("density", "positive")]
 
@@ -256,6 +260,27 @@ class WaveForces(_ByFile):
     )
 
 
+class Hole(Element):
+    """A hole of a tank: liquid runs out, or water around in, by the difference of heads."""
+
+    what: ClassVar[str] = "a hole of a tank"
+
+    at: Position = Field(
+        description="Its middle in the body's axes, in the tank or a side of it; of a load from its datum."
+    )
+    area: Annotated[float, Quantity("area", "positive")] = Field(description="Its clear area.")
+    discharge: Ratio = Field(
+        SHARP_EDGED, description="Share of the ideal flow that passes: 0.6 of sharp edges, as if not given."
+    )
+
+    @model_validator(mode="after")
+    def _lets_pass(self) -> Hole:
+        if not 0.0 < self.discharge <= 1.0:
+            found = f"a share of {self.discharge:g} of the ideal flow passes no hole"
+            raise refuse(f"{found}; it is above 0 and at most 1: 0.6 of sharp edges", "discharge")
+        return self
+
+
 class BallastTank(Element):
     """A box-shaped tank, along the body's axes; its liquid stays level."""
 
@@ -267,6 +292,10 @@ class BallastTank(Element):
     )
     content: Mass = Field(description="Mass of the liquid, beside the body's own mass.")
     density: Density = Field(SEA_WATER, description="Density of the liquid; sea water if not given.")
+    holes: Named[Hole] | None = Field(
+        None,
+        description="Holes, open from the start on, by name: it drains or floods through them.",
+    )
 
     @model_validator(mode="after")
     def _holds_it(self) -> BallastTank:
@@ -279,6 +308,12 @@ class BallastTank(Element):
     def capacity(self) -> float:
         """Mass of the liquid that goes into it [kg]."""
         return math.prod(self.box) * self.density
+
+    @property
+    def extents(self) -> tuple[tuple[float, float], ...]:
+        """From where to where its inside goes along x, y, z of the body [m]."""
+        (length, breadth, depth), (x, y, z) = self.box, self.bottom
+        return (x - length / 2, x + length / 2), (y - breadth / 2, y + breadth / 2), (z, z + depth)
 
     @property
     def depth(self) -> float:

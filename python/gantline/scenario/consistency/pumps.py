@@ -11,6 +11,7 @@ from gantline.scenario.afloat.tanks import (
     contents_of_load,
     ends_of_pump,
     has_sea,
+    holed_tanks,
     load_tanks,
     sea_density,
     tanks_of,
@@ -52,7 +53,11 @@ def check_pump(findings: Findings, place: int, step: PumpStep) -> set[str]:
         if abs(pumped - known[target].density) > 1e-9 * pumped:
             sentence = f"liquid of {pumped:g} kg/m^3 would be pumped into a tank with"
             findings.add((*path, "to"), f"{sentence} {known[target].density:g} kg/m^3; give it the same")
-    return {name for name in (source, target) if name is not None}
+    moved = {name for name in (source, target) if name is not None}
+    for name in sorted(moved & set(holed_tanks(scenario))):
+        sentence = f"'{name}' has holes, through which it drains or floods by itself"
+        findings.add(path, f"{sentence}; leave its 'holes' out, or do not pump it")
+    return moved
 
 
 def check_contents(findings: Findings) -> None:
@@ -72,7 +77,9 @@ def check_shares(findings: Findings) -> None:
         if waits and contents.most - contents.least > _ROUNDED * contents.most:
             least, most = (f"{one / 1e3:.6g} t" for one in (contents.least, contents.most))
             sentence = f"this waits for a share of a weight that changes: from {least} to {most} may be in"
-            right = "wait for 'supports' or 'hoist_load', or pump 'by' an amount in a step of its own before"
+            right = "wait for 'supports' or 'hoist_load'"
+            if not set(load_tanks(scenario)) & set(holed_tanks(scenario)):
+                right += ", or pump 'by' an amount in a step of its own before"
             findings.add(("plan", place, "until"), f"{sentence} the tanks of the load by then; {right}")
 
 

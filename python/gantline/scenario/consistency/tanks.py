@@ -11,7 +11,7 @@ from gantline.scenario.findings import Findings, Path
 from gantline.scenario.loads.cylinder import Cylinder
 from gantline.scenario.model import Scenario
 
-__all__ = ["check_inside_of", "check_load_tanks", "check_round_tanks", "check_tank_names"]
+__all__ = ["check_holes", "check_inside_of", "check_load_tanks", "check_round_tanks", "check_tank_names"]
 
 #: A tank may reach so far out of what has it by rounding [m].
 _CLOSE = 1e-6
@@ -35,9 +35,7 @@ def check_round_tanks(
 ) -> None:
     """Note tanks of a round load whose corners stick out of its skin."""
     for name, tank in (tanks or {}).items():
-        (length, breadth, depth), (x, y, z) = tank.box, tank.bottom
-        ways = product((x - length / 2, x + length / 2), (y - breadth / 2, y + breadth / 2), (z, z + depth))
-        out = max(-cylinder.depth(corner) for corner in ways)
+        out = max(-cylinder.depth(corner) for corner in product(*tank.extents))
         if out > _CLOSE:
             sentence = f"a corner of it is {out:.3g} m outside the round load"
             findings.add(("load", "tanks", name), f"{sentence}; a tank is inside of it")
@@ -48,15 +46,30 @@ def check_inside_of(
 ) -> None:
     """Note tanks that stick out of something, in words, of this extent; of each the first axis."""
     for name, tank in (tanks or {}).items():
-        (length, breadth, depth), (x, y, z) = tank.box, tank.bottom
-        least, most = (x - length / 2, y - breadth / 2, z), (x + length / 2, y + breadth / 2, z + depth)
-        for axis, own in zip("xyz", zip(least, most, *extent, strict=True), strict=True):
-            from_, to, start, end = own
+        for axis, (from_, to), start, end in zip("xyz", tank.extents, *extent, strict=True):
             if from_ < start - _CLOSE or to > end + _CLOSE:
                 sentence = f"it goes from {from_:g} m to {to:g} m along {axis}"
                 right = f"{what} from {start:g} m to {end:g} m"
                 findings.add((*path, "tanks", name), f"{sentence}, {right}; a tank is inside of it")
                 break
+
+
+def check_holes(findings: Findings) -> None:
+    """Note holes that are outside of their tank, or larger than any side of it."""
+    for path, _, tanks in _with_tanks(findings.scenario):
+        for name, tank in tanks.items():
+            sizes = sorted(tank.box)
+            largest = sizes[1] * sizes[2]
+            for hole_name, hole in (tank.holes or {}).items():
+                own = (*path, "tanks", name, "holes", hole_name)
+                for axis, at, (low, high) in zip("xyz", hole.at, tank.extents, strict=True):
+                    if not low - _CLOSE <= at <= high + _CLOSE:
+                        sentence = f"it is at {at:g} m along {axis}, its tank from {low:g} m to {high:g} m"
+                        findings.add((*own, "at"), f"{sentence}; a hole is in the tank, or in a side of it")
+                        break
+                if hole.area > largest:
+                    sentence = f"a hole of {hole.area:g} m^2 has no room in a tank whose largest side has"
+                    findings.add((*own, "area"), f"{sentence} {largest:g} m^2")
 
 
 def check_tank_names(findings: Findings) -> None:

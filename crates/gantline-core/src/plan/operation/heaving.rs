@@ -80,7 +80,7 @@ impl PlanState {
                 let timeline = &mut self.timelines[of.hoist.drive];
                 let (added, ratio) = at_hook(of, timeline.planned(at), timeline.added(at));
                 let (velocity, duration) = watch.glance(of, added, seen.kinematics);
-                timeline.add(at, duration, velocity / ratio);
+                timeline.add(seen.kinematics.time, (at, duration), velocity / ratio);
                 if let Some(limit) = watch.comes_to_a_limit() {
                     log.push(at, EventKind::CompensationLimit(limit), index);
                 }
