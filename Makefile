@@ -26,10 +26,9 @@ setup: ## make .venv: locked packages, gantline, its compiled core and its playe
 demo: setup ## simulate the lift of scenarios/equalizer; table, numerical error, pictures and report in build/demo
 	@gantline run scenarios/equalizer --refine -o build/demo
 
-# The tests of the core need no Python: they are compiled and run beside set-up and lints, which leave a processor idle.
+# The core's tests are compiled and run beside the lints, of which mypy keeps one processor busy for two minutes.
 # Files of tests in their order: the browser has one long test, which begins first.
-test: ## all tests and lints
-	@tools/prerequisites.sh >/dev/null
+test: setup ## all tests and lints
 	@$(MAKE) --jobs=2 core lint
 	npm --prefix viewer test --silent
 	pytest --numprocesses auto --maxprocesses 8 --dist loadfile --no-loadscope-reorder --hypothesis-seed=$(SEED)
@@ -37,15 +36,16 @@ test: ## all tests and lints
 core: ## tests of the compiled core by themselves
 	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
 
-lint: setup ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
+# Clippy comes last: it waits for what else cargo builds.
+lint: setup ## formatting, ruff, mypy, import-linter, biome, tsc, clippy
 	cargo fmt --all --check
-	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
 	ruff check --quiet
 	ruff format --check --quiet
 	mypy python/gantline tests benchmarks tools docs
 	lint-imports --no-cache
 	npm --prefix viewer run lint --silent
 	npm --prefix viewer run check --silent
+	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
 
 bench: setup ## race with other codes on the benchmark lifts, growth, stages, time of every scenario
 	@.venv-tools/bin/python -m pip --python $(BIN)/python install --quiet --disable-pip-version-check --no-user \

@@ -13,5 +13,5 @@ def test_no_verdict_where_there_is_no_such_sea() -> None:
     assert result.exit_code == 4, result.stdout
     said = " ".join(result.stdout.split())
     assert "too steep: there are no such waves (DNV-RP-C205, 3.5.4)" in said
-    assert "1 record of each sea; share of the limit" in said
+    assert "1 record of each sea, 300 s; share of the limit" in said
     assert "the chance that one more" not in said
