@@ -15,7 +15,7 @@ unexport PYTHONPATH PYTHONHOME
 # Tests start the program some hundred times, which compiles its modules anew each time where this is set.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help setup demo test core lint bench docs packages pictures lock clean
+.PHONY: help setup demo test lint bench docs packages pictures lock clean
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 16
@@ -26,26 +26,21 @@ setup: ## make .venv: locked packages, gantline, its compiled core and its playe
 demo: setup ## simulate the lift of scenarios/equalizer; table, numerical error, pictures and report in build/demo
 	@gantline run scenarios/equalizer --refine -o build/demo
 
-# The core's tests are compiled and run beside the lints, of which mypy keeps one processor busy for two minutes.
 # Files of tests in their order: the browser has one long test, which begins first.
-test: setup ## all tests and lints
-	@$(MAKE) --jobs=2 core lint
+test: setup lint ## all tests and lints
+	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
 	npm --prefix viewer test --silent
 	pytest --numprocesses auto --maxprocesses 8 --dist loadfile --no-loadscope-reorder --hypothesis-seed=$(SEED)
 
-core: ## tests of the compiled core by themselves
-	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
-
-# Clippy comes last: it waits for what else cargo builds.
-lint: setup ## formatting, ruff, mypy, import-linter, biome, tsc, clippy
+lint: setup ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
 	cargo fmt --all --check
+	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
 	ruff check --quiet
 	ruff format --check --quiet
 	mypy python/gantline tests benchmarks tools docs
 	lint-imports --no-cache
 	npm --prefix viewer run lint --silent
 	npm --prefix viewer run check --silent
-	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
 
 bench: setup ## race with other codes on the benchmark lifts, growth, stages, time of every scenario
 	@.venv-tools/bin/python -m pip --python $(BIN)/python install --quiet --disable-pip-version-check --no-user \
