@@ -197,19 +197,23 @@ fn the_order_of_an_equalizer_costs_a_constant_per_sheave() {
     assert_eq!((large - small) / 50, 9 + 8);
 }
 
+/// A rope without stretch between a hinge, on which nothing hangs, and a body that waits for another. Over the hinge alone
+/// its pivot would be zero where its line meets the axis.
 #[test]
-fn children_go_before_parents_and_rigid_rows_after_a_joint() {
-    let joint = |above| Node { size: 1, kind: NodeKind::Joint { above, after: None } };
+fn children_go_before_parents_and_rigid_rows_after_all_their_joints() {
+    let joint = |size, above| Node { size, kind: NodeKind::Joint { above, after: None } };
     let nodes = vec![
-        joint(None),
-        joint(Some(0)),
-        joint(Some(1)),
+        joint(6, None),
+        joint(1, Some(0)),
+        joint(1, Some(1)),
+        joint(1, None),
         Node { size: 1, kind: NodeKind::Row { compliant: false, holds: None } },
     ];
-    let order = elimination_order(&nodes, &[(0, 1), (1, 2), (0, 2), (3, 1)]);
+    let order = elimination_order(&nodes, &[(0, 1), (1, 2), (0, 2), (4, 1), (4, 3)]);
     let place = |node| order.iter().position(|&other| other == node).unwrap();
     assert!(place(2) < place(1) && place(1) < place(0));
-    assert!(place(3) > place(1));
+    assert_eq!(place(3), 0, "the hinge is the cheapest");
+    assert!(place(4) > place(1));
 }
 
 /// Two flows without inertia between three spans, the outer ones beside bodies of six unknowns: that in the middle
@@ -226,4 +230,17 @@ fn a_light_flow_goes_after_the_span_before_it() {
     let place = |node| order.iter().position(|&other| other == node).unwrap();
     assert_eq!(place(5), 0, "the span in the middle is the cheapest");
     assert!(place(4) < place(2) && place(5) < place(3));
+}
+
+/// The same of spans without stretch, which wait for bodies: not for the flow that waits for them, or neither would go.
+#[test]
+fn a_rigid_span_does_not_wait_for_the_flow_after_it() {
+    let body = || Node { size: 6, kind: NodeKind::Joint { above: None, after: None } };
+    let span = || Node { size: 1, kind: NodeKind::Row { compliant: false, holds: None } };
+    let flow = |row| Node { size: 1, kind: NodeKind::Joint { above: None, after: Some(row) } };
+    let nodes = [flow(3), body(), body(), span(), span()];
+    let order = elimination_order(&nodes, &[(3, 1), (3, 0), (4, 0), (4, 2), (1, 2)]);
+    let place = |node| order.iter().position(|&other| other == node).unwrap();
+    assert!(place(1) < place(3) && place(3) < place(0));
+    assert!(place(0) < place(4) && place(2) < place(4));
 }

@@ -64,6 +64,13 @@ fn the_fixed_point_of_del_may_run_away() {
     }
 }
 
+/// A rope without stretch whose line crosses the axis of a hinge at its far end. Its row was eliminated over the hinge
+/// alone, whose part of the pivot goes through zero there, and `del` called the rig singular in steps of any length.
+#[test]
+fn a_rope_without_stretch_crosses_the_axis_of_a_hinge() {
+    del_stays_bounded(&drawn(61001, 165)[164]).unwrap();
+}
+
 /// `del` at 1 ms fed this rig with 98 % of its energy, turning bodies by more than a radian in a step. A shorter step
 /// does not.
 #[test]

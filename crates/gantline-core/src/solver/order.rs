@@ -2,9 +2,9 @@
 //!
 //! Nodes are joints (with their degrees of freedom) and rows. Rules:
 //! - a joint goes after the joints that hang on it, which keeps the mass matrix free of fill;
-//! - a row without compliance goes after all of its joints, or after one that no other such row is coupled to: its
-//!   pivot is −G M⁻¹ Gᵀ over the joints that are gone, and two rows that share the only one of them would look as
-//!   if they repeated one another; that of a brake or a pin goes after what it holds;
+//! - a row without compliance goes after all of its joints, but for flows that wait for it: its pivot is −G M⁻¹ Gᵀ
+//!   over the joints that are gone, and near where a rope's line meets the axis of a joint the part of that joint
+//!   goes through zero; that of a brake or a pin goes after what it holds;
 //! - among those allowed the one with the fewest unknowns around it goes first; a row of which no joint has gone
 //!   counts double, since eliminating it divides by its compliance; so does that of an inextensible rope.
 //!
@@ -101,8 +101,11 @@ impl<'a> Elimination<'a> {
                     graph.waiting[index] = 1;
                 }
                 NodeKind::Row { holds: None, .. } => {
-                    let is_joint = |near: &&usize| matches!(nodes[**near].kind, NodeKind::Joint { .. });
-                    for &joint in graph.around[index].iter().filter(is_joint) {
+                    let goes_before = |near: &&usize| match nodes[**near].kind {
+                        NodeKind::Joint { after, .. } => after != Some(index),
+                        NodeKind::Row { .. } => false,
+                    };
+                    for &joint in graph.around[index].iter().filter(goes_before) {
                         graph.rigid[joint].push(index);
                         graph.waiting[index] += 1;
                     }
@@ -164,7 +167,7 @@ impl<'a> Elimination<'a> {
         let rigid = std::mem::take(&mut self.rigid[node]);
         for &row in &rigid {
             self.waiting[row] -= 1;
-            if !self.gone[row] && (rigid.len() == 1 || self.waiting[row] == 0) {
+            if !self.gone[row] && self.waiting[row] == 0 {
                 self.queue.insert(self.key(row));
             }
         }
