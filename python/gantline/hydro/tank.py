@@ -68,10 +68,14 @@ class Liquid:
         centre: Its centre from the middle of the bottom, axes of the box (3,) [m].
         spread: Second moments of its surface about its own middle, int (r - r0)(r - r0)^T dA, the same axes
             (3, 3) [m^4].
+        area: Of its surface [m^2].
+        middle: Of its surface, from the middle of the bottom, the same axes (3,) [m].
     """
 
     centre: Array
     spread: Array
+    area: float
+    middle: Array
 
 
 def liquid_in_box(size: Sequence[float], up: npt.ArrayLike, volume: float) -> Liquid:
@@ -92,4 +96,5 @@ def liquid_in_box(size: Sequence[float], up: npt.ArrayLike, volume: float) -> Li
     middle = np.array(below["area_moment"]) / below["area"]
     spread = np.array(below["area_second"]) - below["area"] * np.outer(middle, middle)
     to_middle = np.array([size[0] / 2.0, 0.0, 0.0])
-    return Liquid(np.array(below["moment"]) / below["volume"] - to_middle, spread)
+    centre = np.array(below["moment"]) / below["volume"] - to_middle
+    return Liquid(centre, spread, float(below["area"]), middle - to_middle)

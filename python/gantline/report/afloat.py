@@ -206,7 +206,8 @@ def _holes(subject: Subject) -> list[tuple[str, str]]:
         rows.append(
             (f"holes of {ran.tank}", f"{ends} {'at the end' if ran.goes_on else ''}".rstrip() + until)
         )
-    return rows[:_MOST_TANKS]
+    more = len(rows) - _MOST_TANKS
+    return [*rows[:_MOST_TANKS], ("holes", f"of {more} more tanks")] if more > 0 else rows
 
 
 def _sea(subject: Subject) -> list[tuple[str, str]]:

@@ -6,6 +6,7 @@ does to find GM, done with derivatives of the equilibrium. So everything counts 
 in slack tanks, loads that hang from its hooks, ropes that hold it. What stands on its deck goes along with
 it: friction holds that at an angle so small, whatever the equilibrium was found with. Derivatives are over
 shifts along the axes of the vessel, of which only the level part turns it where it lies with heel and trim.
+Through holes below the water liquid follows, too, which equilibria do not know: `open_tanks` has that.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ import numpy.typing as npt
 
 from gantline.results.rotation import axes, heading
 from gantline.statics.answers import Equilibrium
+from gantline.statics.open_tanks import with_what_runs
 
 if TYPE_CHECKING:
     from gantline.statics.lift import Statics
@@ -83,13 +85,17 @@ def heights_of(question: Statics, rest: Equilibrium, body: str, displaced: float
         displaced: Mass of the water that it displaces [kg].
     """
     masses = {one["name"]: float(one["mass"]) for one in question.assembly.document["bodies"]}
-    answers = question.sensitivities([("centre_x", body), ("centre_y", body)], standing=True)
+    kinds = ("centre_x", "centre_y", "mass")
+    found = question.sensitivities([(kind, body) for kind in kinds], standing=True)
+    motions = np.array([one.of_body(body) for one in found])
+    motions[:2] /= masses[body]
+    answers = masses[body] * with_what_runs(question, rest, body, motions)
     orientation = rest.recording.column("body_orientation", body)[-1]
     ahead = float(heading(orientation))
     # Forward and to port, level, as rows.
     level = np.array([[math.cos(ahead), math.sin(ahead)], [-math.sin(ahead), math.cos(ahead)]])
     shifts = level @ axes(orientation)[:2, :2]
-    turns = level @ np.array([one.of_body(body)[3:5] for one in answers]).T
+    turns = level @ answers[:, 3:5].T
     # About the ways forward and to port, for level shifts along them: one to port heels it to port.
     per_shift = turns @ np.linalg.inv(shifts)
     share = masses[body] / displaced if displaced > 0.0 else math.inf

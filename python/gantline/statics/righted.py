@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.results.rotation import axes
+from gantline.scenario.afloat.tanks import holed_tanks, with_contents
 from gantline.statics.answers import Equilibrium, Losses, NoEquilibriumError
 from gantline.statics.inclining import metacentric_heights
 
@@ -45,7 +46,9 @@ def _righting_of(question: Statics, rest: Equilibrium) -> Heights:
     """The same, with an error where it answers to no push smoothly."""
     limits = question.scenario.limits
     is_limited = limits is not None and limits.metacentric_height is not None
-    if not rest.recording.rig.vessels or (rest.is_stable and not is_limited):
+    # What runs through holes is not in the stability of an equilibrium.
+    is_known = rest.is_stable and not holed_tanks(question.scenario)
+    if not rest.recording.rig.vessels or (is_known and not is_limited):
         return {}
     heights = metacentric_heights(question, rest)
     both = {name: (one.transverse, one.longitudinal) for name, one in heights.items()}
@@ -67,7 +70,7 @@ def righting_at_end(
     """The same where a run has got to; nothing of one that comes to rest nowhere.
 
     What rounding has moved goes on downhill: where it comes to rest elsewhere, the equilibrium of the plan
-    tells what rights it.
+    tells what rights it, with what has run through holes by then.
 
     Args:
         question: The lift.
@@ -79,8 +82,15 @@ def righting_at_end(
     def rest(losses: Losses) -> Equilibrium:
         found = question.equilibrium_of(state, losses=losses)
         if found.is_stable and _is_elsewhere(found, attitudes):
-            return question.equilibrium(min(time, question.scenario.duration), losses=losses)
+            return as_it_is(found).equilibrium(min(time, question.scenario.duration), losses=losses)
         return found
+
+    def as_it_is(found: Equilibrium) -> Statics:
+        holed = holed_tanks(question.scenario)
+        if not holed:
+            return question
+        contents = {name: float(found.recording.column("tank_content", name)[-1]) for name in holed}
+        return type(question)(with_contents(question.scenario, contents))
 
     return _righting(question, rest)
 

@@ -63,6 +63,8 @@ impl StaticLift {
         // Where water is still nothing heaves.
         force::calm(&mut system.tree);
         system.plan.steps.iter_mut().for_each(|step| step.compensates.clear());
+        // A plan that is followed from rest to rest looks at the lift as a run does, and would drain its tanks by the way.
+        system.plan.holed.clear();
         if let Some(adjuster) = system.adjusters.first() {
             let name = &adjuster.name;
             let problem = format!("{name} adjusts lengths step by step, which statics does not know");

@@ -17,8 +17,10 @@ __all__ = ["Ran", "hole_warnings", "pump_warnings", "ran_through_holes", "tank_c
 _ROUNDING = 1e-9
 #: Share of its capacity within which a tank has come to what is in it in the end.
 _SETTLED = 1e-3
-#: Share of a run at its end, and of the capacity of a tank by which its content still changes then.
-_LAST, _CHANGED = 0.05, 0.01
+#: Share of a run at its end, in halves of which contents are compared.
+_LAST = 0.05
+#: By what they differ if liquid still runs: share of all that has run, and of the capacity at least.
+_OF_CHANGE, _OF_CAPACITY = 0.005, 1e-5
 
 
 def tank_contents(
@@ -109,11 +111,25 @@ def ran_through_holes(rig: Rig, time: FloatArray, contents: Mapping[str, FloatAr
         content = contents[tank.name]
         other = np.abs(content - content[-1]) > _SETTLED * tank.capacity
         after = min(int(np.flatnonzero(other)[-1]) + 1, len(time) - 1) if other.any() else 0
-        late = time >= time[-1] - _LAST * (time[-1] - time[0])
-        goes_on = bool(np.ptp(content[late]) > _CHANGED * tank.capacity)
         ends = float(content[0]), float(content[-1])
+        goes_on = _still_runs(time, content, tank.capacity)
         found.append(Ran(tank.name, *ends, until=float(time[after]), goes_on=goes_on))
     return found
+
+
+def _still_runs(time: FloatArray, content: FloatArray, capacity: float) -> bool:
+    """Whether the mean content still goes one way at the end: a vessel that rolls moves some to and fro.
+
+    It is held against what has run so far: a small hole of a large tank may go on for hours.
+    """
+    before = time[-1] - _LAST * np.array([1.0, 0.5]) * (time[-1] - time[0])
+    means = [
+        content[part].mean()
+        for part in ((time >= before[0]) & (time < before[1]), time >= before[1])
+        if part.any()
+    ]
+    least = max(_OF_CHANGE * float(np.ptp(content)), _OF_CAPACITY * capacity)
+    return float(np.ptp(means)) > least
 
 
 def hole_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:

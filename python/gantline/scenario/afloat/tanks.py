@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -25,6 +26,7 @@ __all__ = [
     "pumped_at_most",
     "sea_density",
     "tanks_of",
+    "with_contents",
 ]
 
 #: What a pump may draw from and discharge to beside tanks.
@@ -71,6 +73,25 @@ def ends_of_pump(scenario: Scenario, step: PumpStep) -> tuple[str | None, str | 
 def holed_tanks(scenario: Scenario) -> dict[str, BallastTank]:
     """Tanks with holes by their full name."""
     return {name: tank for name, tank in tanks_of(scenario).items() if tank.holes}
+
+
+def with_contents(scenario: Scenario, contents: Mapping[str, float]) -> Scenario:
+    """The lift with other contents of tanks at its start [kg], by their full names."""
+    load = () if scenario.load is None else [("load", scenario.load.name, scenario.load.tanks)]
+    bodies = [
+        (
+            f"vessels.{name}" if name in (scenario.vessels or {}) else f"mechanics.bodies.{name}",
+            name,
+            body.tanks,
+        )
+        for name, body in bodies_afloat(scenario).items()
+    ]
+    paths = {
+        f"{name}.{tank}": f"{path}.tanks.{tank}.content"
+        for path, name, tanks in [*load, *bodies]
+        for tank in tanks or {}
+    }
+    return scenario.changed({paths[tank]: f"{content!r} kg" for tank, content in contents.items()})
 
 
 def changing_tanks(scenario: Scenario) -> set[str]:

@@ -1,0 +1,95 @@
+"""What runs through holes below the water as a vessel is inclined.
+
+A room that is open to the sea has its level outside: as she heels the lower one takes water, and that heels
+her on. An equilibrium holds what is in it. With w_k how her body moves under a kilogram at the middle of the
+surface in tank k, A_k the surface, and n(x) how far its middle rises as she moves by x, x_0 without that
+liquid,
+
+    sum_k n_j(w_k) m_k + m_j/(rho_j A_j) = -n_j(x_0) ,    x = x_0 + sum_k w_k m_k ,
+
+m_k being what runs in, (HO6) of `docs/concepts/holes.md`. Of one that heels alone that is GM less rho A y^2
+over the displacement: lost buoyancy.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from gantline.hydro.tank import liquid_in_box
+from gantline.results.rotation import axes
+from gantline.scenario.afloat.tanks import bodies_afloat, has_sea
+from gantline.scenario.afloat.water import BallastTank, Water
+from gantline.statics.answers import Equilibrium
+
+if TYPE_CHECKING:
+    from gantline.statics.lift import Statics
+
+__all__ = ["with_what_runs"]
+
+Floats = npt.NDArray[np.float64]
+
+#: Share of its capacity that is air or liquid at least in a tank with a surface.
+_SURFACE = 1e-6
+
+
+def with_what_runs(question: Statics, rest: Equilibrium, body: str, motions: Floats) -> Floats:
+    """How a body answers to weights, with what runs through its holes meanwhile.
+
+    Tanks count that have a surface and a hole below the water outside: one that has not come to
+    its level yet, too.
+
+    Args:
+        question: The lift.
+        rest: Its equilibrium that was found last.
+        body: Name of a body that floats.
+        motions: Of its centre of gravity and its turns under 1 kg m more along its x and y, and under a
+            kilogram more at its centre of gravity, with what is in tanks held, shape (3, 6) [m, rad].
+
+    Returns:
+        The first two of them with what runs, shape (2, 6).
+    """
+    places = _surfaces(question, rest, body)
+    if not places:
+        return motions[:2]
+    turn = axes(rest.recording.column("body_orientation", body)[-1])
+    levers = np.array([lever for lever, _ in places])
+    # A kilogram at a lever: at the centre of gravity, moved along the body's axes until it is there.
+    shifts = np.linalg.solve(turn[:2, :2], levers[:, :2].T).T
+    moves = motions[2] + shifts @ motions[:2]
+    rises = np.array([_rise(motions[:2], lever) for lever in levers])
+    together = np.array([_rise(moves, lever) for lever in levers])
+    runs = np.linalg.solve(together + np.diag([1.0 / mass for _, mass in places]), -rises)
+    found: Floats = motions[:2] + runs.T @ moves
+    return found
+
+
+def _rise(motions: Floats, lever: Floats) -> Floats:
+    """By how much a point of a body rises under motions of its centre and its turns (n, 6): (n,) [m]."""
+    rises: Floats = motions[:, 2] + motions[:, 3] * lever[1] - motions[:, 4] * lever[0]
+    return rises
+
+
+def _surfaces(question: Statics, rest: Equilibrium, body: str) -> list[tuple[Floats, float]]:
+    """Surfaces that follow the sea: middle from the body's centre (3,) [m], mass for a metre more [kg/m]."""
+    tanks = bodies_afloat(question.scenario)[body].tanks or {}
+    given = next(one for one in question.assembly.document["bodies"] if one["name"] == body)
+    centre = np.array(given["centre_of_gravity"], dtype=float)
+    turn = axes(rest.recording.column("body_orientation", body)[-1])
+    height = float(rest.recording.column("body_position", body)[-1][2])
+    level = (question.scenario.water or Water()).level
+    found = []
+    for name, tank in tanks.items() if has_sea(question.scenario) else ():
+        content = float(rest.recording.column("tank_content", f"{body}.{name}")[-1])
+        holes = (height + turn[2] @ (np.array(hole.at) - centre) for hole in (tank.holes or {}).values())
+        if _has_surface(tank, content) and any(hole < level for hole in holes):
+            liquid = liquid_in_box(tank.box, turn[2], content / tank.density)
+            lever = turn @ (np.array(tank.bottom) + liquid.middle - centre)
+            found.append((lever, tank.density * liquid.area))
+    return found
+
+
+def _has_surface(tank: BallastTank, content: float) -> bool:
+    return _SURFACE * tank.capacity < content < (1.0 - _SURFACE) * tank.capacity
