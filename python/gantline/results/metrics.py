@@ -251,8 +251,8 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
         top, time = series.rope_peak(recording, sling.rope)
         static, _ = series.greatest_static(recording, tension)
         yield f"static_sling_tension.{sling.rope}", static
-        is_factor = not recording.is_equilibrium and static and tells_dynamics(static, top)
-        if is_factor and has_hung_so(recording, time, of_slings=True):
+        moves = not recording.is_equilibrium and has_hung_so(recording, time, of_slings=True)
+        if moves and static and tells_dynamics(static, top):
             amplification.append(top / static)
         used = upper_end.utilisation(recording, sling.rope)
         if used:
