@@ -63,7 +63,8 @@ def test_metrics_checks_and_table() -> None:
         "sling.S2",
         12.5,
     )
-    assert check.remark == "cut, it carried 606.0 kN"
+    others = "after that sling.S1 has most, 699.8 kN, 23 % of its minimum breaking force"
+    assert check.remark == f"cut, it carried 606.0 kN; {others}"
     assert has_failed([check])
     found = next(line for line in table_of(recording) if line.startswith("  sling.S2"))
     assert found.split() == ["sling.S2", "cut", "12.500", "s", "606.0", "kN", "19.9", "%"]

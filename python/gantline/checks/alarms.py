@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 
 from gantline.checks.measure import Alarm
+from gantline.checks.moorings import moors_by_its_limit
 from gantline.results.loads.carried import carried_round
 from gantline.results.recording import Recording
 
@@ -83,9 +84,7 @@ def _of_chart(recording: Recording, hook: str, key: str) -> list[float]:
 
 def _rope_factor(recording: Recording, rope: str) -> float:
     """Least factor that rules have for slings [1]; none for mooring lines that have a limit of their own."""
-    limited = "mooring_tension_of_breaking_force" in recording.rig.limits
-    moors = limited and any(line.rope == rope for line in recording.rig.mooring_lines)
-    return 0.0 if moors else 2.3
+    return 0.0 if moors_by_its_limit(recording, rope) else 2.3
 
 
 def _of_all(value: float, source: str) -> Alarm:

@@ -35,9 +35,9 @@ SKEW = "skew_load_factor"
 OWN_WEIGHT = "own weight"
 NO_STATIC = "no static force: the load never hung still, clear of its supports"
 HUNG_OTHERWISE = (
-    "at its peak other slings are on or sheaves pinned than whenever the load hung still, it is turned by "
-    "more than 10 deg from there, or water bears less of it or more is in its tanks, so that nothing tells "
-    "what of it is static; a hold there does"
+    "at its peak other slings are on or whole, or sheaves pinned, than whenever the load hung still, it is "
+    "turned by more than 10 deg from there, or water bears less of it or more is in its tanks, so that "
+    "nothing tells what of it is static; a hold there does"
 )
 UNRAISED = "peak of the simulated weight alone: the load never hung still"
 UNRAISED_UNDER_PINS = (

@@ -13,6 +13,12 @@ from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 
 
+def moors_by_its_limit(recording: Recording, rope: str) -> bool:
+    """Whether a rope is a mooring line that a limit of its own is for, and no factor of slings."""
+    limited = "mooring_tension_of_breaking_force" in recording.rig.limits
+    return limited and any(line.rope == rope for line in recording.rig.mooring_lines)
+
+
 def tension_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Peak tension of a mooring line over the minimum breaking force of its rope."""
     for line in recording.rig.mooring_lines:

@@ -16,6 +16,7 @@ from gantline.checks.forces import (
     sling_forces,
 )
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, carrying, extreme
+from gantline.checks.moorings import moors_by_its_limit
 from gantline.checks.slings import bending_factor, bending_text, no_slings, sling_bend
 from gantline.results import series
 from gantline.results.gear import Rope
@@ -85,12 +86,15 @@ def load_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[
     """Dynamic force times the rule's factors over minimum breaking force; 0027/ND rev 11, 7.2 and 7.3.
 
     The factor is max(load x consequence x material factor, least safety factor) x wear factor x the larger of
-    termination and bending factor.
+    termination and bending factor. These are for what lifts: mooring lines with a limit of their own are left
+    to that.
     """
     absent = _absent(recording)
     forces = sling_forces(recording, during)
     slings = {sling.rope: sling for sling in recording.rig.slings}
     for rope in recording.rig.ropes:
+        if moors_by_its_limit(recording, rope.name):
+            continue
         if absent:
             yield Missing(rope.name, f"the rules have no {', '.join(absent)}")
         elif rope.minimum_breaking_force is None:

@@ -18,6 +18,7 @@ from gantline.checks.limits import LIMITS
 from gantline.checks.loads import held_by_tag_lines, on_their_tip, run_through
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, named
 from gantline.checks.overlaps import run_into
+from gantline.checks.parted import parted
 from gantline.checks.picked_up import picked_up
 from gantline.checks.plan import (
     came_down,
@@ -38,7 +39,6 @@ from gantline.results.alike import first_largest
 from gantline.results.file.gaps import gaps
 from gantline.results.recording import Recording, recorded
 from gantline.results.rig import Step
-from gantline.results.ropes.parting import PLANNED, Parting, partings
 from gantline.results.variable import BoolArray
 from gantline.rule_data import LIFT_FILE
 from gantline.units import format_quantity
@@ -99,7 +99,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     for step in rig.plan:
         for check in _check_step(recording, step, ending):
             steps.append(_cautioned(check, whole + steps))
-    every = whole + unknown + steps + [_parted(one) for one in partings(recording) if one.kind not in PLANNED]
+    every = whole + unknown + steps + [*parted(recording)]
     every += _would_part(recording)
     every += (
         taken_off(recording)
@@ -433,18 +433,6 @@ def _cautioned(check: Check, told: Sequence[Check]) -> Check:
         return replace(check, cautions=())
     verdict = Verdict.WARNING if check.verdict is Verdict.OK else check.verdict
     return replace(check, verdict=verdict, remark=_joined([check.remark, *cautions]), cautions=cautions)
-
-
-def _parted(parting: Parting) -> Check:
-    carried = format_quantity(parting.tension, "kN", 1)
-    return Check(
-        "rope_parted",
-        Verdict.FAILED,
-        "a rope was cut or broke",
-        element=parting.rope,
-        time=parting.time,
-        remark=f"{parting.kind}, it carried {carried}",
-    )
 
 
 def _would_part(recording: Recording) -> list[Check]:

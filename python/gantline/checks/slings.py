@@ -14,7 +14,7 @@ from gantline.checks.lugs import ropes_that_bear
 from gantline.checks.measure import Caution, Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
-from gantline.results.loads.hung_so import has_hung_so
+from gantline.results.loads.hung_so import has_hung_so, tells_dynamics
 from gantline.results.loads.skew import Skew, skew_loads
 from gantline.results.recording import Recording
 from gantline.results.ropes.parting import DETACHED, partings
@@ -144,7 +144,9 @@ def sling_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fi
             yield Missing(sling.name, "an equilibrium has no peak")
         elif not static:
             yield Missing(sling.name, NO_STATIC if static is None else "carries nothing at rest")
-        elif not has_hung_so(recording, time, pinned=True):
+        elif not tells_dynamics(static, highest):
+            yield Missing(sling.name, "all but slack at rest, with less than 5 % of its peak")
+        elif not has_hung_so(recording, time, of_slings=True):
             yield Missing(sling.name, HUNG_OTHERWISE)
         else:
             text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"

@@ -329,7 +329,7 @@ def nothing_hangs(states: Sequence[State]) -> str:
     """That no load hangs in any of these states, and why: nothing tells what carries one; else empty."""
     if not all(state.not_lifted for state in states):
         return ""
-    return f"nothing hangs then, {'; '.join(states[0].not_lifted)}"
+    return f"nothing hangs then, {'; '.join(states[0].not_lifted)}; '--time' asks for another moment"
 
 
 def _told_apart(names: Sequence[str], room: int, first: int = 0) -> list[str]:

@@ -110,7 +110,7 @@ from gantline.results.cranes.rating import chart_used
 from gantline.results.loads.clearances import peak_support_force, watched_during
 from gantline.results.loads.drift import load_drift
 from gantline.results.loads.hinges import axial_force, hinge_force, hinge_moment, radial_force
-from gantline.results.loads.hung_so import has_hung_so
+from gantline.results.loads.hung_so import has_hung_so, tells_dynamics
 from gantline.results.loads.lift_off import lift_off_time
 from gantline.results.loads.skew import largest_skew
 from gantline.results.recording import Recording
@@ -251,7 +251,8 @@ def _slings(recording: Recording) -> Iterator[_Metric]:
         top, time = series.rope_peak(recording, sling.rope)
         static, _ = series.greatest_static(recording, tension)
         yield f"static_sling_tension.{sling.rope}", static
-        if static and not recording.is_equilibrium and has_hung_so(recording, time, pinned=True):
+        moves = not recording.is_equilibrium and has_hung_so(recording, time, of_slings=True)
+        if moves and static and tells_dynamics(static, top):
             amplification.append(top / static)
         used = upper_end.utilisation(recording, sling.rope)
         if used:

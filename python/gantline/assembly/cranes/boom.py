@@ -25,8 +25,7 @@ __all__ = ["add_booms", "boom_rig", "boom_shape", "hang_in_tackles"]
 
 #: The axis about which a boom rises, axes of its base: to starboard.
 _UP = [0.0, -1.0, 0.0]
-#: Sizes that pictures have where the lift file names none: a boom over its length, a heel pin [m].
-_THICK = 0.03
+#: Size of a heel pin in pictures [m].
 _PIN = 2.0
 #: Height of a pedestal in pictures where no hull is below it, over that of the heel pins [1].
 _PEDESTAL = 0.3
@@ -198,12 +197,13 @@ def boom_shape(scenario: Scenario, body: str) -> Json | None:
 
 def _boom(placed: PlacedBoom) -> Json:
     length = placed.boom.length
-    thick = _THICK * length
+    thick = placed.boom.section_depth
+    width = placed.boom.section_width(placed.apart)
     places: dict[tuple[float, float], float] = {(0.0, 0.0): 0.0}  # along and above: half of the row there
     for hook in placed.hooks.values():
         at = hook.along, hook.above
         places[at] = max(places.get(at, 0.0), abs(hook.across))
-    boxes = [box_shape((length, max(placed.apart / 2, thick), thick), (length / 2, 0.0, 0.0))]
+    boxes = [box_shape((length, width, thick), (length / 2, 0.0, 0.0))]
     for (along, above), row in places.items():
         boxes.append(box_shape((thick, 2 * row + thick, thick), (length + along, 0.0, above)))
         boxes += _jib(length, along, above, thick)

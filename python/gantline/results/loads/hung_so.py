@@ -10,12 +10,12 @@ from gantline.results import series
 from gantline.results.loads.hinges import shut_as_at
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
-from gantline.results.ropes.parting import DETACHED, while_there
+from gantline.results.ropes.parting import DETACHED, PARTING, while_there
 from gantline.results.ropes.pinned import pinned_as_at
 from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["has_hung_as_heavy", "has_hung_so", "left_by_water"]
+__all__ = ["has_hung_as_heavy", "has_hung_so", "left_by_water", "tells_dynamics"]
 
 #: To or from where a load hung still, from which on hooks carry other shares [rad].
 _TURNED = math.radians(10.0)
@@ -23,18 +23,31 @@ _TURNED = math.radians(10.0)
 _HEAVIER = 0.02
 
 
-def has_hung_so(recording: Recording, time: float, *, pinned: bool = False) -> bool:
+#: Share of the peak of a sling below which its static force is that of a slack one [1]; chosen here.
+_SLACK = 0.05
+
+
+def tells_dynamics(static: float, peak: float) -> bool:
+    """Whether the peak of a sling over its static force [N] is a dynamic factor.
+
+    Of one that hangs all but slack at rest, beside others that were meant to share, it is any number.
+    """
+    return static >= _SLACK * peak
+
+
+def has_hung_so(recording: Recording, time: float, *, of_slings: bool = False) -> bool:
     """Whether the loads ever hung still on the slings that are on at a time [s], turned as they are then.
 
     Where they did not, a force of that time has no static value to be compared with: what slings that came or
     went left to the others, or a hinge that opened, or what one hook hands to another as a load is turned,
     is no dynamics. Nor is what a load weighs more that comes out of the water, or has been filled, than
-    whenever it hung still. Nor is how slings share under locking pins: for them the same sheaves count that
-    are `pinned`.
+    whenever it hung still. Nor is how slings share under locking pins, or with those whole that were cut or
+    broke: of forces `of_slings` the same sheaves have to be pinned and the same slings whole.
     """
-    on = while_there(recording, [sling.rope for sling in recording.rig.slings], [DETACHED])
+    gone_by = PARTING if of_slings else [DETACHED]
+    on = while_there(recording, [sling.rope for sling in recording.rig.slings], gone_by)
     still = _still_as_heavy(recording, time) & shut_as_at(recording, time)
-    if pinned:
+    if of_slings:
         still &= pinned_as_at(recording, time)
     # Between two samples either may be right: what comes or goes is slack.
     last = len(recording.time) - 1

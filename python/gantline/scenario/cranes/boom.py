@@ -50,6 +50,9 @@ __all__ = [
 ]
 
 
+#: Depth of a boom that nobody gives, over its length [1]: rough, lattice booms have 2 to 3 %.
+_THICK = 0.03
+
 _Axis = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
 
 
@@ -82,6 +85,15 @@ class BoomParts(Element):
     head_gear: Mass = Field(
         0.0, description="Mass fixed at its head, without the sheave blocks that hang there."
     )
+    depth: PositiveLength | None = Field(
+        None,
+        description="How deep it is where it is drawn and kept clear of; 3 % of its length if not given.",
+    )
+    width: PositiveLength | None = Field(
+        None,
+        description="How wide it is there, across; half of the distance of its heel pins if not given, and "
+        "3 % of its length at least.",
+    )
 
     @model_validator(mode="after")
     def _is_possible(self) -> BoomParts:
@@ -93,6 +105,15 @@ class BoomParts(Element):
         if self.angle >= math.pi / 2:
             raise refuse("a boom stands below 90 deg; an angle like '60 deg' is right", "angle")
         return self
+
+    @property
+    def section_depth(self) -> float:
+        """How deep it is drawn and watched [m]."""
+        return _THICK * self.length if self.depth is None else self.depth
+
+    def section_width(self, apart: float) -> float:
+        """How wide it is drawn and watched [m], of one with heel pins that are `apart` [m]."""
+        return max(apart / 2, _THICK * self.length) if self.width is None else self.width
 
     @property
     def own_inertia(self) -> float:
