@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 
 import numpy as np
 
@@ -11,14 +12,23 @@ from mechanics import Floats, G, Xyz
 
 def axes(attitude: Floats) -> Floats:
     """Rotation from the body's axes to the world's, shape (3, 3), of a quaternion, w first."""
-    w, x, y, z = (attitude / np.sqrt(attitude @ attitude)).tolist()
-    return np.array(
+    return _axes(attitude.tobytes())
+
+
+@lru_cache(maxsize=16)
+def _axes(attitude: bytes) -> Floats:
+    """The same: each point of a body asks for its axes anew."""
+    quaternion = np.frombuffer(attitude)
+    w, x, y, z = (quaternion / np.sqrt(quaternion @ quaternion)).tolist()
+    turned = np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
             [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
             [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
         ]
     )
+    turned.flags.writeable = False
+    return turned
 
 
 def turning(attitude: Floats, spin: Floats) -> Floats:
@@ -40,6 +50,12 @@ def cross(one: Floats, other: Floats) -> Floats:
     """Cross product of two vectors; numpy's own takes ten times as long for one pair."""
     (a, b, c), (x, y, z) = one.tolist(), other.tolist()
     return np.array([b * z - c * y, c * x - a * z, a * y - b * x])
+
+
+def moments(arms: Floats, forces: Floats) -> Floats:
+    """Sum of the cross products of arms (n, 3) with forces (n, 3), shape (3,)."""
+    (_, xy, xz), (yx, _, yz), (zx, zy, _) = (arms.T @ forces).tolist()
+    return np.array([yz - zy, zx - xz, xy - yx])
 
 
 def about(mass: float, place: Floats) -> Floats:
