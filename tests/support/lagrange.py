@@ -97,9 +97,7 @@ def six_points(mass: float, centre: Sequence[float] | Floats, inertia: Floats) -
 def of_bodies(frames: Sequence[tuple[Batch, Batch]], points: Sequence[Floats]) -> Batch:
     """Points of bodies (k, n, 3) [m], by rotations (k, 3, 3), origins (k, 3) and points (m, 3) of each."""
     placed = zip(frames, points, strict=True)
-    return np.concatenate(
-        [o[:, None, :] + own @ r.transpose(0, 2, 1) for (r, o), own in placed], axis=1
-    )
+    return np.concatenate([o[:, None, :] + own @ r.transpose(0, 2, 1) for (r, o), own in placed], axis=1)
 
 
 @dataclass(frozen=True)

@@ -74,7 +74,7 @@ def cut(polygon: Floats, slope: Floats, height: float) -> Floats:
     both = np.empty((len(polygon), 2, 2))
     both[crosses, 0] = before[crosses] + (polygon - before)[crosses] * share[:, None]
     both[:, 1] = polygon
-    return both[np.stack([crosses, wet], axis=1)]
+    return np.asarray(both[np.stack([crosses, wet], axis=1)])
 
 
 def below(normal: Floats, height: float) -> tuple[float, Floats]:
