@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import lru_cache
 
 import numpy as np
 
@@ -12,23 +11,14 @@ from mechanics import Floats, G, Xyz
 
 def axes(attitude: Floats) -> Floats:
     """Rotation from the body's axes to the world's, shape (3, 3), of a quaternion, w first."""
-    return _axes(attitude.tobytes())
-
-
-@lru_cache(maxsize=16)
-def _axes(attitude: bytes) -> Floats:
-    """The same: each point of a body asks for its axes anew."""
-    quaternion = np.frombuffer(attitude)
-    w, x, y, z = (quaternion / np.sqrt(quaternion @ quaternion)).tolist()
-    turned = np.array(
+    w, x, y, z = (attitude / np.sqrt(attitude @ attitude)).tolist()
+    return np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
             [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
             [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
         ]
     )
-    turned.flags.writeable = False
-    return turned
 
 
 def turning(attitude: Floats, spin: Floats) -> Floats:
