@@ -1,7 +1,7 @@
 import gc
 import sys
 from collections.abc import Iterator
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 import pytest
@@ -40,6 +40,19 @@ def _one_command() -> Iterator[None]:
     """The command `gantline` is made of its verbs once for all tests that call it, and not for each call."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(typer.testing, "_get_command", cache(typer.main.get_command))
+        yield
+
+
+@pytest.fixture(autouse=True, scope="session")
+def _one_reading() -> Iterator[None]:
+    """A lift file's text that was read without a fault gives the same scenario, which cannot be changed.
+
+    Those that come with gantline are read, with all their cases, by hundreds of tests.
+    """
+    from gantline.scenario.file import reading
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(reading, "_parsed", lru_cache(maxsize=64)(reading._parsed))
         yield
 
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import pickle
+from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import h5py
@@ -40,6 +43,14 @@ DRIFT = (
 
 def capytaine(path: Path, *, prefix: str = "", **changes: Any) -> Path:
     """As Capytaine writes it: motions in alphabetical order, an infinite frequency, two parts of a force."""
+    path.write_bytes(_capytaine(pickle.dumps((prefix, changes))))
+    return path
+
+
+@cache
+def _capytaine(pickled: bytes) -> bytes:
+    """The same file, which tests ask for again and again, as its bytes."""
+    prefix, changes = pickle.loads(pickled)
     order = np.argsort(AXES)
     names = [f"{prefix}{AXES[k]}" for k in order]
     dims = ["omega", "radiating_dof", "influenced_dof"]
@@ -74,8 +85,10 @@ def capytaine(path: Path, *, prefix: str = "", **changes: Any) -> Path:
     coordinates |= changes.get("coordinates", {})
     for name in changes.get("without", ()):
         tables.pop(name)
-    xr.Dataset(tables, coordinates).to_netcdf(path, engine="h5netcdf")
-    return path
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "of_capytaine.nc"
+        xr.Dataset(tables, coordinates).to_netcdf(path, engine="h5netcdf")
+        return path.read_bytes()
 
 
 def drifting(path: Path) -> Path:

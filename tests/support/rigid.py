@@ -42,6 +42,12 @@ def cross(one: Floats, other: Floats) -> Floats:
     return np.array([b * z - c * y, c * x - a * z, a * y - b * x])
 
 
+def moments(arms: Floats, forces: Floats) -> Floats:
+    """Sum of the cross products of arms (n, 3) with forces (n, 3), shape (3,)."""
+    (_, xy, xz), (yx, _, yz), (zx, zy, _) = (arms.T @ forces).tolist()
+    return np.array([yz - zy, zx - xz, xy - yx])
+
+
 def about(mass: float, place: Floats) -> Floats:
     """Inertia of a mass at a place, about the origin, shape (3, 3) [kg m²]."""
     return mass * (place @ place * np.eye(3) - np.outer(place, place))

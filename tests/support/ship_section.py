@@ -6,13 +6,14 @@ import dataclasses
 import json
 import math
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import gantline
-from gantline.hydro import read_database, write_database
+from gantline.hydro import HydrodynamicDatabase, read_database, write_database
 from waves import harmonic
 
 #: Its sizes along the flume, across it, to the water and to the deck, radius of the bilges [m]; mass [kg];
@@ -196,11 +197,16 @@ def _write_water(path: Path, drift: float | None) -> None:
     if drift is None:
         path.write_bytes(FILE.read_bytes())
         return
-    database = read_database(FILE)
-    assert database.directions is not None
+    database = _measured_in()
     forces = np.zeros((len(database.frequencies), len(database.directions), 3))
     forces[:, :, 1] = drift * np.sin(database.directions)
     write_database(dataclasses.replace(database, drift=forces), path)
+
+
+@cache
+def _measured_in() -> HydrodynamicDatabase:
+    """The database of the section, read once."""
+    return read_database(FILE)
 
 
 def outline(element: float = 0.008) -> Any:

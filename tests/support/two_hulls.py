@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -57,6 +58,7 @@ def radiation(headings: tuple[float, float] = (0.0, 0.0), water: waves.Water = w
     return found
 
 
+@cache
 def excitation(frequency: float, direction: float, headings: tuple[float, float] = (0.0, 0.0)) -> Any:
     """Of both held fast, along the file's axes, phases from its origin (12,) [N/m, N]."""
     number = frequency**2 / waves.G

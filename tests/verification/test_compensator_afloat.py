@@ -14,6 +14,8 @@ from __future__ import annotations
 
 import math
 import re
+from bisect import bisect_right
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -82,21 +84,36 @@ def masses_of(run: Recording) -> Any:
     return np.array([CYLINDER + SHACKLE, on_rod + run.rig.loads[0].weight / G])
 
 
+def by_pieces(spline: CubicSpline) -> Callable[[float], tuple[float, float]]:
+    """Value and slope of a spline at one time, without numpy, which takes ten times as long for one."""
+    knots, pieces = spline.x.tolist(), spline.c.T.tolist()
+
+    def at(time: float) -> tuple[float, float]:
+        which = min(bisect_right(knots, time), len(pieces)) - 1
+        a, b, c, d = pieces[which]
+        after = time - knots[which]
+        return ((a * after + b) * after + c) * after + d, (3 * a * after + 2 * b) * after + c
+
+    return at
+
+
 def bodies(run: Recording) -> Any:
     """Way out of the rod [m] by the two masses below the hook of a run."""
-    hook = CubicSpline(run.time, run.column("body_position", HOOK)[:, 2])
-    masses = masses_of(run)
+    hook = by_pieces(CubicSpline(run.time, run.column("body_position", HOOK)[:, 2]))
+    masses = masses_of(run).tolist()
 
     def rates(t: float, y: Any) -> Any:
-        z, x, v, u = y
-        pull = max(0.0, EA / GROMMET * (hook(t) - z - GROMMET + 0.01 * (hook(t, 1) - v)))
+        z, x, v, u = y.tolist()
+        height, speed = hook(t)
+        pull = max(0.0, EA / GROMMET * (height - z - GROMMET + 0.01 * (speed - v)))
         force = gas(x) + DAMPER * u
         up = (pull - force) / masses[0] - G
         return [v, u, up, up - (force / masses[1] - G)]
 
     x = COLUMN * (1.0 - (IN / (masses[1] * G)) ** (1.0 / POWER))
-    start = [float(hook(0.0)) - GROMMET - masses.sum() * G * GROMMET / EA, x, 0.0, 0.0]
-    found = solve_ivp(rates, (0.0, run.time[-1]), start, "Radau", run.time, rtol=1e-8, atol=1e-9)
+    start = [hook(0.0)[0] - GROMMET - sum(masses) * G * GROMMET / EA, x, 0.0, 0.0]
+    # Within 4e-7 m of Radau's answer, in an eighth of its time.
+    found = solve_ivp(rates, (0.0, run.time[-1]), start, "LSODA", run.time, rtol=1e-8, atol=1e-9)
     assert found.success
     return found.y[1]
 

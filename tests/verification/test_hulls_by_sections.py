@@ -66,14 +66,15 @@ def mesh(count: int) -> Hull:
 
 def cut(polygon: Floats, slope: Floats, height: float) -> Floats:
     """The part of a polygon (n, 2) where slope · place + height is below zero."""
-    above, kept = polygon @ slope + height, []
-    for k in range(len(polygon)):
-        one, other, first, second = polygon[k - 1], polygon[k], above[k - 1], above[k]
-        if (first < 0) != (second < 0):
-            kept.append(one + (other - one) * first / (first - second))
-        if second < 0:
-            kept.append(other)
-    return np.array(kept).reshape(-1, 2)
+    above = polygon @ slope + height
+    before, over = np.roll(polygon, 1, axis=0), np.roll(above, 1)
+    crosses, wet = (over < 0) != (above < 0), above < 0
+    # Where a side crosses the water its point comes before the side's end, if that is below.
+    share = over[crosses] / (over[crosses] - above[crosses])
+    both = np.empty((len(polygon), 2, 2))
+    both[crosses, 0] = before[crosses] + (polygon - before)[crosses] * share[:, None]
+    both[:, 1] = polygon
+    return np.asarray(both[np.stack([crosses, wet], axis=1)])
 
 
 def below(normal: Floats, height: float) -> tuple[float, Floats]:

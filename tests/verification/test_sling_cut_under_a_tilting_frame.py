@@ -26,7 +26,7 @@ from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from mechanics import Floats, G
-from rigid import about, across, axes, turning
+from rigid import about, across, axes, moments, turning
 
 DURATION, CUT = 1.2, 0.4
 #: The sling that is cut, and what the others bear [N].
@@ -66,8 +66,8 @@ class Rig:
         way = place + arms - (0.0, 0.0, HOOK) - p @ turned.T
         sheaves = (p @ across(spin).T + np.outer(speed, DOWNWARDS)) @ turned.T
         rate = velocity + arms @ across(load @ rolls).T - sheaves
-        long = np.linalg.norm(way, axis=1)
-        pulls = EA / LENGTHS * (long - LENGTHS + TAU * np.einsum("ij,ij->i", way, rate) / long)
+        long = np.sqrt((way * way).sum(axis=1))
+        pulls = EA / LENGTHS * (long - LENGTHS + TAU * (way * rate).sum(axis=1) / long)
         tension = self.whole * np.maximum(0.0, pulls)
         return p, tension[:, None] * way / long[:, None], arms, tension
 
@@ -83,14 +83,14 @@ class Rig:
         turns = p @ (across(spin) @ across(spin)).T + 2 * np.outer(speed, across(spin) @ DOWNWARDS)
         forces = pulls @ turned + SHEAVE * (weight - turns)
         mass, right = SHEAVE * np.eye(6), np.empty(6)
-        mass[:3, :3] = BODY + sum(about(SHEAVE, one) for one in p)
+        mass[:3, :3] = BODY + SHEAVE * ((p * p).sum() * np.eye(3) - p.T @ p)
         mass[:3, 3:] = SHEAVE * (p @ across(DOWNWARDS)).T
         mass[3:, :3] = mass[:3, 3:].T
-        right[:3] = np.cross(p, forces).sum(0) - across(spin) @ BODY @ spin
+        right[:3] = moments(p, forces) - across(spin) @ BODY @ spin
         right[:3] += across(CENTRE * DOWNWARDS) @ (FRAME * weight)
         right[3:] = forces @ DOWNWARDS - 2 * rope - stops
         faster = np.linalg.solve(mass, right)
-        moment = np.cross(arms, -pulls).sum(0) @ axes(attitude) - across(rolls) @ INERTIA @ rolls
+        moment = moments(arms, -pulls) @ axes(attitude) - across(rolls) @ INERTIA @ rolls
         falls = G * DOWNWARDS - pulls.sum(0) / LOAD
         rolls_faster = np.linalg.solve(INERTIA, moment)
         of_load = [y[20:23], turning(attitude, rolls), falls, rolls_faster]

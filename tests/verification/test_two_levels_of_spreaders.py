@@ -15,7 +15,7 @@ import pytest
 
 from gantline import Simulation
 from gantline.scenario import parse_scenario
-from lagrange import Batch, Lagrange, at, derivative, distance, of_bodies, six_points, yaw_pitch_roll
+from lagrange import Batch, Lagrange, derivative, distance, of_bodies, six_points, yaw_pitch_roll
 from mechanics import Floats
 from spreader_lifts import two_below_one
 
@@ -36,6 +36,10 @@ SLINGS = (
     ("down_4", 2, (0, 2, -0.15), 3, (4, 2, 3), 3.0),
 )
 EA, TAU = 100e6, 0.02
+#: Places of ends on each body, and which of them is at which end of each sling; 0 is the hook.
+_ENDS = sorted({(s[k], s[k + 1]) for s in SLINGS for k in (1, 3)}, key=lambda end: (end[0] is not None, end))
+PLACES = [np.array([place for body, place in _ENDS if body == k], float) for k in range(len(BODIES))]
+UPPER, LOWER = ([_ENDS.index((s[k], s[k + 1])) for s in SLINGS] for k in (1, 3))
 LENGTHS = np.array([sling[5] for sling in SLINGS])
 CUT, DURATION, CUT_AT = 4, 0.6, 0.1
 SAMPLE = 0.02
@@ -63,8 +67,9 @@ def points(q: Batch) -> Batch:
 
 def apart(q: Batch) -> Batch:
     """Distances of the ends of all slings (k, 8) [m]."""
-    where = frames(q)
-    return np.stack([distance(at(where, a, p), at(where, b, r)) for _, a, p, b, r, _ in SLINGS], axis=-1)
+    hook = np.broadcast_to(HOOK, (len(q), 1, 3))
+    ends = np.concatenate([hook, of_bodies(frames(q), PLACES)], axis=1)
+    return distance(ends[:, UPPER], ends[:, LOWER])
 
 
 def tensions(q: Floats, v: Floats) -> tuple[Floats, Floats]:

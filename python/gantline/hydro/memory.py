@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
@@ -185,7 +186,7 @@ def fit_memory(database: HydrodynamicDatabase, density: float) -> Memory:
     )
     fit = _Fit(database.frequencies, added, damping, infinite)
     _check_signs(database, fit)
-    memory = fit.solved()
+    memory = _solved(fit)
     if infinite is None:
         what = "added mass at infinite frequency"
         infinite, doubts = database.not_negative(memory.infinite_added_mass, what, doubts)
@@ -249,6 +250,8 @@ class _Fit:
 
     def __init__(self, frequency: Array, added: Array, damping: Array, infinite: Array | None) -> None:
         self.frequency, self.added, self.damping, self.infinite = frequency, added, damping, infinite
+        given = (frequency, added, damping, infinite)
+        self._given = tuple(None if values is None else values.tobytes() for values in given)
         steps = np.gradient(np.log(frequency))
         #: Weights of frequencies, as if they were logarithmically spaced.
         self.weight = np.sqrt(steps / steps.sum())
@@ -261,6 +264,12 @@ class _Fit:
         # (FM2): where anything is damped, added mass changes.
         change = np.maximum(change, largest / frequency[-1])
         self.change = np.sqrt(np.where(change > 0, change, 1.0))
+
+    def __hash__(self) -> int:
+        return hash(self._given)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Fit) and other._given == self._given
 
     def solved(self) -> Memory:
         """The fit."""
@@ -337,6 +346,12 @@ class _Fit:
             apart += free - inside
         strengths: Array = inside * peak[:, None, None] * size
         return strengths
+
+
+@lru_cache(maxsize=8)
+def _solved(fit: _Fit) -> Memory:
+    """The fit, made once of the same numbers, in whichever files: lifts that are compared have copies."""
+    return fit.solved()
 
 
 def _misfit(memory: Memory, fit: _Fit) -> Misfit:

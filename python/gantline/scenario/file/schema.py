@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import cache
 from typing import Any
 
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
@@ -46,6 +47,7 @@ def json_schema() -> dict[str, Any]:
     }
 
 
+@cache
 def schema_text() -> str:
     """The schema as the text of ``schema/lift.schema.json``."""
     return json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"
