@@ -8,10 +8,10 @@ from typing import Any
 import h5py
 import numpy as np
 
-__all__ = ["BESIDE_DIMENSION", "NO_VARIABLE", "alone", "said", "tables_of"]
+__all__ = ["alone", "said", "tables_of"]
 
 #: How NetCDF4 names a dimension without a variable along it alone, and begins a variable of the same name.
-NO_VARIABLE, BESIDE_DIMENSION = "This is a netCDF dimension but not a netCDF variable", "_nc4_non_coord_"
+_NO_VARIABLE, _BESIDE_DIMENSION = "This is a netCDF dimension but not a netCDF variable", "_nc4_non_coord_"
 
 
 def tables_of(group: h5py.Group) -> Iterator[tuple[str, tuple[str, ...], h5py.Dataset]]:
@@ -20,12 +20,12 @@ def tables_of(group: h5py.Group) -> Iterator[tuple[str, tuple[str, ...], h5py.Da
     for key, stored in group.items():
         if not isinstance(stored, h5py.Dataset):
             continue
-        name = key.removeprefix(BESIDE_DIMENSION)
+        name = key.removeprefix(_BESIDE_DIMENSION)
         if "DIMENSION_LIST" in stored.attrs:
             scales = (references[0] for references in stored.attrs["DIMENSION_LIST"])
             places = (h5py.h5i.get_name(h5py.h5r.dereference(scale, file)) for scale in scales)
             yield name, tuple(place.decode().rpartition("/")[2] for place in places), stored
-        elif not (said(stored, "NAME") or "").startswith(NO_VARIABLE):
+        elif not (said(stored, "NAME") or "").startswith(_NO_VARIABLE):
             yield name, (name,) * stored.ndim, stored
 
 
