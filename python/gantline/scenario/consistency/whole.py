@@ -199,9 +199,21 @@ def _check_simulation(findings: Findings) -> None:
     if settings.integrator == "explicit" and _has_friction(findings.scenario):
         sentence = "'explicit' knows no friction of sheaves and joints and no brakes"
         findings.add(("simulation", "integrator"), f"{sentence}; 'adaptive' or 'del' is right here")
+    if settings.integrator == "explicit" and (met := _what_meets(findings.scenario)) is not None:
+        findings.add(
+            ("simulation", "integrator"), f"'explicit' knows no {met}; 'adaptive' or 'del' is right here"
+        )
     step = None if settings.integrator == "adaptive" else settings.step
     for key, sentence in wrong_times(duration, step, settings.sample_interval):
         findings.add(("simulation", key), sentence)
+
+
+def _what_meets(scenario: Scenario) -> str | None:
+    """What of a lift touches other than by corners on the ground: supports, or a round load; None for none."""
+    if scenario.load is not None and scenario.supports:
+        return "supports"
+    is_round = scenario.load is not None and scenario.load.shape.cylinder is not None
+    return "round loads on the ground" if is_round and scenario.ground is not None else None
 
 
 def _has_friction(scenario: Scenario) -> bool:
