@@ -62,7 +62,7 @@ def test_a_way_that_goes_with_the_vessel_is_not(haul: bool, about: bool) -> None
 
 @pytest.mark.parametrize("about", [False, True])
 def test_hooks_on_two_bases_come_apart_once_one_is_hauled(about: bool) -> None:
-    """Of both steps that lead, with or without an axis: hooks are not as far apart any more as their way has."""
+    """Of both steps that lead, with or without an axis: hooks are not as far apart as their way has them."""
     found = doubts(haul=True, about=about, fixed=True)
     assert len(found) == 2
     for told in found:

@@ -209,7 +209,7 @@ def _check_simulation(findings: Findings) -> None:
 
 
 def _what_meets(scenario: Scenario) -> str | None:
-    """What of a lift touches other than by corners on the ground: supports, or a round load; None for none."""
+    """What of a lift touches other than by corners on the ground; None for nothing."""
     if scenario.load is not None and scenario.supports:
         return "supports"
     is_round = scenario.load is not None and scenario.load.shape.cylinder is not None
