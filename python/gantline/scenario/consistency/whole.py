@@ -21,7 +21,7 @@ from gantline.scenario.consistency.reeving import check_reeving
 from gantline.scenario.consistency.spreaders import check_compensators, check_spreaders
 from gantline.scenario.consistency.supports import check_supports
 from gantline.scenario.consistency.tag_lines import check_tag_lines
-from gantline.scenario.consistency.tanks import check_holes, check_tank_names
+from gantline.scenario.consistency.tanks import check_holes, check_tank_names, check_turned_holes
 from gantline.scenario.consistency.vessels import check_vessels
 from gantline.scenario.consistency.watch import check_watches
 from gantline.scenario.consistency.wind import check_wind
@@ -91,6 +91,7 @@ def check(scenario: Scenario) -> None:
     check_vessels(findings)
     check_tank_names(findings)
     check_holes(findings)
+    check_turned_holes(findings)
     check_wind(findings)
     check_moorings(findings)
     check_tag_lines(findings)
