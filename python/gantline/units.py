@@ -22,6 +22,7 @@ __all__ = [
     "format_quantity",
     "in_unit",
     "is_quantity",
+    "length_digits",
     "quantity",
     "si_text",
     "telling_digits",
@@ -303,6 +304,15 @@ def format_quantity(value: float, unit: str, digits: int) -> str:
             shown = value / units[unit]
             return f"{shown:z.{_decimals(shown, digits) if unit in _THOUSANDS else digits}f} {unit}".rstrip()
     raise UnitError(f"'{unit}' is not a known unit")
+
+
+def length_digits(value: float) -> int:
+    """Decimals of a distance in m: 2, and 3 of less than 1 m, of which people count millimetres.
+
+    Args:
+        value: the distance, or how much is left of one [m].
+    """
+    return 3 if abs(value) < 1.0 else 2
 
 
 def telling_digits(value: float, limit: float, unit: str, digits: int) -> int:

@@ -106,6 +106,22 @@ def test_a_run_that_ends_with_nothing_to_right_her_fails() -> None:
     assert not checks_of(Simulation(flooded(11.0)).run(), "floats_stably")
 
 
+def test_rooms_that_stay_shut_hold_their_water() -> None:
+    """Holes that are closed, and that no step opens, change nothing."""
+    shut, whole = rooms(2000.0), rooms(2000.0)
+    for name in whole:
+        shut[name]["holes"]["gash"]["closed"] = True
+        del whole[name]["holes"]
+    hull = {"mass": f"{OWN} kg", "at": ["50 m", "0 m", "11 m"]}
+    found = []
+    for tanks in (shut, whole):
+        vessel = barge(tanks) | {"masses": {"hull": hull}, "hull": {"box": ["100 m", "30 m", "12 m"]}}
+        question = Statics(lift(vessel, duration="600 s", start="as_given"))
+        found.append(metacentric_heights(question, question.equilibrium(0.0))["barge"].transverse)
+    assert found[0] == pytest.approx(found[1], abs=1e-9)
+    assert found[0] > by_lost_buoyancy(11.0)[1] + 5.0
+
+
 def test_where_a_swell_leaves_her_the_rooms_are_as_they_are() -> None:
     """Heeled by 2° as a run ends, from where she comes to rest upright."""
     scenario = flooded(11.0, limits={"metacentric_height": "0.1 m"})

@@ -67,6 +67,63 @@ def test_nobody_knows_what_is_in_it_after_the_start() -> None:
     assert str(caught.value).endswith("wait for 'supports' or 'hoist_load'")
 
 
+def opened(**keys: str) -> dict[str, Any]:
+    """A step that opens or closes holes."""
+    return {"step": " ".join(keys), "hold": "5 s", **keys}
+
+
+@pytest.mark.parametrize(
+    ("closed", "plan", "said"),
+    [
+        (True, [opened(open_holes="vlave")], "plan[1].open_holes: 'vlave' is not a hole of a tank, or"),
+        (False, [opened(open_holes="valve")], "open already: it is from the start on; 'closed: true' has it"),
+        (True, [opened(close_holes="valve")], "'valve' is closed already: it begins so"),
+        (
+            True,
+            [opened(open_holes="valve"), {**opened(open_holes="module.inside.valve"), "step": "again"}],
+            "plan[2].open_holes: 'module.inside.valve' is open already: step 'open_holes' has left it so",
+        ),
+        (
+            True,
+            [opened(open_holes="valve", close_holes="valve")],
+            "plan[1].close_holes: 'valve' is opened and closed, or named twice, by one step; a step for each",
+        ),
+    ],
+)
+def test_a_hole_that_is_turned_for_nothing(closed: bool, plan: list[dict[str, Any]], said: str) -> None:
+    with pytest.raises(ScenarioError) as caught:
+        lift(holed(closed=closed), plan)
+    assert said in str(caught.value)
+
+
+def test_holes_are_opened_where_there_are_none() -> None:
+    with pytest.raises(ScenarioError, match="no tank of this lift has 'holes'"):
+        lift({"inside": tank((0, 0, 0.5), 24.0)}, [opened(open_holes="valve")])
+
+
+def test_a_closed_tank_keeps_its_content_until_a_step_opens_it() -> None:
+    """Only from then on may anything be in it; it keeps that open question when it is closed again."""
+    plan = [hold("sealed"), opened(open_holes="valve"), opened(close_holes="valve")]
+    along = [one["module.inside"] for one in contents_along(lift(holed(closed=True), plan))]
+    bounds = [(one.least, one.most) for one in along]
+    assert bounds[:2] == [(24e3, 24e3)] * 2
+    assert bounds[2] == bounds[3] == pytest.approx((0.0, 4 * 4 * 3 * 1025.0))
+
+
+def test_what_the_core_is_told() -> None:
+    plan = [hold("sealed"), opened(open_holes="valve"), opened(close_holes="valve")]
+    [force] = [one for one in assemble(lift(holed(closed=True), plan)).document["forces"] if "pumped" in one]
+    [told] = force["pumped"]["holes"]
+    assert (told["closed"], told["turns"]) == (True, [(1, True), (2, False)])
+
+
+def test_a_closed_hole_that_nothing_opens_is_doubted() -> None:
+    told = "the hole valve of module.inside is closed, and no step opens it: it lets nothing pass"
+    assert told in warnings(lift(holed(closed=True), [hold("wait")]))
+    opens = lift(holed(closed=True), [hold("wait"), opened(open_holes="valve")])
+    assert not any("lets nothing pass" in one for one in warnings(opens))
+
+
 def test_what_is_doubted() -> None:
     """Water that floods a load and does not carry it, and waves that run past."""
     scenario = lift(holed(), water={"level": "0 m"})

@@ -14,6 +14,7 @@ from gantline.units import (
     example,
     format_by_size,
     format_quantity,
+    length_digits,
     quantity,
     telling_digits,
     units_of,
@@ -189,6 +190,11 @@ def test_decimals_that_tell_a_value_from_its_limit(
     value: float, limit: float, unit: str, digits: int, told: int
 ) -> None:
     assert telling_digits(value, limit, unit, digits) == told
+
+
+@pytest.mark.parametrize(("value", "digits"), [(1.0, 2), (12.3, 2), (0.999, 3), (-0.004, 3), (0.0, 3)])
+def test_distances_below_a_metre_have_millimetres(value: float, digits: int) -> None:
+    assert length_digits(value) == digits
 
 
 @pytest.mark.parametrize(

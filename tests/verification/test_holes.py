@@ -65,6 +65,59 @@ def test_a_box_drains_as_torricelli_says(integrator: str) -> None:
     assert weight_on(run)[after] == pytest.approx((OWN + content)[after], abs=1e-5 * OWN + 3.5)
 
 
+def level_left(time: Any, since: float, depth: float) -> Any:
+    """What is in a tank of the load that drains since a time, its level over the hole falling from a depth
+    less the head that lets nothing flow, by (HO3), T/6 late [kg]."""
+    fall = 0.5 * PASSES * math.sqrt(2 * G) / LEVEL
+    root = math.sqrt(depth) - fall * np.maximum(time - since - EVERY / 6, 0.0)
+    return SEA * LEVEL * (root**2 + STILL)
+
+
+@pytest.mark.parametrize("integrator", ["adaptive", "del"])
+def test_it_drains_from_the_time_on_at_which_a_step_opens_the_hole(integrator: str) -> None:
+    """A closed tank keeps its content to the last digit; opened at 30.1 s it drains from the next glance on,
+    at 30.2 s, as from the start of a run, T/6 late. Closed at 90.1 s the rate u of the glance at 90.2 s goes
+    on as u, -u/2, u/4, … from glance to glance, ramps between them, T/2 · u/2 · (1 - 1/2 + 1/4 - …) = u T/6
+    in all: what ends is T/6 late as well, and it has run for 60 s. Of second order in the time between
+    glances, 1e-6 of 24 t; 10 s are 50 glances.
+    """
+    closed = hole(0.5)
+    closed["valve"]["closed"] = True
+    plan = [
+        hold("sealed", "30.1 s"),
+        {"step": "drain", "hold": "60 s", "open_holes": "valve"},
+        {"step": "sealed again", "hold": "until_end", "close_holes": "module.inside.valve"},
+    ]
+    tanks = {"inside": tank((0, 0, 0.5), 24.0, holes=closed)}
+    run = Simulation(lift(tanks, plan, simulation=step(integrator), duration="120 s")).run()
+    content, time = run.column("tank_content", "module.inside"), run.time
+    assert (content[time <= 30.2] == 24e3).all()
+    depth = 24e3 / (SEA * LEVEL) - STILL
+    open_ = (time > 35.0) & (time < 90.0)
+    assert content[open_] == pytest.approx(level_left(time[open_], 30.2, depth), abs=1e-6 * 24e3)
+    kept = float(level_left(np.array(90.2 + EVERY / 6), 30.2, depth))
+    after = content[time > 100.2]
+    assert after == pytest.approx(kept, abs=1e-6 * 24e3)
+    assert np.ptp(content[-50:]) == 0.0
+
+
+def test_a_sealed_tank_does_not_flood() -> None:
+    """A barge whose room is shut floats at m/ρ L B; opened, at (HO4)."""
+    room = (20.0, 20.0)
+    holed = tank_afloat((LENGTH / 2, 0.0, 0.0), 0.0, (*room, 6.0))
+    holed["holes"] = {"gash": {"at": [f"{LENGTH / 2} m", "0 m", "0 m"], "area": "4 m^2", "closed": True}}
+    draft = BARGE / (SEA * LENGTH * BREADTH)
+    vessel = barge({"room": holed}, draft=f"{draft!r} m", added_mass=ADDED, water_damping=DAMPED)
+    plan = [hold("afloat"), {"step": "flood", "hold": "until_end", "open_holes": "barge.room.gash"}]
+    run = Simulation(afloat(vessel, plan=plan)).run()
+    content, drafts = run.column("tank_content", "barge.room"), run.column("vessel_draft_aft", "barge")
+    before = run.time < 30.0
+    assert (content[before] == 0.0).all()
+    assert drafts[before] == pytest.approx(draft, abs=1e-6)
+    deeper = BARGE / (SEA * (LENGTH * BREADTH - math.prod(room)))
+    assert drafts[-1] == pytest.approx(deeper, abs=STILL)
+
+
 def test_what_is_below_a_hole_stays() -> None:
     """The hook carries the load and ρ A (h + d) in the end, h from the bottom of the tank to the hole, and
     nothing flows any more, to the last digit; less than that is not touched by a hole above it.

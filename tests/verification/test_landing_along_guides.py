@@ -111,7 +111,9 @@ def test_two_posts_bring_a_load_to_its_place(method: str) -> None:
     # The hook is 0.12 m and 0.08 m aside, and its pendulum presses the frames on their posts that way.
     assert place[0] > 0.0 and place[1] > 0.0
     assert recording.attributes["energy_remainder"] < 1e-6
-    assert recording.attributes["warnings"] == []
+    # In its one hook it may turn, and comes straight down here.
+    [heading] = recording.attributes["warnings"]
+    assert "nothing holds the heading of module" in heading
 
 
 def test_methods_agree_on_what_presses() -> None:

@@ -35,6 +35,7 @@ from gantline.assembly.doubts.following import doubtful_following
 from gantline.assembly.doubts.gear import doubtful_gear
 from gantline.assembly.doubts.ground import doubtful_ground
 from gantline.assembly.doubts.guides import GuideFit, doubtful_guides, guide_fits
+from gantline.assembly.doubts.heading import doubtful_heading
 from gantline.assembly.doubts.heights import doubtful_heights
 from gantline.assembly.doubts.hinges import doubtful_hinges
 from gantline.assembly.doubts.lead import doubtful_lead
@@ -203,7 +204,11 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     parts.emergency_stop = emergency_stop(scenario)
     add_partings(parts, scenario)
     warn_of_cuts(parts, scenario)
-    doubts = (*_doubts(parts, scenario, rigging, lifted, pins), *doubtful_levels(parts, scenario, under))
+    doubts = (
+        *_doubts(parts, scenario, rigging, lifted, pins),
+        *doubtful_levels(parts, scenario, under),
+        *doubtful_heading(parts, scenario, rigging, lifted, under),
+    )
     return Assembly(
         document=parts.document(scenario.simulation.gravity),
         settings=_settings(scenario),

@@ -388,8 +388,8 @@ def _equalised_below(scenario: Scenario) -> Json:
     return {} if bound is None else {"equalised_below": bound}
 
 
-#: Keys of a step by which ropes and supports go, and slings come, as it begins.
-_PARTS = ("cut", "detach", "attach", "remove_supports", "open_hinges")
+#: Keys of a step by which ropes and supports go, slings come, and holes open and close, as it begins.
+_PARTS = ("cut", "detach", "attach", "remove_supports", "open_hinges", "open_holes", "close_holes")
 
 
 def _step(scenario: Scenario, step: Any) -> Json:

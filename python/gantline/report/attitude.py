@@ -14,7 +14,7 @@ from gantline.results.loads.hinges import hinge_force
 from gantline.results.loads.lift_off import lift_off_in_words
 from gantline.results.loads.upending import is_turned, kept_plumb_in_words, turning_in_words
 from gantline.results.rig import Load
-from gantline.units import telling_digits
+from gantline.units import length_digits, telling_digits
 
 
 def attitude(subject: Subject) -> list[tuple[str, str]]:
@@ -163,6 +163,9 @@ def _clearance(subject: Subject) -> list[tuple[str, str]]:
     step = subject.step_at(time)
     place = f" at {show(time, 's', 1)}" + (f", “{step}”" if step else "")
     apart = float(distance[at, pair])
-    found = show(apart, "m", telling_digits(apart, keeps[pair], "m", 2) if apart < keeps[pair] else 2)
+    digits = length_digits(apart)
+    found = show(
+        apart, "m", telling_digits(apart, keeps[pair], "m", digits) if apart < keeps[pair] else digits
+    )
     least = f", at least {keeps[pair]:g} m," if keeps[pair] > 0.0 else ""
     return [("tightest clearance", f"{pairs[pair]} {found}{least}{place}")]

@@ -125,7 +125,8 @@ def _does(step: Step, hooks: set[str], lines: Mapping[str, str]) -> str:
             ("let go of", [lines[name] for name in step.cut if name in lines]),
             ("cut", [name for name in step.cut if name not in lines]),
             ("take away", step.remove_supports),
-            ("open", step.open_hinges),
+            ("open", [*step.open_hinges, *step.open_holes]),
+            ("close", step.close_holes),
         )
         if names
     ]

@@ -200,6 +200,8 @@ class Step(FromJson):
         attach: Slings that are put on then.
         remove_supports: Supports, or groups of them, that are taken away then.
         open_hinges: Hinges that open then.
+        open_holes: Holes of tanks that open then, as the lift file names them.
+        close_holes: The same of those that are closed.
         turns: Whether it waits for, or asks for, a tilt of the load above some angle.
         speed: Of what it moves [m/s], of a boom or crane that it turns [rad/s]; None of a step that moves
             nothing.
@@ -240,6 +242,8 @@ class Step(FromJson):
     attach: Sequence[str] = ()
     remove_supports: Sequence[str] = ()
     open_hinges: Sequence[str] = ()
+    open_holes: Sequence[str] = ()
+    close_holes: Sequence[str] = ()
     turns: bool = False
     keep_plumb: Sequence[str] = ()
     ends_by: str = ""

@@ -20,7 +20,7 @@ import numpy.typing as npt
 
 from gantline.hydro.tank import liquid_in_box
 from gantline.results.rotation import axes
-from gantline.scenario.afloat.tanks import bodies_afloat, has_sea
+from gantline.scenario.afloat.tanks import bodies_afloat, has_sea, hole_turns
 from gantline.scenario.afloat.water import BallastTank, Water
 from gantline.statics.answers import Equilibrium
 
@@ -38,8 +38,8 @@ _SURFACE = 1e-6
 def with_what_runs(question: Statics, rest: Equilibrium, body: str, motions: Floats) -> Floats:
     """How a body answers to weights, with what runs through its holes meanwhile.
 
-    Tanks count that have a surface and a hole below the water outside: one that has not come to
-    its level yet, too.
+    Tanks count that have a surface and a hole below the water outside, open at the start or by a step
+    of the plan: one that has not come to its level yet, or is closed again, too.
 
     Args:
         question: The lift.
@@ -80,10 +80,15 @@ def _surfaces(question: Statics, rest: Equilibrium, body: str) -> list[tuple[Flo
     turn = axes(rest.recording.column("body_orientation", body)[-1])
     height = float(rest.recording.column("body_position", body)[-1][2])
     level = (question.scenario.water or Water()).level
+    turns = hole_turns(question.scenario)
     found = []
     for name, tank in tanks.items() if has_sea(question.scenario) else ():
         content = float(rest.recording.column("tank_content", f"{body}.{name}")[-1])
-        holes = (height + turn[2] @ (np.array(hole.at) - centre) for hole in (tank.holes or {}).values())
+        holes = (
+            height + turn[2] @ (np.array(hole.at) - centre)
+            for own, hole in (tank.holes or {}).items()
+            if not hole.closed or turns[f"{body}.{name}.{own}"]
+        )
         if _has_surface(tank, content) and any(hole < level for hole in holes):
             liquid = liquid_in_box(tank.box, turn[2], content / tank.density)
             lever = turn @ (np.array(tank.bottom) + liquid.middle - centre)

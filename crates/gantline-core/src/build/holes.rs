@@ -35,7 +35,7 @@ pub(super) fn build_holed(
             found.push(Holed {
                 tank: tank.clone(),
                 drive: find_drive(name, drive, drives)?,
-                holes: holes.iter().map(|hole| build_hole(name, hole)).collect::<Result<_, _>>()?,
+                holes: holes.iter().map(|hole| build_hole(spec, name, hole)).collect::<Result<_, _>>()?,
                 outside: *outside,
                 level: *level,
                 gravity: tree.gravity,
@@ -45,9 +45,13 @@ pub(super) fn build_holed(
     Ok(found)
 }
 
-fn build_hole(name: &str, given: &HoleSpec) -> Result<Hole, BuildError> {
+fn build_hole(spec: &SystemSpec, name: &str, given: &HoleSpec) -> Result<Hole, BuildError> {
     finite(name, "the place of a hole", &given.at)?;
     positive(name, "the area of a hole", given.area)?;
     positive(name, "the share that a hole lets pass", given.discharge)?;
-    Ok(Hole { at: DVec3::from_array(given.at), passes: given.discharge * given.area })
+    if let Some((step, _)) = given.turns.iter().find(|turn| turn.0 >= spec.plan.len()) {
+        return error(name, format!("there is no step {step} to open or close a hole"));
+    }
+    let (at, passes) = (DVec3::from_array(given.at), given.discharge * given.area);
+    Ok(Hole { at, passes, is_open: !given.closed, turns: given.turns.clone() })
 }

@@ -40,12 +40,23 @@ const STILL: f64 = 1e-4;
 const NOTHING: f64 = 1e-12;
 
 /// A hole.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Hole {
     /// Its middle in the frame of the body [m].
     pub at: DVec3,
     /// c A [m²].
     pub passes: f64,
+    /// Whether it is open at the start.
+    pub is_open: bool,
+    /// Steps of the plan that open or close it as they begin, in their order, and whether it is open from then on.
+    pub turns: Vec<(usize, bool)>,
+}
+
+impl Hole {
+    /// Whether it is open once so many steps have begun.
+    fn is_open_after(&self, begun: usize) -> bool {
+        self.turns.iter().rev().find(|turn| turn.0 < begun).map_or(self.is_open, |turn| turn.1)
+    }
 }
 
 /// A tank with holes.
@@ -98,8 +109,9 @@ impl Running {
         self.heights.copy_from_slice(&other.heights);
     }
 
-    /// Glances; the rate to which the content goes until the next glance [kg/s]. `now` is how it runs in.
-    pub fn glance(&mut self, of: &Holed, now: Motion, kinematics: &Kinematics) -> f64 {
+    /// Glances; the rate to which the content goes until the next glance [kg/s]. `now` is how it runs in, and so many
+    /// steps have begun.
+    pub fn glance(&mut self, of: &Holed, now: Motion, kinematics: &Kinematics, begun: usize) -> f64 {
         let at = self.next;
         self.next += EVERY;
         let pose = &kinematics.pose[of.tank.body];
@@ -123,7 +135,7 @@ impl Running {
         // Steps of fixed length do not end where it glances.
         let late = at - kinematics.time;
         let rate = |content_then: f64, later: f64| {
-            of.flow(&self.heights, (content_then - content) * rise, late + later, rise)
+            of.flow((&self.heights, begun), (content_then - content) * rise, late + later, rise)
         };
         let [least, most] = of.room();
         let (mut then, part) = (now.position, EVERY / PARTS as f64);
@@ -150,11 +162,12 @@ impl Holed {
     }
 
     /// ṁ and its derivative by the content, where the surface has risen by `risen` [m] and both heights have gone on for
-    /// `later` [s].
-    fn flow(&self, heights: &[Heights], risen: f64, later: f64, rise: f64) -> (f64, f64) {
+    /// `later` [s], once so many steps have begun.
+    fn flow(&self, (heights, begun): (&[Heights], usize), risen: f64, later: f64, rise: f64) -> (f64, f64) {
         let (g, density) = (self.gravity.length(), self.tank.density);
         let (mut flow, mut slope) = (0.0, 0.0);
-        for (hole, over) in self.holes.iter().zip(heights) {
+        let every = self.holes.iter().zip(heights);
+        for (hole, over) in every.filter(|(hole, _)| hole.is_open_after(begun)) {
             let inside = (over.inside + risen + over.rates[0] * later).max(0.0);
             let outside = (over.outside + over.rates[1] * later).max(0.0);
             let pressed = density * inside - self.outside * outside;
@@ -219,14 +232,14 @@ mod tests {
             kinematics.pose = vec![Pose { position, rotation: DMat3::IDENTITY }];
             (kinematics.time, kinematics.q) = (now, vec![motion.position]);
             found.push((now, motion.position));
-            let velocity = running.glance(of, motion, &kinematics);
+            let velocity = running.glance(of, motion, &kinematics, 0);
             timeline.add(now, (now, EVERY), velocity);
         }
         found
     }
 
     fn hole(z: f64, passes: f64) -> Hole {
-        Hole { at: DVec3::new(1.0, -1.0, z), passes }
+        Hole { at: DVec3::new(1.0, -1.0, z), passes, is_open: true, turns: Vec::new() }
     }
 
     /// √h falls evenly: √h = √h₀ − c A √(2g) t/2S, h over the hole and the head that lets nothing flow, from T/6 on. How far it is

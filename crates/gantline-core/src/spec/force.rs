@@ -275,6 +275,12 @@ pub struct HoleSpec {
     pub area: f64,
     /// Share of the ideal flow that passes it.
     pub discharge: f64,
+    /// Whether it is closed at the start.
+    #[serde(default)]
+    pub closed: bool,
+    /// Steps of the plan that open or close it as they begin, in their order, and whether it is open from then on.
+    #[serde(default)]
+    pub turns: Vec<(usize, bool)>,
 }
 
 impl ForceSpec {

@@ -14,7 +14,14 @@ from gantline.assembly.parts import Json, Parts
 from gantline.assembly.spatial import Array, inertia_list, inertia_matrix
 from gantline.hydro import Hull
 from gantline.scenario import Scenario
-from gantline.scenario.afloat.tanks import bodies_afloat, changing_tanks, has_sea, load_tanks, sea_density
+from gantline.scenario.afloat.tanks import (
+    bodies_afloat,
+    changing_tanks,
+    has_sea,
+    hole_turns,
+    load_tanks,
+    sea_density,
+)
 from gantline.scenario.afloat.water import ORIGIN, AddedMass, Afloat, BallastTank, Water, WaterDamping
 from gantline.scenario.errors import Doubt
 
@@ -124,9 +131,11 @@ def _let_change(
     parts.add_drive(pump_drive(name))
     pumped: Json = {"content": content, "level": (scenario.water or Water()).level}
     if tank.holes:
+        turns = hole_turns(scenario)
         holes = [
             {"at": _seen_from(origin, hole.at), "area": hole.area, "discharge": hole.discharge}
-            for hole in tank.holes.values()
+            | {"closed": hole.closed, "turns": turns[f"{name}.{own}"]}
+            for own, hole in tank.holes.items()
         ]
         pumped |= {"holes": holes, "outside": sea_density(scenario) if has_sea(scenario) else 0.0}
     moved = tank.model_copy(update={"bottom": _seen_from(origin, tank.bottom)})

@@ -10,7 +10,7 @@ import numpy as np
 
 from gantline.assembly.afloat.vessels import vessel_hull
 from gantline.assembly.parts import Parts
-from gantline.assembly.spatial import Array
+from gantline.assembly.spatial import Array, about_axis, rotation_matrix
 from gantline.scenario import Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.loads.guide import (
@@ -26,7 +26,7 @@ from gantline.scenario.plan.lead import LeadStep
 from gantline.scenario.plan.steps import MovingStep
 from gantline.units import format_quantity
 
-__all__ = ["GuideFit", "doubtful_guides", "guide_fits"]
+__all__ = ["GuideFit", "Turned", "doubtful_guides", "guide_fits", "is_taken_along", "misses"]
 
 #: Verbs of steps that take a load along: where it comes down only the run knows.
 _TAKE_ALONG = ("traverse", "travel", "slew", "luff", "haul", "veer")
@@ -77,7 +77,7 @@ class GuideFit:
         return side, missed[side]
 
 
-def _is_taken_along(scenario: Scenario) -> bool:
+def is_taken_along(scenario: Scenario) -> bool:
     """Whether a step of the plan takes loads to another place."""
     return any(
         isinstance(step, LeadStep) or (isinstance(step, MovingStep) and step.verb in _TAKE_ALONG)
@@ -85,8 +85,34 @@ def _is_taken_along(scenario: Scenario) -> bool:
     )
 
 
-def guide_fits(parts: Parts, scenario: Scenario) -> dict[str, GuideFit]:
-    """How each guide fits, by its name, the load being where it is at the start; none if it lies there."""
+@dataclass(frozen=True)
+class Turned:
+    """A load that has turned about plumb since the start.
+
+    Attributes:
+        about: a point of the axis (3,), world axes [m].
+        by: how far, anticlockwise from above [rad].
+        comes_down_on_it: it is taken to where, before it turns, it is right over each guide.
+    """
+
+    about: Array
+    by: float
+    comes_down_on_it: bool = False
+
+
+def misses(fit: GuideFit) -> bool:
+    """Whether the load comes down beside a guide, or on its rim."""
+    return fit.worst[1] > _JUST or fit.passes
+
+
+def guide_fits(parts: Parts, scenario: Scenario, turned: Turned | None = None) -> dict[str, GuideFit]:
+    """How each guide fits, by its name; none if the load lies there.
+
+    Args:
+        parts: the system, with all its bodies.
+        scenario: the lift.
+        turned: how the load has turned; None where it is as at the start.
+    """
     fits: dict[str, GuideFit] = {}
     for name, guide in (scenario.guides or {}).items():
         place, turn = parts.pose(guide_body(name))
@@ -94,11 +120,18 @@ def guide_fits(parts: Parts, scenario: Scenario) -> dict[str, GuideFit]:
         foot, lies = parts.place(guide.holder, at), parts.pose(guide.holder)[1]
         if turn[2, 2] < _UPRIGHT or lies[2, 2] < _UPRIGHT:
             continue
+        out = (lies @ np.array([math.cos(faces), math.sin(faces), 0.0]))[:2]
+        out = out / np.linalg.norm(out)
+        if turned is not None:
+            away = 0.0 if guide.frame is not None else guide.bumper_there.diameter / 2
+            over = foot + np.array([*(away * out), 0.0]) - place
+            shift = np.array([over[0], over[1], 0.0]) if turned.comes_down_on_it else np.zeros(3)
+            rotation = rotation_matrix(about_axis((0.0, 0.0, 1.0), turned.by))
+            place = turned.about + shift + rotation @ (place - turned.about)
+            turn = rotation @ turn
         if guide.frame is not None:
             fits[name] = _of_frame(guide.frame, guide.post_there, turn.T @ (foot - place))
         else:
-            out = (lies @ np.array([math.cos(faces), math.sin(faces), 0.0]))[:2]
-            out = out / np.linalg.norm(out)
             fits[name] = _of_wall(guide.bumper_there, guide.wall_there, place - foot, out)
     return fits
 
@@ -171,7 +204,7 @@ def doubtful_guides(parts: Parts, scenario: Scenario, fits: Mapping[str, GuideFi
             yield Doubt(
                 ("guides", name), f"{deep} as the lift begins, {thrown}; let it begin higher or beside"
             )
-    if _is_taken_along(scenario):
+    if is_taken_along(scenario):
         return
     for name, fit in fits.items():
         if missed := _missed(fit, (scenario.guides or {})[name].frame is not None):

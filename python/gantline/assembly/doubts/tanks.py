@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 
 from gantline.assembly.afloat.hulls import afloat_path
 from gantline.scenario import Scenario
-from gantline.scenario.afloat.tanks import has_sea, holed_tanks
+from gantline.scenario.afloat.tanks import bodies_afloat, has_sea, hole_turns, holed_tanks
 from gantline.scenario.afloat.water import BallastTank
 from gantline.scenario.errors import Doubt, PathPart
 from gantline.scenario.plan.steps import PumpStep
@@ -36,6 +36,13 @@ def doubtful_tanks(scenario: Scenario) -> Iterator[Doubt]:
                     f"water runs through the holes of {load.name}.{name}, but carries nothing of {load.name}"
                 )
                 yield Doubt(("load", "tanks", name, "holes"), f"{sentence}: give the load 'in_water'")
+    turns = hole_turns(scenario)
+    for body, path, tanks in _with_holes(scenario):
+        for name, tank in tanks.items():
+            for own, hole in (tank.holes or {}).items():
+                if hole.closed and not turns[f"{body}.{name}.{own}"]:
+                    sentence = f"the hole {own} of {body}.{name} is closed, and no step opens it"
+                    yield Doubt((*path, "tanks", name, "holes", own), f"{sentence}: it lets nothing pass")
     if scenario.waves and (holed := list(holed_tanks(scenario))):
         sentence = f"the holes of {', '.join(holed)} feel still water: waves run past them"
         yield Doubt(("waves",), f"{sentence}, and only the motion of what has them counts")
@@ -43,6 +50,16 @@ def doubtful_tanks(scenario: Scenario) -> Iterator[Doubt]:
         if isinstance(step, PumpStep) and step.rate > _PUMPED:
             sentence = f"step '{step.step}' pumps {step.rate * 3.6:,.0f} t in an hour"
             yield Doubt(("plan", place, "rate"), f"{sentence}, more than any ballast system: see its unit")
+
+
+def _with_holes(
+    scenario: Scenario,
+) -> Iterator[tuple[str, tuple[PathPart, ...], Mapping[str, BallastTank]]]:
+    """All that has tanks: its name, where the lift file has it, its tanks."""
+    for name, body in bodies_afloat(scenario).items():
+        yield name, afloat_path(scenario, name), body.tanks or {}
+    if scenario.load is not None:
+        yield scenario.load.name, ("load",), scenario.load.tanks or {}
 
 
 def _in_one_place(

@@ -18,7 +18,10 @@ __all__ = ["doubtful_waits"]
 #: Nobody holds a lift for less to look at it [s]; loads swing and rope stretches for seconds.
 _SHORTEST = 0.1
 #: What a step does as it begins, for which it need not last.
-_AT_ONCE = ("cut", "detach", "attach", "remove_supports", "pull_pins", "put_in_pins", "open_hinges")
+_AT_ONCE = (
+    *("cut", "detach", "attach", "remove_supports", "pull_pins", "put_in_pins"),
+    *("open_hinges", "open_holes", "close_holes"),
+)
 
 
 def doubtful_waits(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:

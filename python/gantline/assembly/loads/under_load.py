@@ -18,7 +18,7 @@ from gantline.scenario.consistency.supports import foot_of
 from gantline.scenario.loads.load import Load
 from gantline.scenario.loads.supports import OneSupport, Support, Supports
 
-__all__ = ["UnderLoad", "cut_to_load", "nothing_over", "under_load"]
+__all__ = ["UnderLoad", "cut_to_load", "nothing_over", "sides_in_world", "under_load"]
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ def cut_to_load(scenario: Scenario, load: Load, body: LoadBody) -> Scenario:
         ScenarioError: if nothing of the load is over such a support, or it is not above its foot.
     """
     groups = dict(scenario.supports or {})
-    in_world = _in_world(load, body.sides)
+    in_world = sides_in_world(load, body.sides)
     cut = [(group, support) for group, support in every_support(scenario) if support.is_cut]
     for group, support in cut:
         path = ("supports", support.group)
@@ -108,7 +108,7 @@ def under_load(scenario: Scenario, load: Load, body: LoadBody, centre: Array) ->
         centre: its centre of gravity with what is lumped on it, from its datum (3,) [m].
     """
     sides = [(side - centre).tolist() for side in body.sides]
-    in_world = _in_world(load, body.sides)
+    in_world = sides_in_world(load, body.sides)
     turned = rotation_matrix(about_axis((0.0, 0.0, 1.0), load.heading))
     corners = None if body.surface is None else body.surface.corners @ turned.T + np.array(load.position)
     found = []
@@ -120,7 +120,7 @@ def under_load(scenario: Scenario, load: Load, body: LoadBody, centre: Array) ->
     return found
 
 
-def _in_world(load: Load, sides: Sequence[Array]) -> Sides:
+def sides_in_world(load: Load, sides: Sequence[Array]) -> Sides:
     """Sides of a load, from its datum, where it is at the start."""
     turned = rotation_matrix(about_axis((0.0, 0.0, 1.0), load.heading))
     return Sides(tuple(side @ turned.T + np.array(load.position) for side in sides))

@@ -11,7 +11,7 @@ from gantline.results.alike import first_peak
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, Watch
 from gantline.results.variable import BoolArray, Columns, FloatArray, Names
-from gantline.units import telling_digits
+from gantline.units import length_digits, telling_digits
 
 __all__ = ["clearance_events", "contact_warnings", "peak_support_force", "watched_during", "watched_span"]
 
@@ -121,7 +121,7 @@ def contact_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:
         if least <= 0.0:
             warnings.append(f"{one} and {other} touch, for the first time at {time[first]:.2f} s")
         else:
-            digits = telling_digits(least, watch.smallest, "m", 2)
+            digits = telling_digits(least, watch.smallest, "m", length_digits(least))
             sentence = f"{one} comes within {least:.{digits}f} m of {other} at {time[worst]:.2f} s"
             warnings.append(f"{sentence}, below {watch.smallest:g} m from {time[first]:.2f} s on")
     for moment, kind, name in zip(

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from gantline.scenario.afloat.water import SEA_WATER, Afloat, BallastTank
+from gantline.scenario.afloat.water import SEA_WATER, Afloat, BallastTank, Hole
 from gantline.scenario.cranes.hooks import full_name
 from gantline.scenario.model import Scenario
 from gantline.scenario.plan.steps import PumpStep
@@ -21,7 +21,9 @@ __all__ = [
     "contents_of_load",
     "ends_of_pump",
     "has_sea",
+    "hole_turns",
     "holed_tanks",
+    "holes_of",
     "load_tanks",
     "pumped_at_most",
     "sea_density",
@@ -94,6 +96,38 @@ def with_contents(scenario: Scenario, contents: Mapping[str, float]) -> Scenario
     return scenario.changed({paths[tank]: f"{content!r} kg" for tank, content in contents.items()})
 
 
+def holes_of(scenario: Scenario) -> dict[str, Hole]:
+    """Holes of all tanks by their full name, `<vessel>.<tank>.<hole>` or `<load>.<tank>.<hole>`."""
+    return {
+        f"{name}.{own}": hole
+        for name, tank in holed_tanks(scenario).items()
+        for own, hole in (tank.holes or {}).items()
+    }
+
+
+def hole_turns(scenario: Scenario) -> dict[str, list[tuple[int, bool]]]:
+    """Steps that open or close each hole, by its full name, in their order, and whether it is open then."""
+    known = holes_of(scenario)
+    found: dict[str, list[tuple[int, bool]]] = {name: [] for name in known}
+    for place, step in enumerate(scenario.plan):
+        for names, is_open in ((step.open_holes, True), (step.close_holes, False)):
+            for text in names:
+                if (name := full_name(text, known)) is not None:
+                    found[name].append((place, is_open))
+    return found
+
+
+def _leaks_from(scenario: Scenario) -> dict[str, int]:
+    """The first step of the plan in which a hole of each tank is open; past the last one where none is."""
+    turns, found = hole_turns(scenario), dict[str, int]()
+    for name, tank in holed_tanks(scenario).items():
+        for own, hole in (tank.holes or {}).items():
+            opens = [place for place, is_open in turns[f"{name}.{own}"] if is_open]
+            first = opens[:1] if hole.closed else [0]
+            found[name] = min([*first, found.get(name, len(scenario.plan))])
+    return found
+
+
 def changing_tanks(scenario: Scenario) -> set[str]:
     """Full names of the tanks that a step of the plan pumps, or that have holes."""
     steps = [step for step in scenario.plan if isinstance(step, PumpStep)]
@@ -133,11 +167,11 @@ class Contents:
 def contents_along(scenario: Scenario) -> list[dict[str, Contents]]:
     """What may be in each tank, by full name, as each step of the plan begins, and at the end.
 
-    A step that waits for something may pump anything or nothing; through holes anything may run in or out.
+    A step that waits for something may pump anything or nothing; through holes, once open, anything may run.
     """
-    known, holed = tanks_of(scenario), holed_tanks(scenario)
+    known, leaks = tanks_of(scenario), _leaks_from(scenario)
     found = [{name: Contents(tank.content, tank.content) for name, tank in known.items()}]
-    for step in scenario.plan:
+    for place, step in enumerate(scenario.plan):
         now = dict(found[-1])
         if isinstance(step, PumpStep):
             least, most = (0.0, float("inf")) if step.by is None else (step.by, step.by)
@@ -146,7 +180,8 @@ def contents_along(scenario: Scenario) -> list[dict[str, Contents]]:
                 now[source] = now[source].pumped(-most, -least, known[source].capacity)
             if target is not None:
                 now[target] = now[target].pumped(least, most, known[target].capacity)
-        found.append({**now, **{name: Contents(0.0, tank.capacity) for name, tank in holed.items()}})
+        leaking = [name for name, first in leaks.items() if first <= place]
+        found.append({**now, **{name: Contents(0.0, known[name].capacity) for name in leaking}})
     return found
 
 

@@ -272,6 +272,9 @@ class Hole(Element):
     discharge: Ratio = Field(
         SHARP_EDGED, description="Share of the ideal flow that passes: 0.6 of sharp edges, as if not given."
     )
+    closed: Flag = Field(
+        False, description="Whether it is closed at the start, until a step opens it by 'open_holes'."
+    )
 
     @model_validator(mode="after")
     def _lets_pass(self) -> Hole:
@@ -294,7 +297,7 @@ class BallastTank(Element):
     density: Density = Field(SEA_WATER, description="Density of the liquid; sea water if not given.")
     holes: Named[Hole] | None = Field(
         None,
-        description="Holes, open from the start on, by name: it drains or floods through them.",
+        description="Holes by name by which it drains or floods, open from the start on unless 'closed'.",
     )
 
     @model_validator(mode="after")

@@ -5,13 +5,22 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import product
 
-from gantline.scenario.afloat.tanks import bodies_afloat
+from gantline.scenario.afloat.tanks import bodies_afloat, holes_of
 from gantline.scenario.afloat.water import BallastTank, Extent
+from gantline.scenario.cranes.hooks import full_name
+from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 from gantline.scenario.loads.cylinder import Cylinder
 from gantline.scenario.model import Scenario
 
-__all__ = ["check_holes", "check_inside_of", "check_load_tanks", "check_round_tanks", "check_tank_names"]
+__all__ = [
+    "check_holes",
+    "check_inside_of",
+    "check_load_tanks",
+    "check_round_tanks",
+    "check_tank_names",
+    "check_turned_holes",
+]
 
 #: A tank may reach so far out of what has it by rounding [m].
 _CLOSE = 1e-6
@@ -70,6 +79,37 @@ def check_holes(findings: Findings) -> None:
                 if hole.area > largest:
                     sentence = f"a hole of {hole.area:g} m^2 has no room in a tank whose largest side has"
                     findings.add((*own, "area"), f"{sentence} {largest:g} m^2")
+
+
+def check_turned_holes(findings: Findings) -> None:
+    """Note steps that open or close what is no hole, is open or closed already, or is both by one step."""
+    scenario = findings.scenario
+    known = holes_of(scenario)
+    is_open = {name: not hole.closed for name, hole in known.items()}
+    turned: dict[str, str] = {}
+    for place, step in enumerate(scenario.plan):
+        own: set[str] = set()
+        for key, names in (("open_holes", step.open_holes), ("close_holes", step.close_holes)):
+            opens = key == "open_holes"
+            for text in names:
+                name, path = full_name(text, known), ("plan", place, key)
+                if name is None:
+                    right = nearest(text, known) if known else "no tank of this lift has 'holes'"
+                    findings.add(path, f"'{text}' is not a hole of a tank, or of more than one; {right}")
+                elif name in own:
+                    sentence = f"'{text}' is opened and closed, or named twice, by one step"
+                    findings.add(path, f"{sentence}; a step for each is right")
+                elif is_open[name] is opens:
+                    state = "open" if opens else "closed"
+                    by = f"step '{turned[name]}' has left it so" if name in turned else _at_start(opens)
+                    findings.add(path, f"'{text}' is {state} already: {by}")
+                if name is not None:
+                    own.add(name)
+                    is_open[name], turned[name] = opens, step.step
+
+
+def _at_start(is_open: bool) -> str:
+    return "it is from the start on; 'closed: true' has it begin closed" if is_open else "it begins so"
 
 
 def check_tank_names(findings: Findings) -> None:

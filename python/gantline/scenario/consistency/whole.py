@@ -21,7 +21,7 @@ from gantline.scenario.consistency.reeving import check_reeving
 from gantline.scenario.consistency.spreaders import check_compensators, check_spreaders
 from gantline.scenario.consistency.supports import check_supports
 from gantline.scenario.consistency.tag_lines import check_tag_lines
-from gantline.scenario.consistency.tanks import check_holes, check_tank_names
+from gantline.scenario.consistency.tanks import check_holes, check_tank_names, check_turned_holes
 from gantline.scenario.consistency.vessels import check_vessels
 from gantline.scenario.consistency.watch import check_watches
 from gantline.scenario.consistency.wind import check_wind
@@ -91,6 +91,7 @@ def check(scenario: Scenario) -> None:
     check_vessels(findings)
     check_tank_names(findings)
     check_holes(findings)
+    check_turned_holes(findings)
     check_wind(findings)
     check_moorings(findings)
     check_tag_lines(findings)
@@ -199,9 +200,21 @@ def _check_simulation(findings: Findings) -> None:
     if settings.integrator == "explicit" and _has_friction(findings.scenario):
         sentence = "'explicit' knows no friction of sheaves and joints and no brakes"
         findings.add(("simulation", "integrator"), f"{sentence}; 'adaptive' or 'del' is right here")
+    if settings.integrator == "explicit" and (met := _what_meets(findings.scenario)) is not None:
+        findings.add(
+            ("simulation", "integrator"), f"'explicit' knows no {met}; 'adaptive' or 'del' is right here"
+        )
     step = None if settings.integrator == "adaptive" else settings.step
     for key, sentence in wrong_times(duration, step, settings.sample_interval):
         findings.add(("simulation", key), sentence)
+
+
+def _what_meets(scenario: Scenario) -> str | None:
+    """What of a lift touches other than by corners on the ground; None for nothing."""
+    if scenario.load is not None and scenario.supports:
+        return "supports"
+    is_round = scenario.load is not None and scenario.load.shape.cylinder is not None
+    return "round loads on the ground" if is_round and scenario.ground is not None else None
 
 
 def _has_friction(scenario: Scenario) -> bool:

@@ -111,6 +111,10 @@ class _AnyStep(Element):
     open_hinges: Names = Field(
         (), description="Hinge that opens as it begins, like 'gripper'; the load hangs free from then on."
     )
+    open_holes: Names = Field(
+        (), description="Hole or holes of tanks that open as it begins, like 'caisson.inside.valve'."
+    )
+    close_holes: Names = Field((), description="Hole or holes of tanks that are closed as it begins.")
     compensate_heave: Names = Field(
         (), description="Hook or hooks whose hoists keep them still against heave while it goes on."
     )

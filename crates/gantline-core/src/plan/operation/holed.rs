@@ -12,7 +12,7 @@ impl PlanState {
         for (of, running) in plan.holed.iter().zip(&mut self.running) {
             while running.next < to {
                 let (at, timeline) = (running.next, &mut self.timelines[of.drive]);
-                let rate = running.glance(of, timeline.added(at), seen.kinematics);
+                let rate = running.glance(of, timeline.added(at), seen.kinematics, self.begun);
                 timeline.add(seen.kinematics.time, (at, EVERY), rate);
             }
         }
