@@ -52,7 +52,7 @@ def test_nothing_lifts_off_and_comes_near_where_it_starts(upright: Subject) -> N
     nearest = upright.metrics["smallest_clearance.slings - column"]
     start = upright.recording.column("clearance", "slings - column")[0]
     assert "lift-off" not in rows and start < nearest - 0.1
-    assert rows["tightest clearance"].startswith(f"slings - column {nearest:.2f} m, ")
+    assert rows["tightest clearance"].startswith(f"slings - column {nearest:.3f} m, ")
 
 
 def test_cranes_stand_as_they_do_at_rest(upright: Subject, hanging: Subject) -> None:
