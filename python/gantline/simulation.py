@@ -38,7 +38,7 @@ from gantline.results.derive import present_of, recording_of
 from gantline.results.file.layout import DIMS
 from gantline.results.loads.clearances import clearance_events, contact_warnings
 from gantline.results.loads.guides import missed_guides
-from gantline.results.metrics import energy_bound
+from gantline.results.method_warnings import method_warnings
 from gantline.results.recording import Recording
 from gantline.results.rig import Resting, Rig, with_resting
 from gantline.results.ropes.beyond_curve import beyond_curve
@@ -64,20 +64,12 @@ from gantline.scenario.afloat.water import Water
 from gantline.scenario.failed import failed_at
 from gantline.statics import Statics
 from gantline.statics.hung import resting_loads
-from gantline.statics.righted import righting_at_end, righting_at_start
-from gantline.units import format_quantity
+from gantline.statics.righted import Heights, righting_at_end, righting_at_start, righting_on_the_way
+
 from gantline.version import version
 
 Progress = Callable[[float], bool | None]
 
-#: Longest fixed steps that follow how a lift rings, by method [s]. `del` damps a swing of f by π f h of
-#: critical: 100 t on slings, 4 Hz, has a dynamic factor of 1.230, and 1.207 with 5 ms, 1.128 with 40 ms.
-_LONG_STEP = {"del": 5e-3, "explicit": 0.05}
-#: Largest tolerance of tension, as a share of what a sling bears of the load. Of four lifts dynamic factors
-#: are wrong by up to 1.4 % with it, by -3.3 to 6 % with three times as much, by 21 % with ten times.
-_WIDE = 0.01
-#: How fast lifts on slings and falls ring, for the warning [Hz].
-_RINGING = 4.0
 
 
 class SimulationError(RuntimeError):
@@ -159,7 +151,8 @@ class Simulation:
         self.integration_time = 0.0
         self._failure: dict[str, Any] | None = None
         self._present: tuple[float, dict[str, FloatArray]] | None = None
-        self._righting_at_end: dict[str, tuple[float, float]] | None = None
+        self._righting_at_end: Heights | None = None
+        self._righting_on_the_way: list[tuple[float, Heights]] = []
         self._resting: dict[str, list[Resting]] | None = None
         try:
             self._core = _core.Simulation(
@@ -356,7 +349,7 @@ class Simulation:
         found = recording_of(
             columns,
             names,
-            self._rig_afloat(),
+            self._rig_afloat(columns, names),
             title=str(self.assembly.rig.get("title", "")),
             gantline_version=version(),
             scenario=self.scenario.text,
@@ -375,12 +368,9 @@ class Simulation:
         # By the name of the file alone: its folder is that of one machine.
         file = Path(self.scenario.source).name
         warnings = [doubt.of(file) for doubt in self.assembly.doubts]
-        bound = energy_bound(self.settings)
-        if remainder > bound:
-            missed = f"remainder {remainder:.2g} of the largest energy, bound {bound:g}"
-            warnings.append(f"the energy balance does not close: {missed}")
-        warnings += _long_steps(self.settings["integrator"])
-        warnings += _wide_tolerance(self.settings["integrator"], self._rig)
+        warnings += method_warnings(
+            self.settings, self._rig, columns, names, self._core.counters(), remainder
+        )
         warnings += sheave_warnings(self.assembly.rig, columns, names)
         rig = self._rig
         diameters = {rope.name: rope.diameter for rope in rig.ropes}
@@ -448,16 +438,23 @@ class Simulation:
         rig = with_resting(found.attributes["rig"], self._resting)
         return Recording(found.variables, found.coordinates, {**found.attributes, "rig": rig})
 
-    def _rig_afloat(self) -> dict[str, Any]:
-        """The JSON of the rig, with what rights vessels where the run begins at rest and where it ends.
+    def _rig_afloat(self, columns: Columns, names: Names) -> dict[str, Any]:
+        """The JSON of the rig, with what rights vessels where the run begins at rest and ends, and in between.
 
-        A run of perfect symmetry stays upright there: nothing pushes but rounding.
+        A run of perfect symmetry stays upright there: nothing pushes but rounding. A load that is set down
+        at the end no longer hangs above its vessel: GM is least while it does, so that every end of a step
+        counts.
         """
         found = self.assembly.rig
         if not self._rig.vessels or self._question is None:
             return found
         if self.settings["start"] == "rest":
             found = with_righting(found, 0.0, self._righting_at_start)
+        for step, time, state in self._core.waypoints(len(self._righting_on_the_way)):
+            heights = righting_on_the_way(self._question, step, time, state, columns, names)
+            self._righting_on_the_way.append((time, heights))
+        for time, heights in self._righting_on_the_way:
+            found = with_righting(found, time, heights)
         if self.ended and self.status == "done":
             if self._righting_at_end is None:
                 lie = {one.body: self.now("body_orientation", one.body) for one in self._rig.vessels}
@@ -474,7 +471,7 @@ class Simulation:
             return None
 
     @cached_property
-    def _righting_at_start(self) -> dict[str, tuple[float, float]]:
+    def _righting_at_start(self) -> Heights:
         return {} if self._question is None else righting_at_start(self._question)
 
     def _settings_used(self) -> dict[str, Any]:
@@ -512,21 +509,9 @@ class Simulation:
         self._core.restore(state)
         self._present = None
         self._righting_at_end = self._resting = None
+        self._righting_on_the_way = []
         self.status = "done" if self.ended else "paused" if self.time > 0.0 else "ready"
         self._failure = None
-
-
-def _long_steps(integrator: Mapping[str, Any]) -> list[str]:
-    """A warning of fixed steps that are too long to see what a lift is simulated for."""
-    step, method = integrator.get("step", 0.0), integrator["type"]
-    if step <= _LONG_STEP.get(method, math.inf):
-        return []
-    sentence = f"steps of {step:g} s: what rings within a few of them is not followed"
-    if method == "del":
-        share = format_quantity(min(math.pi * _RINGING * step, 1.0), "%", 0)
-        much = f"at {_RINGING:g} Hz by {share} of critical"
-        sentence = f"steps of {step:g} s: the method damps what rings, and peaks with it, {much}"
-    return [f"{sentence}; 1 ms is usual"]
 
 
 def _decks(rig: Rig, columns: Columns, names: Names) -> dict[str, list[str]]:
@@ -536,16 +521,3 @@ def _decks(rig: Rig, columns: Columns, names: Names) -> dict[str, list[str]]:
         load.body: [under for contact, under in load.meets.items() if pressed.get(contact, 0.0) > 0.0]
         for load in rig.loads
     }
-
-
-def _wide_tolerance(integrator: Mapping[str, Any], rig: Rig) -> list[str]:
-    """A warning of a tolerance of tensions that is no longer small beside them."""
-    tolerance = integrator.get("tension_tolerance")
-    if tolerance is None or not rig.slings:
-        return []
-    borne = sum(load.weight for load in rig.loads) / len(rig.slings)
-    if tolerance <= _WIDE * borne:
-        return []
-    much, beside = (format_quantity(value, "kN", 1) for value in (tolerance, borne))
-    sentence = f"a tolerance of {much} is wide beside the {beside} that a sling bears"
-    return [f"{sentence}: peaks may be wrong by more than that"]

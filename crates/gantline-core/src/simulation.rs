@@ -3,6 +3,7 @@
 mod checkpoint;
 mod commands;
 mod method;
+mod waypoints;
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -28,6 +29,7 @@ use crate::tree::kinematics::Kinematics;
 pub(crate) use checkpoint::{fingerprint, saved_state};
 pub use commands::Command;
 use method::Method;
+pub use waypoints::Waypoint;
 
 /// Why a run cannot be set up or taken up again.
 #[derive(Debug, Error)]
@@ -86,6 +88,7 @@ pub struct Simulation {
     events: EventLog,
     commands: Vec<Command>,
     counters: Counters,
+    waypoints: Vec<Waypoint>,
 }
 
 /// More samples than this are a mistake in the settings.
@@ -132,6 +135,7 @@ impl Simulation {
             events: EventLog::new(),
             commands: Vec::new(),
             counters: Counters::default(),
+            waypoints: Vec::new(),
             settings: parsed,
             system,
             state,
@@ -197,6 +201,7 @@ impl Simulation {
         self.counters.factorisations += report.factorisations;
         self.counters.unconverged += u64::from(!report.converged);
         self.record(report.complementarity_residual);
+        self.note_waypoint();
         if self.reached(f64::INFINITY) {
             self.state.plan.close(self.settings.duration, &mut self.events);
         }

@@ -7,6 +7,7 @@ use std::sync::{Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
 use gantline_core::record::named::Named;
+use gantline_core::simulation::Waypoint;
 use gantline_core::stepper::StepError;
 use numpy::ndarray::{ArrayD, IxDyn};
 use numpy::{IntoPyArray, PyArrayDyn};
@@ -180,6 +181,23 @@ impl Simulation {
         let inner = self.inner(py)?;
         let bytes = py.detach(|| inner.save()).map_err(value_error)?;
         Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// Where steps of the plan have ended so far, from the `first` of these on: name of the step, time [s], and the state
+    /// there for `Statics.settle_saved`.
+    fn waypoints<'py>(
+        &self,
+        py: Python<'py>,
+        first: usize,
+    ) -> PyResult<Vec<(String, f64, Bound<'py, PyBytes>)>> {
+        let inner = self.inner(py)?;
+        let further = inner.waypoints().get(first..).unwrap_or_default();
+        let saved = |one: &Waypoint| {
+            let bytes = inner.save_waypoint(one).map_err(value_error)?;
+            let step = inner.system().plan.steps[one.step].name.clone();
+            Ok((step, one.state.time, PyBytes::new(py, &bytes)))
+        };
+        further.iter().map(saved).collect()
     }
 
     /// Takes up a saved run of the same document and settings.

@@ -42,7 +42,10 @@ def freeboard(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 
 
 def metacentric_height(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """GM of a vessel for heel, as an equilibrium knows it: of a run that where it begins at rest and ends."""
+    """GM of a vessel for heel, as an equilibrium knows it.
+
+    Of a run the least of where it begins at rest, steps of its plan end, and it ends.
+    """
     known = [vessel for vessel in recording.rig.vessels if vessel.righting]
     for vessel in known:
         time, height, _ = min(vessel.righting, key=lambda one: one[1])
@@ -51,7 +54,7 @@ def metacentric_height(recording: Recording, during: BoolArray) -> Iterator[Find
         if vessel.is_carried:
             yield Missing(vessel.name, "it moves by 'wave_motion', whatever rights it")
         elif vessel not in known:
-            yield Missing(vessel.name, "what rights it is known where a run begins at rest or has ended")
+            yield Missing(vessel.name, "what rights it is known where a run begins at rest, a step ends or it has ended")
 
 
 def turn_over(recording: Recording) -> list[Check]:

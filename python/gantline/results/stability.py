@@ -8,7 +8,7 @@ none of them put in. A method that shakes a stiff rope or feeds a swing shows it
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -154,21 +154,27 @@ def failure_of(recording: Recording) -> Failure | None:
 def _energy_gain(recording: Recording) -> tuple[float | None, float | None]:
     if "energy" not in recording or not len(recording.time):
         return None, None
+    return energy_gain(recording["energy"].values, recording.coordinates["energy_kind"], recording.time)
 
-    def energy(kind: str) -> FloatArray:
-        return recording.column("energy", kind)
 
-    kinds = recording.coordinates["energy_kind"]
-    works = [energy(kind) for kind in ("drive_work", "fluid_work") if kind in kinds]
-    largest = float(np.max(energy("kinetic") + energy("elastic") + np.sum(np.abs(works), axis=0)))
+def energy_gain(energy: FloatArray, kinds: Sequence[str], time: FloatArray) -> tuple[float, float | None]:
+    """Energy from nowhere, of the largest energy, and when it passed its bound [s]; None if it did not.
+
+    Args:
+        energy: Recorded energies, shape (samples, kinds) [J].
+        kinds: What they are, as in a recording.
+        time: Of the samples, at least one [s].
+    """
+    of_kind = dict(zip(kinds, energy.T, strict=True))
+    works = [of_kind[kind] for kind in ("drive_work", "fluid_work") if kind in of_kind]
+    largest = float(np.max(of_kind["kinetic"] + of_kind["elastic"] + np.sum(np.abs(works), axis=0)))
     if largest <= STILL:
         return 0.0, None
-    kept = energy("kinetic") + energy("gravity") + energy("elastic") - np.sum(works, axis=0)
-    if "fluid" in kinds:
-        kept = kept + energy("fluid")
+    stored = [of_kind[kind] for kind in ("kinetic", "gravity", "elastic", "fluid") if kind in of_kind]
+    kept = np.sum(stored, axis=0) - np.sum(works, axis=0)
     gain = (kept - np.minimum.accumulate(kept)) / largest
     beyond = np.flatnonzero(gain > ENERGY_GAIN_BOUND)
-    return float(gain.max()), float(recording.time[beyond[0]]) if beyond.size else None
+    return float(gain.max()), float(time[beyond[0]]) if beyond.size else None
 
 
 def _largest(recording: Recording, name: str) -> float | None:

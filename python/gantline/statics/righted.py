@@ -1,4 +1,7 @@
-"""What rights vessels where a run begins and ends: one that is symmetrical does not show that it is there."""
+"""What rights vessels where a run begins and ends, and where steps of its plan end.
+
+One that is symmetrical does not show it in its motion.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.results.rotation import axes
+from gantline.results.variable import Columns, FloatArray, Names
 from gantline.scenario.afloat.tanks import holed_tanks, with_contents
 from gantline.statics.answers import Equilibrium, Losses, NoEquilibriumError
 from gantline.statics.inclining import metacentric_heights
@@ -17,7 +21,7 @@ from gantline.statics.inclining import metacentric_heights
 if TYPE_CHECKING:
     from gantline.statics.lift import Statics
 
-__all__ = ["righting", "righting_at_end", "righting_at_start"]
+__all__ = ["Heights", "righting", "righting_at_end", "righting_at_start", "righting_on_the_way"]
 
 #: Metacentric heights for heel and trim of vessels by their names [m].
 Heights = dict[str, tuple[float, float]]
@@ -25,6 +29,8 @@ Heights = dict[str, tuple[float, float]]
 #: How far from where it lies in a run a vessel may come to rest before it is asked what rights it there
 #: [rad]. One of GM = -6 mm with BM = 20 m comes to rest by sqrt(-2 GM/BM) = 1.4 deg.
 _ELSEWHERE = math.radians(1.0)
+#: Slower than that it does not roll through upright but stands there [rad/s].
+_STILL = 1e-4
 #: What friction does where it is asked what rights vessels, in turn until they rest.
 _LOSSES: Final[tuple[Losses, ...]] = ("none", "held")
 
@@ -82,17 +88,64 @@ def righting_at_end(
     def rest(losses: Losses) -> Equilibrium:
         found = question.equilibrium_of(state, losses=losses)
         if found.is_stable and _is_elsewhere(found, attitudes):
-            return as_it_is(found).equilibrium(min(time, question.scenario.duration), losses=losses)
+            return _as_it_is(question, found).equilibrium(
+                min(time, question.scenario.duration), losses=losses
+            )
         return found
 
-    def as_it_is(found: Equilibrium) -> Statics:
-        holed = holed_tanks(question.scenario)
-        if not holed:
-            return question
-        contents = {name: float(found.recording.column("tank_content", name)[-1]) for name in holed}
-        return type(question)(with_contents(question.scenario, contents))
+    return _righting(question, rest)
+
+
+def righting_on_the_way(
+    question: Statics, step: str, time: float, state: bytes, columns: Columns, names: Names
+) -> Heights:
+    """The same where a step of the plan has ended in a run.
+
+    One that stands where it would not come to rest, and does not move, is held by its symmetry alone: the
+    equilibrium of the plan where this step ends tells what rights it. One that waves roll is not.
+
+    Args:
+        question: The lift.
+        step: Its name.
+        time: When it ended [s].
+        state: What was saved there.
+        columns: What the run has recorded.
+        names: Names along these.
+    """
+    orientations, times = columns["body_orientation"], columns["time"]
+    last = max(int(np.searchsorted(times, time, side="right")) - 1, 0)
+    before = max(last - 1, 0)
+    bodies = {name: number for number, name in enumerate(names["body"])}
+
+    def stands(found: Equilibrium) -> dict[str, FloatArray]:
+        """Vessels that do not move towards where they come to rest, or away from it, and how they lie."""
+        still = {}
+        for body in (vessel.body for vessel in question.rig.vessels):
+            was, lies = (orientations[sample, bodies[body]] for sample in (before, last))
+            away = _upright(found.recording.column("body_orientation", body)[-1]) - _upright(lies)
+            moved = float((_upright(lies) - _upright(was)) @ away)
+            if abs(moved) <= _STILL * float(np.linalg.norm(away)) * float(times[last] - times[before]):
+                still[body] = lies
+        return still
+
+    def rest(losses: Losses) -> Equilibrium:
+        found = question.equilibrium_of(state, losses=losses)
+        if not (found.is_stable and _is_elsewhere(found, stands(found))):
+            return found
+        asked = _as_it_is(question, found)
+        ends = asked.when(step, "ends")
+        return found if ends is None else asked.equilibrium(ends, losses=losses)
 
     return _righting(question, rest)
+
+
+def _as_it_is(question: Statics, found: Equilibrium) -> Statics:
+    """The lift with what tanks with holes have in an equilibrium, which its plan does not know."""
+    holed = holed_tanks(question.scenario)
+    if not holed:
+        return question
+    contents = {name: float(found.recording.column("tank_content", name)[-1]) for name in holed}
+    return type(question)(with_contents(question.scenario, contents))
 
 
 def _righting(question: Statics, rest: Callable[[Losses], Equilibrium]) -> Heights:
@@ -109,11 +162,16 @@ def _righting(question: Statics, rest: Callable[[Losses], Equilibrium]) -> Heigh
     return {}
 
 
+def _upright(orientation: npt.ArrayLike) -> FloatArray:
+    """The upright of the world in axes of a body, shape (3,)."""
+    upright: FloatArray = axes(np.asarray(orientation, dtype=np.float64))[2]
+    return upright
+
+
 def _is_elsewhere(rest: Equilibrium, attitudes: Mapping[str, npt.ArrayLike]) -> bool:
     """Whether a vessel comes to rest with another heel or trim."""
     for body, attitude in attitudes.items():
         end = rest.recording.column("body_orientation", body)[-1]
-        lies, rests = (axes(np.asarray(one))[2] for one in (attitude, end))
-        if float(lies @ rests) < math.cos(_ELSEWHERE):
+        if float(_upright(attitude) @ _upright(end)) < math.cos(_ELSEWHERE):
             return True
     return False

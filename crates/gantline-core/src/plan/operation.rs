@@ -321,6 +321,12 @@ impl PlanState {
         self.begun
     }
 
+    /// The steps that have ended, by their numbers.
+    pub fn ended(&self) -> impl Iterator<Item = usize> {
+        let has_ended = |phase: &Phase| matches!(phase, Phase::Ended(_));
+        self.phases.iter().enumerate().filter(move |(_, phase)| has_ended(phase)).map(|(index, _)| index)
+    }
+
     /// Name of the step that began last of those that have not ended, if any.
     pub fn current<'a>(&self, plan: &'a Plan) -> Option<&'a str> {
         let under_way = |index: &usize| {

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::method::Method;
-use super::{Command, Counters, SetupError, Simulation};
+use super::{Command, Counters, SetupError, Simulation, Waypoint};
 use crate::event::EventLog;
 use crate::record::Samples;
 use crate::state::State;
@@ -20,6 +20,8 @@ struct Checkpoint {
     counters: Counters,
     /// Steps and time [s] at which it was last asked whether the run gets on.
     asked: (u64, f64),
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    waypoints: Vec<Waypoint>,
 }
 
 /// What a saved state begins with. The number is that of its form: it grows when what the samples are packed as changes,
@@ -66,6 +68,15 @@ fn checkpoint_of(bytes: &[u8]) -> Result<(Checkpoint, &[u8]), SetupError> {
     Ok((checkpoint, samples))
 }
 
+fn written(checkpoint: &Checkpoint, samples: &[u8]) -> Result<Vec<u8>, SetupError> {
+    let json = serde_json::to_vec(checkpoint)?;
+    let length = (json.len() as u64).to_le_bytes();
+    let mut bytes = [KIND.as_bytes(), &length, &json, samples].concat();
+    let end = digest(&bytes);
+    bytes.extend_from_slice(end.as_bytes());
+    Ok(bytes)
+}
+
 /// The state in what [`Simulation::save`] gave of the document with a fingerprint, whatever the settings.
 ///
 /// # Errors
@@ -82,21 +93,36 @@ impl Simulation {
     /// All that is needed to go on with the same bytes: what follows from the past, and the past itself, which belongs to
     /// the recording of the run that goes on.
     pub fn save(&self) -> Result<Vec<u8>, SetupError> {
-        let checkpoint = Checkpoint {
-            fingerprint: self.fingerprint,
-            document: self.document,
-            state: self.state.clone(),
+        let past = Checkpoint {
             events: self.events.clone(),
             commands: self.commands.clone(),
+            waypoints: self.waypoints.clone(),
+            ..self.at(&self.state)
+        };
+        written(&past, &self.samples.packed())
+    }
+
+    /// A waypoint as [`Simulation::save`] would have given it there, without the past: for
+    /// [`crate::statics::lift::StaticLift::settle_saved`].
+    ///
+    /// # Errors
+    /// [`SetupError`] where it cannot be written.
+    pub fn save_waypoint(&self, waypoint: &Waypoint) -> Result<Vec<u8>, SetupError> {
+        written(&self.at(&waypoint.state), &[])
+    }
+
+    /// A state of this lift, without what was before it.
+    fn at(&self, state: &State) -> Checkpoint {
+        Checkpoint {
+            fingerprint: self.fingerprint,
+            document: self.document,
+            state: state.clone(),
+            events: EventLog::new(),
+            commands: Vec::new(),
             counters: self.counters,
             asked: self.asked,
-        };
-        let (json, samples) = (serde_json::to_vec(&checkpoint)?, self.samples.packed());
-        let length = (json.len() as u64).to_le_bytes();
-        let mut bytes = [KIND.as_bytes(), &length, &json, &samples].concat();
-        let end = digest(&bytes);
-        bytes.extend_from_slice(end.as_bytes());
-        Ok(bytes)
+            waypoints: Vec::new(),
+        }
     }
 
     /// Takes up a saved run of the same document and settings.
@@ -117,6 +143,7 @@ impl Simulation {
         self.commands = checkpoint.commands;
         self.counters = checkpoint.counters;
         self.asked = checkpoint.asked;
+        self.waypoints = checkpoint.waypoints;
         self.before.copy_from(&self.state);
         self.frame.update(&self.system, &self.state);
         if let Method::Adaptive(adaptive) = &mut self.method {

@@ -6,7 +6,9 @@
 //! step, so a step without change costs one factorisation. Friction rows stick until their bound is
 //! reached; then their force is μN against the slip, found by fixed point. Light bodies on stiff springs, k h²/m well
 //! above one, turn too far in that: where it has not settled after [`PLAIN_ROUNDS`] rounds, the direction is that of the pull
-//! without what the force itself does to it, as far as the row's own inertia tells (projected Gauss–Seidel).
+//! without what the force itself does to it, as far as the row's own inertia tells (projected Gauss–Seidel). Friction that
+//! takes more from its normal force than it has lets that go slack and act again for ever: after [`WHOLE_ROUNDS`] rounds
+//! friction goes a share of its way alone, and begins from nothing.
 //! Brakes hold or slip ([`super::brakes`]); with light sheaves those and what is elastic are found together
 //! ([`super::balance`]).
 
@@ -50,6 +52,8 @@ impl Mode {
 const PATIENCE: usize = 3;
 /// Rounds of the plain fixed point of friction.
 const PLAIN_ROUNDS: usize = 30;
+/// Rounds in which friction goes its whole way; half of it in as many more, then a quarter, down to a sixteenth.
+const WHOLE_ROUNDS: usize = 60;
 /// Rounding in a law's value, relative to the terms it is the sum of.
 const ROUNDING: f64 = 1e-12;
 /// Fixed point of friction forces, relative to the bound μN.
@@ -159,7 +163,7 @@ impl Complementarity {
                 .clock
                 .time(Stage::Solution, || kkt.solve(&self.force, &self.row_right, v, &mut self.impulse));
             self.read_forces(system, problem, v);
-            let settled = self.friction(system, (round > PLAIN_ROUNDS).then_some(problem));
+            let settled = self.friction(system, (round > PLAIN_ROUNDS).then_some(problem), share_of(round));
             self.find_wrong(system, problem, v);
             let balanced = self.balance(system, problem, v, settled);
             if self.wrong.is_empty() && settled && balanced {
@@ -348,8 +352,8 @@ impl Complementarity {
     }
 
     /// Sets modes and forces of friction rows after the normal forces; true when nothing changed. With a `problem` the
-    /// direction of slip is that without the force's own part.
-    fn friction(&mut self, system: &System, problem: Option<&Problem>) -> bool {
+    /// direction of slip is that without the force's own part. Forces at their bound go a `share` of their way.
+    fn friction(&mut self, system: &System, problem: Option<&Problem>, share: f64) -> bool {
         let mut settled = true;
         let mut row = 0;
         while row < system.rows.count() {
@@ -390,11 +394,18 @@ impl Complementarity {
                 if mode == Mode::Slipping {
                     let force = bound * pull / free_size;
                     settled &= (force - self.slip[row + k]).abs() <= FRICTION_TOLERANCE * bound;
-                    self.slip[row + k] = force;
+                    self.slip[row + k] = share * force + (1.0 - share) * self.slip[row + k];
+                } else if mode == Mode::Slack && share < 1.0 {
+                    self.slip[row + k] = 0.0;
                 }
             }
             row += 2;
         }
         settled
     }
+}
+
+/// The share of its way that friction goes in a round.
+fn share_of(round: usize) -> f64 {
+    [1.0, 0.5, 0.25, 0.125].get(round / WHOLE_ROUNDS).copied().unwrap_or(0.0625)
 }

@@ -122,7 +122,8 @@ pub fn del_runs(seeds: &[f64], steps: u32) -> Result<(f64, f64), TestCaseError> 
         let report = method.step(&system, &mut state, &mut frame, &mut log);
         let report = report.map_err(|error| TestCaseError::fail(error.to_string()))?;
         let most = state.tension.iter().fold(1.0_f64, |most, tension| most.max(tension.abs()));
-        prop_assert!(!report.converged || report.complementarity_residual <= 1e-6 * most);
+        // Also where friction has not settled, or velocity terms have not: what bears must not go slack for that.
+        prop_assert!(report.complementarity_residual <= 1e-6 * most);
         let [kinetic, gravity, elastic, ..] = state.ledger.values();
         scale = scale.max(kinetic + elastic + gravity.abs());
         highest = highest.max(stored(&state));

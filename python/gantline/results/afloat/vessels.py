@@ -39,8 +39,8 @@ class Vessel(FromJson):
         density: Of the water [kg/m^3].
         hull: Name of its hull among those of the recording.
         marks: Points that should stay above the water, vessel axes [m], by what they belong to.
-        righting: Moments [s] with its metacentric heights for heel and trim then [m], of a start at rest and
-            of the end: where a lift sets a limit for them, or one is below zero.
+        righting: Moments [s] with its metacentric heights for heel and trim then [m], of a start at rest, of
+            the ends of steps and of the end: where a lift sets a limit for them, or one is below zero.
         is_carried: Whether its motion is given, so that nothing that hangs from it, or rights it, counts.
         grows_over: How long the motion of a record grows by which it goes [s]; 0 if it goes by none.
     """
