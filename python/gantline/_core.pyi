@@ -75,7 +75,7 @@ class Simulation:
         """The state, exactly."""
 
     def waypoints(self, first: int) -> list[tuple[str, float, bytes]]:
-        """Where steps ended, from the `first` of these on: step, time [s], state for `Statics.settle_saved`."""
+        """Where steps ended, from the `first` on: step, time [s], state for `Statics.settle_saved`."""
 
     def restore(self, state: bytes) -> None:
         """Go on from a state that `save` gave."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -65,11 +65,9 @@ from gantline.scenario.failed import failed_at
 from gantline.statics import Statics
 from gantline.statics.hung import resting_loads
 from gantline.statics.righted import Heights, righting_at_end, righting_at_start, righting_on_the_way
-
 from gantline.version import version
 
 Progress = Callable[[float], bool | None]
-
 
 
 class SimulationError(RuntimeError):
@@ -439,25 +437,26 @@ class Simulation:
         return Recording(found.variables, found.coordinates, {**found.attributes, "rig": rig})
 
     def _rig_afloat(self, columns: Columns, names: Names) -> dict[str, Any]:
-        """The JSON of the rig, with what rights vessels where the run begins at rest and ends, and in between.
+        """The JSON of the rig, with what rights vessels where the run begins at rest, ends, and in between.
 
         A run of perfect symmetry stays upright there: nothing pushes but rounding. A load that is set down
         at the end no longer hangs above its vessel: GM is least while it does, so that every end of a step
         counts.
         """
         found = self.assembly.rig
-        if not self._rig.vessels or self._question is None:
+        floats = [vessel.body for vessel in self._rig.vessels if not vessel.is_carried]
+        if not floats or self._question is None:
             return found
         if self.settings["start"] == "rest":
             found = with_righting(found, 0.0, self._righting_at_start)
-        for step, time, state in self._core.waypoints(len(self._righting_on_the_way)):
-            heights = righting_on_the_way(self._question, step, time, state, columns, names)
-            self._righting_on_the_way.append((time, heights))
-        for time, heights in self._righting_on_the_way:
-            found = with_righting(found, time, heights)
+        for step, at, state in self._core.waypoints(len(self._righting_on_the_way)):
+            heights = righting_on_the_way(self._question, step, at, state, columns, names)
+            self._righting_on_the_way.append((at, heights))
+        for at, heights in self._righting_on_the_way:
+            found = with_righting(found, at, heights)
         if self.ended and self.status == "done":
             if self._righting_at_end is None:
-                lie = {one.body: self.now("body_orientation", one.body) for one in self._rig.vessels}
+                lie = {body: self.now("body_orientation", body) for body in floats}
                 self._righting_at_end = righting_at_end(self._question, self.time, self.save(), lie)
             found = with_righting(found, self.time, self._righting_at_end)
         return found

@@ -54,7 +54,9 @@ def metacentric_height(recording: Recording, during: BoolArray) -> Iterator[Find
         if vessel.is_carried:
             yield Missing(vessel.name, "it moves by 'wave_motion', whatever rights it")
         elif vessel not in known:
-            yield Missing(vessel.name, "what rights it is known where a run begins at rest, a step ends or it has ended")
+            yield Missing(
+                vessel.name, "what rights it is known where a run begins at rest, a step ends or it has ended"
+            )
 
 
 def turn_over(recording: Recording) -> list[Check]:

@@ -321,10 +321,10 @@ impl PlanState {
         self.begun
     }
 
-    /// The steps that have ended, by their numbers.
-    pub fn ended(&self) -> impl Iterator<Item = usize> {
-        let has_ended = |phase: &Phase| matches!(phase, Phase::Ended(_));
-        self.phases.iter().enumerate().filter(move |(_, phase)| has_ended(phase)).map(|(index, _)| index)
+    /// The steps that have ended, by their numbers, and when they did [s].
+    pub fn ended(&self) -> impl Iterator<Item = (usize, f64)> {
+        let end = |phase: &Phase| if let Phase::Ended(at) = phase { Some(*at) } else { None };
+        self.phases.iter().enumerate().filter_map(move |(index, phase)| Some((index, end(phase)?)))
     }
 
     /// Name of the step that began last of those that have not ended, if any.
