@@ -63,8 +63,8 @@ def save_recording(recording: Recording, path: Path) -> Path:
     return path
 
 
-class _Kept(h5py.File):
-    """A new file whose tables stay open: h5netcdf looks each of them up some dozen times while it writes others."""
+class _Kept(h5py.File):  # type: ignore[misc]  # h5py says nothing of its types
+    """A new file whose tables stay open: h5netcdf looks each of them up some dozen times."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(path, "w", track_order=True)
