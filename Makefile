@@ -35,7 +35,7 @@ test: lint ## all tests and lints
 	npm --prefix viewer test --silent
 	pytest --numprocesses auto --maxprocesses 8 --dist loadfile --no-loadscope-reorder --hypothesis-seed=$(SEED)
 
-# Compiling the core and looking at types keep one processor busy each, for minutes: side by side they take half as long.
+# Compiling the core and looking at types keep one processor busy each, for minutes: they go side by side.
 lint: environment ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
 	@$(MAKE) --jobs=2 setup checks
 	lint-imports --no-cache
