@@ -15,7 +15,7 @@ unexport PYTHONPATH PYTHONHOME
 # Tests start the program some hundred times, which compiles its modules anew each time where this is set.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help setup demo test lint bench docs packages pictures lock clean
+.PHONY: help setup demo test lint environment checks bench docs packages pictures lock clean
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 16
@@ -23,24 +23,32 @@ help: ## list the targets
 setup: ## make .venv: locked packages, gantline, its compiled core and its player
 	@tools/setup.sh
 
+environment:
+	@tools/setup.sh packages
+
 demo: setup ## simulate the lift of scenarios/equalizer; table, numerical error, pictures and report in build/demo
 	@gantline run scenarios/equalizer --refine -o build/demo
 
 # Files of tests in their order: the browser has one long test, which begins first.
-test: setup lint ## all tests and lints
+test: lint ## all tests and lints
 	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
 	npm --prefix viewer test --silent
 	pytest --numprocesses auto --maxprocesses 8 --dist loadfile --no-loadscope-reorder --hypothesis-seed=$(SEED)
 
-lint: setup ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
-	cargo fmt --all --check
-	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
-	ruff check --quiet
-	ruff format --check --quiet
-	mypy python/gantline tests benchmarks tools docs
+# Compiling the core and looking at types keep one processor busy each, for minutes: they go side by side.
+lint: environment ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
+	@$(MAKE) --jobs=2 setup checks
 	lint-imports --no-cache
 	npm --prefix viewer run lint --silent
 	npm --prefix viewer run check --silent
+
+# Those that need neither the compiled core nor the player.
+checks: environment
+	cargo fmt --all --check
+	ruff check --quiet
+	ruff format --check --quiet
+	mypy python/gantline tests benchmarks tools docs
+	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
 
 bench: setup ## race with other codes on the benchmark lifts, growth, stages, time of every scenario
 	@.venv-tools/bin/python -m pip --python $(BIN)/python install --quiet --disable-pip-version-check --no-user \

@@ -3,7 +3,7 @@
 #
 # Stamps hold a digest of all that went into each part. A digest, and not the age of files, so that
 # a deleted source, another branch or a moved checkout is noticed too; a run with nothing to do takes a fraction
-# of a second.
+# of a second. `tools/setup.sh packages` makes the locked Python packages ready, and nothing else.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -117,6 +117,7 @@ if ! fresh "$venv/.stamp-packages" "$packages"; then
     install_packages
     echo "$packages" >"$venv/.stamp-packages"
 fi
+[ "${1:-}" != packages ] || exit 0
 
 # Taken before the build, so that a source edited meanwhile is not taken for built.
 core=$(core_digest)

@@ -139,6 +139,15 @@ def test_the_border_stays_small() -> None:
     assert sum(lines_of(path) for path in border) < HARD_LIMIT
 
 
+def test_every_file_of_tests_of_the_core_is_in_its_program() -> None:
+    """Cargo looks for none by itself, where one program has them all."""
+    tests = ROOT / "crates/gantline-core/tests"
+    files = {path.stem for path in tests.glob("*.rs")} - {"all"}
+    folders = {path.parent.name for path in tests.glob("*/mod.rs")}
+    assert "mechanics" in files
+    assert set(re.findall(r"^mod (\w+);", (tests / "all.rs").read_text(), flags=re.M)) == files | folders
+
+
 def test_the_core_knows_no_python_no_files_and_no_terminal() -> None:
     foreign = re.compile(r"\b(pyo3|std::fs|std::io|std::process|println!|eprintln!|print!|dbg!)")
     core = sorted((ROOT / "crates/gantline-core/src").rglob("*.rs"))

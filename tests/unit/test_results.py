@@ -5,6 +5,7 @@ import time as clock
 from pathlib import Path
 from typing import Any
 
+import h5netcdf
 import h5py
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ import xarray
 
 import gantline
 from gantline.results.derive import recording_of
-from gantline.results.file.netcdf import load_rig
+from gantline.results.file.netcdf import _write, load_rig, save_recording
 from gantline.results.recording import Recording, open_recording
 from gantline.results.series import sling_direction
 from gantline.results.variable import Variable
@@ -322,3 +323,12 @@ def test_what_was_lifted_is_read_without_samples(tmp_path: Path) -> None:
     path.write_bytes(b"no recording")
     with pytest.raises(ValueError, match="it is no NetCDF4 file"):
         load_rig(path)
+
+
+def test_tables_that_stay_open_change_no_byte(tmp_path: Path) -> None:
+    """Against what h5netcdf writes into a file that it has opened itself."""
+    recording = short_lift()
+    with h5netcdf.File(tmp_path / "plain.nc", "w") as file:
+        _write(recording, file)
+    save_recording(recording, tmp_path / "kept.nc")
+    assert (tmp_path / "kept.nc").read_bytes() == (tmp_path / "plain.nc").read_bytes()

@@ -1,12 +1,10 @@
 //! What drums remember, and the derivatives of what they let go, by differences.
 
-mod rigs;
-
+use crate::rigs::{built, moved, seeds};
 use gantline_core::rope::coil::{Coil, Layers, MOST_PIECES};
 use gantline_core::stepper::coils::CoilTangent;
 use gantline_core::stepper::frame::Frame;
 use proptest::prelude::*;
-use rigs::{built, moved, seeds};
 
 const KAPPA: f64 = 0.01;
 const STEP: f64 = 1e-6;

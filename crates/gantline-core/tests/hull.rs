@@ -1,13 +1,11 @@
 //! Volumes below a plane against closed forms, and each integral against the derivative of another.
 
-mod rigs;
-
 use std::f64::consts::PI;
 
+use crate::rigs::hulls::{cuboid, prism, sphere};
 use gantline_core::hull::{Hull, Immersion, Mesh, Plane, Surface};
 use glam::{DMat3, DQuat, DVec3};
 use proptest::prelude::*;
-use rigs::hulls::{cuboid, prism, sphere};
 
 const SIZE: [f64; 3] = [100.0, 30.0, 8.0];
 

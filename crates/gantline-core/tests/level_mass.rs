@@ -1,8 +1,8 @@
 //! Added mass of bodies in waves on random trees: against rates of momenta and of energy along paths, and against that of still
 //! water. Its derivatives stand with those of all forces in `water.rs`.
 
-mod rigs;
-
+use crate::rigs::wet::{CLOSE, NOW, STEP, inverse, rates, wet};
+use crate::rigs::{moved, seeds};
 use gantline_core::force::slow::Slowly;
 use gantline_core::force::{AnyForce, At, Force, twist_of};
 use gantline_core::tree::bias::Wrench;
@@ -10,8 +10,6 @@ use gantline_core::tree::kinematics::Twist;
 use gantline_core::tree::pose::Pose;
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
-use rigs::wet::{CLOSE, NOW, STEP, inverse, rates, wet};
-use rigs::{moved, seeds};
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]

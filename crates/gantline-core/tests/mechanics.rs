@@ -1,7 +1,6 @@
 //! Kinematics, mass matrix, bias and gradients against differences and first principles.
 
-mod rigs;
-
+use crate::rigs::{self, Passage, built, moved, seeds};
 use gantline_core::constraint::{Constraint, Law, Placed};
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
@@ -11,8 +10,6 @@ use gantline_core::tree::kinematics::Twist;
 use gantline_core::tree::tangent::{DynamicsTangent, Paired};
 use glam::DVec3;
 use proptest::prelude::*;
-use rigs::Passage;
-use rigs::{built, moved, seeds};
 
 /// Central differences with d = 1e-5: rounding 1e-16/d ≈ 1e-11 times lengths of about 10, and d² times
 /// third derivatives of at most about 100: both below 1e-7.

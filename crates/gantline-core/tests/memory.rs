@@ -1,8 +1,7 @@
 //! Water that remembers, on random trees: its force, its answer to a motion within a step, and the derivatives of the motion
 //! that it follows, against differences.
 
-mod rigs;
-
+use crate::rigs::{Draw, moved, rig, seeds};
 use gantline_core::build::build;
 use gantline_core::force::memory::{Memory, form, memories, resistance, states};
 use gantline_core::force::{self, AnyForce, under};
@@ -13,7 +12,6 @@ use gantline_core::system::System;
 use gantline_core::tree::bias::NewtonEuler;
 use gantline_core::tree::tangent::DynamicsTangent;
 use proptest::prelude::*;
-use rigs::{Draw, moved, rig, seeds};
 
 const STEP: f64 = 1e-5;
 const CLOSE: f64 = 1e-6;

@@ -1,8 +1,8 @@
 //! Random rigs whose ropes are cut and break and whose joints meet stops: they run to the end with either method, no
 //! rope carries more than it can, and the balance closes across it.
 
-mod rigs;
-
+use crate::rigs::runs::{SEED, drawing, drawn};
+use crate::rigs::{seeds, torture};
 use gantline_core::build::build;
 use gantline_core::event::{Event, EventKind, EventLog};
 use gantline_core::solver::complementarity::Mode;
@@ -14,8 +14,6 @@ use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
 use gantline_core::tree::kinematics::Kinematics;
 use proptest::prelude::*;
-use rigs::runs::{SEED, drawing, drawn};
-use rigs::{seeds, torture};
 
 const DURATION: f64 = 1.0;
 /// More steps than any of the rigs needs: a stall.

@@ -1,8 +1,8 @@
 //! Random rigs in which every other rope is put on, taken off and put on again: it carries nothing while it is off, what is
 //! recorded of it says so, and the balance closes across it. A rope that is too short where it is put on is an error.
 
-mod rigs;
-
+use crate::rigs::runs::{SEED, drawing};
+use crate::rigs::{seeds, torture};
 use gantline_core::build::build;
 use gantline_core::event::{Event, EventKind, EventLog};
 use gantline_core::solver::complementarity::Mode;
@@ -14,8 +14,6 @@ use gantline_core::stepper::del::Del;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
 use proptest::prelude::*;
-use rigs::runs::{SEED, drawing};
-use rigs::{seeds, torture};
 
 const DURATION: f64 = 1.0;
 /// Steps of fixed length [s].

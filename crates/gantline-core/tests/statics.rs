@@ -1,7 +1,6 @@
 //! Statics against first principles: energies of random rigs, and what a search may cost.
 
-mod rigs;
-
+use crate::rigs::{built, moved, seeds, torture};
 use gantline_core::build::build;
 use gantline_core::rope::coil::Layers;
 use gantline_core::statics::Statics;
@@ -12,7 +11,6 @@ use gantline_core::statics::potential::Potential;
 use gantline_core::stepper::frame::Remembered;
 use gantline_core::system::System;
 use proptest::prelude::*;
-use rigs::{built, moved, seeds, torture};
 
 /// V at a configuration with its slope and matrix [J].
 fn potential(system: &System, state: &gantline_core::state::State) -> Potential {

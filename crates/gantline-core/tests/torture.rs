@@ -4,14 +4,12 @@
 //! The rigs are the same in every run. Others are looked through, and every failure listed, by
 //!
 //! ```text
-//! GANTLINE_TORTURE_SEEDS=1-20 cargo test --release --test torture -- --ignored --nocapture
+//! GANTLINE_TORTURE_SEEDS=1-20 cargo test --release --test all torture -- --ignored --nocapture
 //! ```
 
-mod rigs;
-
+use crate::rigs::runs::{SEED, adaptive_closes, del_stays_bounded, drawing, drawn};
+use crate::rigs::seeds;
 use proptest::prelude::*;
-use rigs::runs::{SEED, adaptive_closes, del_stays_bounded, drawing, drawn};
-use rigs::seeds;
 
 proptest! {
     #![proptest_config(drawing(SEED, 100))]

@@ -1,8 +1,7 @@
 //! Touches between bodies: their derivatives against differences on trees with every joint type, where shapes meet
 //! against geometry worked out by hand, and blocks that come to rest, slide and tip against closed forms.
 
-mod rigs;
-
+use crate::rigs::{Draw, moved, rig, seeds};
 use gantline_core::Simulation;
 use gantline_core::build::build;
 use gantline_core::constraint::{AnyConstraint, Line, Moving, Placed};
@@ -18,7 +17,6 @@ use gantline_core::tree::kinematics::Twist;
 use gantline_core::tree::pose::Pose;
 use glam::{DMat3, DQuat, DVec3};
 use proptest::prelude::*;
-use rigs::{Draw, moved, rig, seeds};
 
 /// Central differences as in `mechanics.rs`.
 const STEP: f64 = 1e-5;

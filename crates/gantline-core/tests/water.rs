@@ -1,7 +1,7 @@
 //! Forces of water, wind and waves and of mooring lines on random trees: against energies, rates of momentum, and differences.
 
-mod rigs;
-
+use crate::rigs::wet::{CLOSE, GROWN, NOW, STEP, inverse, rates, wet};
+use crate::rigs::{self, moved, seeds};
 use gantline_core::audit::gravity_energy;
 use gantline_core::build::build;
 use gantline_core::force::drag::Drag;
@@ -14,8 +14,6 @@ use gantline_core::tree::pose::Pose;
 use gantline_core::tree::tangent::{DynamicsTangent, Paired};
 use glam::{DMat3, DVec2, DVec3};
 use proptest::prelude::*;
-use rigs::wet::{CLOSE, GROWN, NOW, STEP, inverse, rates, wet};
-use rigs::{moved, seeds};
 
 fn entry(paired: &Paired, frame: &Frame, row: usize, column: usize) -> f64 {
     let (low, high, values) =

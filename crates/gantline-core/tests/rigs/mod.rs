@@ -1,5 +1,4 @@
 //! Random rigs for property-based tests: trees of all joint types, ropes over them, contacts.
-#![allow(dead_code)] // Each test file uses its own share of these helpers.
 
 pub mod hulls;
 pub mod runs;

@@ -58,9 +58,32 @@ def save_recording(recording: Recording, path: Path) -> Path:
     Raises:
         OSError: If it cannot be written.
     """
-    with replaced(path) as trial, h5netcdf.File(trial, "w") as file:
+    with replaced(path) as trial, _Kept(trial) as tables, h5netcdf.File(tables, "w") as file:
         _write(recording, file)
     return path
+
+
+class _Kept(h5py.File):  # type: ignore[misc]  # h5py says nothing of its types
+    """A new file whose tables stay open: h5netcdf looks each of them up some dozen times."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(path, "w", track_order=True)
+        self._found: dict[str, Any] = {}
+
+    def __getitem__(self, name: Any) -> Any:
+        if name == "/":
+            return self
+        if not isinstance(name, str):
+            return super().__getitem__(name)
+        place = f"/{name.lstrip('/')}"
+        if place not in self._found:
+            self._found[place] = super().__getitem__(place)
+        return self._found[place]
+
+    def __delitem__(self, name: str) -> None:
+        # The dummy of a dimension, in whose place its labels come.
+        self._found.pop(f"/{name.lstrip('/')}", None)
+        super().__delitem__(name)
 
 
 def load_recording(path: Path) -> Recording:
