@@ -154,16 +154,20 @@ def failure_of(recording: Recording) -> Failure | None:
 def _energy_gain(recording: Recording) -> tuple[float | None, float | None]:
     if "energy" not in recording or not len(recording.time):
         return None, None
-    return energy_gain(recording["energy"].values, recording.coordinates["energy_kind"], recording.time)
+    kinds = recording.coordinates["energy_kind"]
+    return energy_gain(recording["energy"].values, kinds, recording.time, ENERGY_GAIN_BOUND)
 
 
-def energy_gain(energy: FloatArray, kinds: Sequence[str], time: FloatArray) -> tuple[float, float | None]:
-    """Energy from nowhere, of the largest energy, and when it passed its bound [s]; None if it did not.
+def energy_gain(
+    energy: FloatArray, kinds: Sequence[str], time: FloatArray, bound: float
+) -> tuple[float, float | None]:
+    """Energy from nowhere, of the largest energy, and when it passed a bound [s]; None if it did not.
 
     Args:
         energy: Recorded energies, shape (samples, kinds) [J].
         kinds: What they are, as in a recording.
         time: Of the samples, at least one [s].
+        bound: That of the gain [1].
     """
     of_kind = dict(zip(kinds, energy.T, strict=True))
     works = [of_kind[kind] for kind in ("drive_work", "fluid_work") if kind in of_kind]
@@ -173,7 +177,7 @@ def energy_gain(energy: FloatArray, kinds: Sequence[str], time: FloatArray) -> t
     stored = [of_kind[kind] for kind in ("kinetic", "gravity", "elastic", "fluid") if kind in of_kind]
     kept = np.sum(stored, axis=0) - np.sum(works, axis=0)
     gain = (kept - np.minimum.accumulate(kept)) / largest
-    beyond = np.flatnonzero(gain > ENERGY_GAIN_BOUND)
+    beyond = np.flatnonzero(gain > bound)
     return float(gain.max()), float(time[beyond[0]]) if beyond.size else None
 
 
