@@ -91,7 +91,7 @@ class FakeCore:
         return {}
 
     def counters(self) -> dict[str, int]:
-        return {"steps": self.now}
+        return {"steps": self.now, "unconverged": 0}
 
 
 @pytest.fixture
