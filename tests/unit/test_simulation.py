@@ -21,7 +21,7 @@ def test_a_lift_runs_to_its_end(core: type[FakeCore]) -> None:
     assert recording.attributes["status"] == "done"
     assert recording.attributes["scenario"] == "format: 1\n"
     assert recording.attributes["settings"] == {**SETTINGS, "start": "as_given"}
-    assert recording.attributes["counters"] == {"steps": 4}
+    assert recording.attributes["counters"] == {"steps": 4, "unconverged": 0}
     assert recording.attributes["warnings"] == []
     assert recording.title == "One equalizer lifts a 300 t load"
 
