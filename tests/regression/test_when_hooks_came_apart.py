@@ -1,4 +1,4 @@
-"""A hook 10 cm behind was told with the time of a ripple in its ropes, and the first page with no time at all.
+"""A hook 10 cm behind was told with the time of a ripple in its ropes, the first page without.
 
 Two cranes hoist a house, one of them 10 cm ahead from 170 s on. Both then go up side by side for two minutes,
 while the falls ring by tenths of a millimetre: `hook_level_difference` had 259.48 s, the highest of these
@@ -27,7 +27,7 @@ def verdict(recording: Recording) -> list[str]:
 
 @pytest.mark.parametrize(("alike", "when"), [(0.0, 7.0), (0.5e-3, 4.0)])
 def test_a_series_that_stays_came_there_when_it_first_did(alike: float, when: float) -> None:
-    """It comes to 0.1 m at 4 s; the highest crest, 0.2 mm more, is at 7 s, and its value counts all the same."""
+    """It comes to 0.1 m at 4 s; the highest crest, 0.2 mm more, is at 7 s, and is the value."""
     recording = sample_recording(np.arange(11.0), tension=np.full((11, 5), 600e3))
     apart = np.array([0.0, 0.0, 0.0, 0.05, 0.1, 0.1001, 0.0999, 0.1002, 0.1, 0.1001, 0.1])
     (found,) = extreme(recording, apart, np.ones(11, dtype=bool), "A to B", alike=alike)
@@ -46,6 +46,8 @@ def test_the_first_page_says_when_a_limit_was_passed() -> None:
 
 def test_the_first_page_says_which_step_asked_for_it() -> None:
     rig = sample_rig()
-    rig["plan"] = [{"step": "hoist", "kind": "hoist", "require": {"sling_angle_from_vertical": {"below": 1e-3}}}]
+    rig["plan"] = [
+        {"step": "hoist", "kind": "hoist", "require": {"sling_angle_from_vertical": {"below": 1e-3}}}
+    ]
     (said,) = [one for one in verdict(ringing_lift(rig=rig)) if one.startswith("sling angle from vertical")]
     assert said.endswith(", at the end of “hoist”")

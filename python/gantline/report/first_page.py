@@ -239,7 +239,11 @@ def _warning(subject: Subject, check: Check, own: Container[str]) -> dict[str, s
     value, limit = (typeset(check.shown(one)) for one in (check.value, check.limit))
     past = ", ".join(
         part
-        for part in (value, f"past {'its limit of ' if check.name in own else ''}{limit}", _when(subject, check))
+        for part in (
+            value,
+            f"past {'its limit of ' if check.name in own else ''}{limit}",
+            _when(subject, check),
+        )
         if part
     )
     text = "; ".join(
