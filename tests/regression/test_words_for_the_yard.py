@@ -34,10 +34,10 @@ def test_a_warning_names_its_limit() -> None:
     (travel,) = (
         one for one in content["verdict"]["warned"] if one["about"] == "equalizer travel used, e1.1 down"
     )
-    assert travel["text"].startswith("97.4 %, past its limit of 90.0 %; ")
+    assert re.match(r"97\.4 %, past its limit of 90\.0 %, at \d+\.\d s, “[^”]+”; ", travel["text"])
     # Nobody has limited how far the load yaws.
     (yaw,) = (one for one in content["verdict"]["warned"] if one["about"].startswith("load yaw"))
-    assert re.match(r"20\d\.\d deg, past 45\.0 deg; a limit of its own", yaw["text"])
+    assert re.match(r"20\d\.\d deg, past 45\.0 deg, at 300\.0 s; a limit of its own", yaw["text"])
 
 
 def test_what_nobody_looked_at_is_said_first() -> None:

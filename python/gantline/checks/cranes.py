@@ -30,7 +30,7 @@ def falls_out_of_plumb(recording: Recording, during: BoolArray) -> Iterator[Find
     """Angle of the falls of a hook from plumb; of one that stays where it is, that at which falls would hang.
 
     Of those that stay nothing is said that nobody asks for, as long as it is within the bound past which
-    falls warn, and nothing while they let go of a load below where it hung.
+    falls warn, and nothing while they take up or let go of a load below where it hangs.
     """
     for hook in recording.rig.carried_hooks:
         yield from extreme(recording, recording.column("falls_out_of_plumb", hook.name), during, hook.name)
@@ -47,7 +47,7 @@ def _would_hang(recording: Recording, during: BoolArray, hook: Hook) -> Iterator
     aside, down = pull_aside(recording, hook), recording.column("hoist_load", hook.name)
     load = recording.column("hook_load", hook.name)
     bears = load > _BEARS * np.max(load, initial=0.0)
-    bears &= ~_is_let_go(recording, hook, bears)
+    bears &= ~_stands_below(recording, hook, bears)
 
     def text(at: int) -> str:
         pulls = f"{kilonewton(aside[at])} aside, {kilonewton(down[at])} down"
@@ -56,12 +56,12 @@ def _would_hang(recording: Recording, during: BoolArray, hook: Hook) -> Iterator
     yield from extreme(recording, np.arctan2(aside, down), during & bears, hook.name, text)
 
 
-def _is_let_go(recording: Recording, hook: Hook, bears: BoolArray) -> BoolArray:
-    """Samples at which a load stands again below where it hung in a hook that stays, shape (time,).
+def _stands_below(recording: Recording, hook: Hook, bears: BoolArray) -> BoolArray:
+    """Samples at which a load stands below where it hung, or will hang, in a hook that stays, shape (time,).
 
-    Slings of unlike lengths go slack one after another then, and the last ones pull aside at a hook that
-    cannot give way. Falls would lean until they hang over these, and by no more; a load that has been moved
-    aside since it hung pulls falls aside too, and counts.
+    Slings of unlike lengths come taut and go slack one after another then, and those that carry pull aside
+    at a hook that cannot give way. Falls would lean until it is over these, and by no more; a load that has
+    been moved aside since it hung, or is moved aside as it comes clear, pulls falls aside too, and counts.
     """
     ends = [
         series.rope_ends(recording, sling.rope)
@@ -72,10 +72,15 @@ def _is_let_go(recording: Recording, hook: Hook, bears: BoolArray) -> BoolArray:
     if not ends or not hung.any():
         return np.zeros_like(bears)
     aside = np.mean([upper[:, :2] - lower[:, :2] for upper, lower in ends], axis=0)
-    last = np.maximum.accumulate(np.where(hung, np.arange(len(hung)), -1))
-    moved = np.linalg.norm(aside - aside[last], axis=1)
-    let_go: BoolArray = ~series.is_clear(recording) & (last >= 0) & (moved < _IN_PLACE)
-    return let_go
+    places = np.arange(len(hung))
+    before = np.maximum.accumulate(np.where(hung, places, -1))
+    after = np.minimum.accumulate(np.where(hung, places, len(hung))[::-1])[::-1]
+    below = np.zeros_like(hung)
+    for at in (before, after):
+        is_known = (at >= 0) & (at < len(hung))
+        way = aside - aside[np.where(is_known, at, 0)]
+        below |= is_known & (np.linalg.norm(way, axis=1) < _IN_PLACE)
+    return below & ~series.is_clear(recording)
 
 
 def height_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -25,6 +25,8 @@ _LEVELS = ("crane", "trolley", "hook")
 #: Share of its largest load from which the pull at a hook counts, and how many times its upright part what
 #: pulls along a hook's own ropes may be before it is told [1]; 1.05 is 18 deg.
 _BEARS, _ASLANT = 0.25, 1.05
+#: Difference of two levels that nobody reads, who reads them in mm [m]: one that stays rings in its ropes.
+_LEVEL = 0.5e-3
 
 
 def hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -138,7 +140,8 @@ def level_difference(recording: Recording, during: BoolArray) -> Iterator[Findin
                 risen = [f"{name} {rise[at]:.3f} m" for name, rise in zip(names, rises, strict=True)]
                 return f"{', '.join(risen)} up since it came clear"
 
-            yield from extreme(recording, np.abs(first - second), during & counts, f"{one} to {other}", text)
+            apart, names = np.abs(first - second), f"{one} to {other}"
+            yield from extreme(recording, apart, during & counts, names, text, alike=_LEVEL)
 
 
 def of_drive_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -134,6 +134,7 @@ def extreme(
     formula: Callable[[int], str] | None = None,
     *,
     smallest: bool = False,
+    alike: float = 0.0,
 ) -> Iterator[Found]:
     """The largest (or smallest) of a series within a mask, when it first is so; nothing if the mask is empty.
 
@@ -144,13 +145,15 @@ def extreme(
         element: What they belong to.
         formula: The formula at a sample, if it needs more than the value.
         smallest: Whether the smallest is looked for.
+        alike: What of it is no difference, in the unit of the values: of a series that stays where it has
+            come to but for some ringing, when it came there.
     """
     if not during.any():
         return
     upwards = -values if smallest else values
     within = np.where(during, upwards, -np.inf)
-    at = first_peak(within)
     most = float(within.max())
+    at = int(np.argmax(within >= most - alike)) if alike else first_peak(within)
     text = formula(at) if formula is not None else ""
     crest = _crest(recording.time, upwards, during)
     between = None if crest is None or not crest > most else -crest if smallest else crest

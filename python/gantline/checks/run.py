@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -69,15 +69,8 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     Returns:
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
-        check for each requirement of a step; one that failed for each rope that parted, and for each hoist
-        that let its load go; one for each drum on which too few turns stay; one that failed for each load or
-        spreader that hangs unstably, and for each vessel that floats so; one for each rope that was taken
-        off; a warning or a failure for each pair that is drawn in one place; one that failed for each
-        trolley, crane or upper structure that goes past its range; and a warning for each hoist that fell
-        behind and each winch that slipped, where slings never carried or run through a load, where a tag line
-        pulls as if it bore one, or holds nothing, where a hook holds a frame upright, where the recording has
-        warnings of its own or values that are no numbers, where steps moved nothing, where a load came down
-        while it was taken along, came down hard or was picked up after it had been set down, and where a run
+        check for each requirement of a step; then what no limit is about, such as ropes that parted, ranges
+        that were left and warnings of the recording, which `docs/concepts/checks.md` lists; and that a run
         lifts nothing, holds nothing still or ends before its plan.
     """
     rig = recorded(recording).rig
@@ -99,32 +92,14 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
     for step in rig.plan:
         for check in _check_step(recording, step, ending):
             steps.append(_cautioned(check, whole + steps))
-    every = whole + unknown + steps + [*parted(recording)]
-    every += _would_part(recording)
-    every += (
-        taken_off(recording)
-        + opened(recording)
-        + fell_behind(recording)
-        + ran_out(recording)
-        + idle(recording)
-    )
-    every += turns_left(recording) + on_their_tip(recording) + turn_over(recording)
-    every += (
-        held_by_tag_lines(recording)
-        + left_behind(recording)
-        + never_taut(recording)
-        + run_through(recording)
-        + run_into(recording)
-        + left_ground(recording)
-        + left_range(recording)
-        + held_upright(recording)
-        + _told(recording)
-        + _unknown(recording)
-    )
+    every = whole + unknown + steps
+    for look in _BESIDE_LIMITS:
+        every += look(recording)
     if recording.is_equilibrium:
         # It has no moments to tell apart.
         return [replace(one, time=None) for one in every + not_lifted(recording)]
-    every += stood_still(recording) + came_down(recording) + hit(recording) + picked_up(recording)
+    for look in _OF_RUNS:
+        every += look(recording)
     return every + (unfinished(recording) or not_lifted(recording) + never_still(recording))
 
 
@@ -484,3 +459,30 @@ def _verdict(measure: Measure, value: float, limit: float) -> Verdict:
     if value >= limit if measure.at_least else value <= limit:
         return Verdict.OK
     return Verdict.FAILED if measure.warns_up_to is None else Verdict.WARNING
+
+
+#: What is looked at beside limits, in the order of the table; each says of what it has a check.
+_BESIDE_LIMITS: tuple[Callable[[Recording], Iterable[Check]], ...] = (
+    parted,
+    _would_part,
+    taken_off,
+    opened,
+    fell_behind,
+    ran_out,
+    idle,
+    turns_left,
+    on_their_tip,
+    turn_over,
+    held_by_tag_lines,
+    left_behind,
+    never_taut,
+    run_through,
+    run_into,
+    left_ground,
+    left_range,
+    held_upright,
+    _told,
+    _unknown,
+)
+#: The same of runs alone, which have moments to tell apart.
+_OF_RUNS: tuple[Callable[[Recording], Iterable[Check]], ...] = (stood_still, came_down, hit, picked_up)

@@ -136,9 +136,11 @@ def _verdict(subject: Subject) -> dict[str, Any]:
         "tone": tone,
         # No more than what was simulated has a verdict.
         "up_to": "" if ending is None else ending.up_to,
-        "failed": [_failure(check) for check in failed[:_MOST_FAILED]],
+        "failed": [_failure(subject, check) for check in failed[:_MOST_FAILED]],
         "failed_too": _named_failures(failed[_MOST_FAILED:]),
-        "warned": [_warning(check, own) for check in _foremost_warnings(checks, is_told=ending is not None)],
+        "warned": [
+            _warning(subject, check, own) for check in _foremost_warnings(checks, is_told=ending is not None)
+        ],
         "warnings": len(warned),
         "unsound": unsound,
         # What failed is past its limit and has been told with its numbers.
@@ -172,17 +174,29 @@ def _ending(subject: Subject) -> dict[str, Any] | None:
     }
 
 
-def _failure(check: Check) -> dict[str, str]:
-    """A failed check with what it found, what is allowed, and what the check itself has to say."""
+def _failure(subject: Subject, check: Check) -> dict[str, str]:
+    """A failed check with what it found, what is allowed, when, and what the check itself has to say."""
     bound = (
         ""
         if check.limit is None
         else f"{'at least' if check.at_least else 'at most'} {typeset(check.shown(check.limit))}"
     )
-    found = ", ".join(part for part in (typeset(check.shown(check.value)), bound) if part)
+    found = ", ".join(
+        part for part in (typeset(check.shown(check.value)), bound, _when(subject, check)) if part
+    )
     name = check.name.replace("_", " ")
     about = ", ".join(part for part in (name, check.element) if part)
     return {"about": about, "text": "; ".join(part for part in (found, check.remark) if part)}
+
+
+def _when(subject: Subject, check: Check) -> str:
+    """When a check governs, with the step of the plan; empty where its value belongs to no one time."""
+    if check.step:
+        return f"at the end of “{check.step}”"
+    if check.time is None or subject.recording.is_equilibrium:
+        return ""
+    step = subject.step_at(check.time)
+    return f"at {show(check.time, 's', 1)}" + (f", “{step}”" if step else "")
 
 
 def _named_failures(failed: list[Check]) -> str:
@@ -219,11 +233,19 @@ def _came_to_pass(check: Check) -> bool:
     return check.at_least and check.value < check.limit
 
 
-def _warning(check: Check, own: Container[str]) -> dict[str, str]:
-    """A warning with what is past its limit; `own` are limits of the lift file."""
+def _warning(subject: Subject, check: Check, own: Container[str]) -> dict[str, str]:
+    """A warning with what is past its limit, and when; `own` are limits of the lift file."""
     share = check.utilisation
     value, limit = (typeset(check.shown(one)) for one in (check.value, check.limit))
-    past = f"{value}, past {'its limit of ' if check.name in own else ''}{limit}"
+    past = ", ".join(
+        part
+        for part in (
+            value,
+            f"past {'its limit of ' if check.name in own else ''}{limit}",
+            _when(subject, check),
+        )
+        if part
+    )
     text = "; ".join(
         part for part in (past if share is not None and share > 1.0 else "", check.remark) if part
     )

@@ -305,6 +305,7 @@ class Rig(FromJson):
         ropes: All ropes: equalizing ropes, slings, mooring lines, tag lines, ropes of `mechanics`.
         sheaves: Sheaves with losses or inertia.
         drums: Drums.
+        tanks: Tanks of vessels and loads.
         wrapped_sheaves: Sheaves with true tangents.
         limits: Limits of the lift by name, SI; `rule` says from where they come.
         assumed_limits: Those of them that the lift file does not name: going past one is a warning.

@@ -96,96 +96,130 @@ pub(super) fn build_touches(
     constraints: &mut Vec<AnyConstraint>,
     groups: &mut Vec<ContactGroup>,
 ) -> Result<Touches, BuildError> {
-    let mut made = Touches::default();
-    let mut add = |name: String, group: &str, facing: Facing, law: [f64; 3], is_support: bool| {
-        let index = constraints.len();
-        let group = ContactGroup::named(groups, group, tree);
-        groups[group].contacts.push(index);
-        let [stiffness, damping_time, friction] = law;
-        constraints.push(AnyConstraint::Touch(Touch {
-            name,
-            index,
-            group,
-            is_support,
-            facing,
-            spot: made.spots.len(),
-            compliance: 1.0 / stiffness,
-            damping_time,
-            friction,
-        }));
-        made.spots.push(Spot::none());
-        index
-    };
-    for given in &spec.supports {
+    let mut adding = Adding { tree, shapes, constraints, groups, made: Touches::default() };
+    spec.supports.iter().try_for_each(|given| adding.support(given))?;
+    spec.pairs.iter().try_for_each(|given| adding.pair(given))?;
+    spec.rims.iter().try_for_each(|given| adding.rim(given))?;
+    spec.landings.iter().try_for_each(|given| adding.landing(given))?;
+    for (index, step) in spec.plan.iter().enumerate() {
+        step.removes.iter().try_for_each(|name| adding.removal(index, &step.name, name))?;
+    }
+    Ok(adding.made)
+}
+
+/// Where touches are added, and what they are made from.
+struct Adding<'a> {
+    tree: &'a Tree,
+    shapes: &'a [BodyShape],
+    constraints: &'a mut Vec<AnyConstraint>,
+    groups: &'a mut Vec<ContactGroup>,
+    made: Touches,
+}
+
+impl Adding<'_> {
+    fn support(&mut self, given: &SupportSpec) -> Result<(), BuildError> {
         let law = law(&given.name, [given.stiffness, given.damping_time, given.friction])?;
-        let Some(body) = body_index(&given.name, tree, Some(&given.body))? else {
+        let Some(body) = body_index(&given.name, self.tree, Some(&given.body))? else {
             return error(&given.name, "it has no body");
         };
         let pad = build_pad(given)?;
-        let facing = Facing::new([Some(body), None], tree);
-        let touch = add(given.name.clone(), &given.group, facing, law, true);
-        made.finders.push(Finder::Pad(touch, Box::new(pad)));
+        let facing = Facing::new([Some(body), None], self.tree);
+        let touch = self.add(given.name.clone(), &given.group, facing, law, true);
+        self.made.finders.push(Finder::Pad(touch, Box::new(pad)));
         if let Some(time) = given.removed_at {
             at_least_zero(&given.name, "the time at which it is taken away", time)?;
-            made.removals.push(Removal { touch, due: Due::At(time) });
+            self.made.removals.push(Removal { touch, due: Due::At(time) });
         }
+        Ok(())
     }
-    for given in &spec.pairs {
+
+    fn pair(&mut self, given: &PairSpec) -> Result<(), BuildError> {
         let PairSpec { name, places, .. } = given;
         let law = law(name, [given.stiffness, given.damping_time, given.friction])?;
         let [one, other] = &given.shapes;
-        let pair = [shape_named(name, shapes, one)?, shape_named(name, shapes, other)?];
-        let bodies = pair.map(|shape| shapes[shape].body);
+        let pair = [shape_named(name, self.shapes, one)?, shape_named(name, self.shapes, other)?];
+        let bodies = pair.map(|shape| self.shapes[shape].body);
         if bodies[0] == bodies[1] {
             return error(name, "both shapes are on one body; a body does not touch itself");
         }
         if *places == 0 || *places > MOST_PLACES {
             return error(name, format!("it has {places} places; 1 to {MOST_PLACES} are right"));
         }
-        let facing = Facing::new(bodies, tree);
-        let touches = (1..=*places)
-            .map(|place| add(format!("{name}/{place}"), &given.group, facing.clone(), law, false));
-        let touches: Vec<usize> = touches.collect();
-        made.finders.push(Finder::Pair { shapes: pair, first: touches[0], count: *places });
+        let first = self.add_places(name, &given.group, &Facing::new(bodies, self.tree), law, *places);
+        self.made.finders.push(Finder::Pair { shapes: pair, first, count: *places });
+        Ok(())
     }
-    for given in &spec.rims {
+
+    fn rim(&mut self, given: &RimSpec) -> Result<(), BuildError> {
         let law = law(&given.name, [given.stiffness, given.damping_time, given.friction])?;
-        let Some(body) = body_index(&given.name, tree, Some(&given.body))? else {
+        let Some(body) = body_index(&given.name, self.tree, Some(&given.body))? else {
             return error(&given.name, "it has no body");
         };
         let (rim, plane) = build_rim(given)?;
-        let facing = Facing::new([Some(body), None], tree).on_rim(rim);
-        let touch = add(given.name.clone(), &given.group, facing, law, false);
-        made.finders.push(Finder::Rim(touch, plane));
+        let facing = Facing::new([Some(body), None], self.tree).on_rim(rim);
+        let touch = self.add(given.name.clone(), &given.group, facing, law, false);
+        self.made.finders.push(Finder::Rim(touch, plane));
+        Ok(())
     }
-    for given in &spec.landings {
+
+    fn landing(&mut self, given: &LandingSpec) -> Result<(), BuildError> {
         let LandingSpec { name, post, wall, .. } = given;
         let law = law(name, [given.stiffness, given.damping_time, given.friction])?;
-        let bodies =
-            [body_index(name, tree, post.body.as_ref())?, body_index(name, tree, wall.body.as_ref())?];
+        let bodies = [
+            body_index(name, self.tree, post.body.as_ref())?,
+            body_index(name, self.tree, wall.body.as_ref())?,
+        ];
         if bodies[0] == bodies[1] {
             return error(name, "its post and its wall are on one body; a body does not guide itself");
         }
         let landing = Landing { post: build_post(name, post)?, wall: build_wall(name, wall)? };
-        let facing = Facing::new(bodies, tree);
-        let touches = (1..=PLACES)
-            .map(|place| add(format!("{name}/{place}"), &given.group, facing.clone(), law, false));
-        let touches: Vec<usize> = touches.collect();
-        made.finders.push(Finder::Landing(touches[0], Box::new(landing)));
+        let first = self.add_places(name, &given.group, &Facing::new(bodies, self.tree), law, PLACES);
+        self.made.finders.push(Finder::Landing(first, Box::new(landing)));
+        Ok(())
     }
-    for (index, step) in spec.plan.iter().enumerate() {
-        for name in &step.removes {
-            let own = |finder: &Finder| matches!(finder, Finder::Pad(touch, _) if constraints[*touch].name() == name);
-            let Some(Finder::Pad(touch, _)) = made.finders.iter().find(|finder| own(finder)) else {
-                return error(&step.name, format!("there is no support `{name}` to take away"));
-            };
-            if made.removals.iter().any(|removal| removal.touch == *touch) {
-                return error(&step.name, format!("`{name}` is taken away already; once is right"));
-            }
-            made.removals.push(Removal { touch: *touch, due: Due::Step(index) });
+
+    /// A support that a step of the plan takes away.
+    fn removal(&mut self, index: usize, step: &str, name: &str) -> Result<(), BuildError> {
+        let own = |finder: &&Finder| matches!(finder, Finder::Pad(touch, _) if self.constraints[*touch].name() == name);
+        let Some(&Finder::Pad(touch, _)) = self.made.finders.iter().find(own) else {
+            return error(step, format!("there is no support `{name}` to take away"));
+        };
+        if self.made.removals.iter().any(|removal| removal.touch == touch) {
+            return error(step, format!("`{name}` is taken away already; once is right"));
         }
+        self.made.removals.push(Removal { touch, due: Due::Step(index) });
+        Ok(())
     }
-    Ok(made)
+
+    /// Adds touches for the places of a pair, numbered from 1; which constraint the first of them is.
+    fn add_places(&mut self, name: &str, group: &str, facing: &Facing, law: [f64; 3], count: usize) -> usize {
+        let first = self.constraints.len();
+        for place in 1..=count {
+            self.add(format!("{name}/{place}"), group, facing.clone(), law, false);
+        }
+        first
+    }
+
+    /// Adds a touch; which constraint it is.
+    fn add(&mut self, name: String, group: &str, facing: Facing, law: [f64; 3], is_support: bool) -> usize {
+        let index = self.constraints.len();
+        let group = ContactGroup::named(self.groups, group, self.tree);
+        self.groups[group].contacts.push(index);
+        let [stiffness, damping_time, friction] = law;
+        self.constraints.push(AnyConstraint::Touch(Touch {
+            name,
+            index,
+            group,
+            is_support,
+            facing,
+            spot: self.made.spots.len(),
+            compliance: 1.0 / stiffness,
+            damping_time,
+            friction,
+        }));
+        self.made.spots.push(Spot::none());
+        index
+    }
 }
 
 fn law(name: &str, [stiffness, damping_time, friction]: [f64; 3]) -> Result<[f64; 3], BuildError> {

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Literal
 
+from gantline.scenario.consistency.reeving import check_upper_sheaves
 from gantline.scenario.cranes.crane import Hoist
 from gantline.scenario.cranes.hook_parts import CarriedHook, HookType
 from gantline.scenario.cranes.hooks import NEEDED, parts_of
-from gantline.scenario.cranes.reeving import HoistDrum
+from gantline.scenario.cranes.reeving import HoistDrum, Reeving
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
 
@@ -47,7 +48,12 @@ def check_carried_hook(
             word = "block" if key == "hook_block" else key
             sentence = f"'{word}' is missing; a hook of a {kind_of_carrier} needs it, or a type that has it"
             findings.add(path, f"{sentence}, such as '{right[key]}'")
-    hoist, drum = parts["hoist"], parts["drum"]
+    hoist, drum, reeving = parts["hoist"], parts["drum"], parts["reeving"]
+    if isinstance(reeving, Reeving) and any(parts[key] is None for key in NEEDED):
+        # The reeving is looked at no further until the hook is whole; what it lacks itself need not wait.
+        said_by: Path = path if hook.reeving is not None else ("hook_types", str(hook.type))
+        at_boom = kind_of_carrier == "boom"
+        check_upper_sheaves(findings, (*said_by, "reeving"), reeving, at_boom=at_boom)
     is_limited = isinstance(hoist, Hoist) and hoist.capacity is not None
     if is_limited and isinstance(drum, HoistDrum) and drum.inertia is None:
         sentence = "a hoist with a capacity needs the inertia of its drum"

@@ -75,6 +75,9 @@ def check_plan(findings: Findings) -> None:
         for name in moved & busy:
             sentence = f"'{name}' is moved by two steps at once"
             right = "leave 'starts: with_previous' out, or move it in one of them"
+            if step.start_at is not None:
+                right += "; what stops and goes on has a step for each part of its way, and what goes on "
+                right += "beside it has its way in the same parts"
             findings.add(("plan", place, step.verb), f"{sentence}; {right}")
         busy |= moved
         began, latest = _check_times(findings, place, step, began if aside else earliest, begins[place])

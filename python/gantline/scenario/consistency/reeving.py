@@ -9,7 +9,7 @@ from gantline.scenario.findings import Findings, Path
 from gantline.scenario.rope_weight import check_rope_weight
 from gantline.scenario.sheave import check_losses
 
-__all__ = ["check_reeving"]
+__all__ = ["check_reeving", "check_upper_sheaves"]
 
 
 def check_reeving(findings: Findings, hook: Hook) -> None:
@@ -78,10 +78,12 @@ def _check_room(findings: Findings, hook: Hook, reeving: Reeving, diameter: floa
         )
 
 
-def _check_place(findings: Findings, hook: Hook, reeving: Reeving) -> bool:
-    """The place of the upper sheaves: under a boom head, or at a height; true where it is said and right."""
-    path = hook.paths["reeving"]
-    at_boom = hook.carrier is not None and hook.carrier.kind == "boom"
+def check_upper_sheaves(findings: Findings, path: Path, reeving: Reeving, *, at_boom: bool) -> bool:
+    """Note a reeving that says nothing of where its upper sheaves are, or that in words of another hook.
+
+    Returns:
+        Whether it is said and right.
+    """
     needed, other = ("below_head", "upper_sheaves_at") if at_boom else ("upper_sheaves_at", "below_head")
     where = "at a boom" if at_boom else "that does not hang at a boom"
     right = "below_head: 1.3 m" if at_boom else "upper_sheaves_at: 88 m"
@@ -94,6 +96,15 @@ def _check_place(findings: Findings, hook: Hook, reeving: Reeving) -> bool:
         if getattr(reeving, key) is not None:
             findings.add((*path, key), f"'{key}' has no meaning for a hook {where}; leave it out")
             return False
+    return True
+
+
+def _check_place(findings: Findings, hook: Hook, reeving: Reeving) -> bool:
+    """The place of the upper sheaves: under a boom head, or at a height; true where it is said and right."""
+    path = hook.paths["reeving"]
+    at_boom = hook.carrier is not None and hook.carrier.kind == "boom"
+    if not check_upper_sheaves(findings, path, reeving, at_boom=at_boom):
+        return False
     kind = (findings.scenario.ropes or {}).get(reeving.rope)
     if at_boom and kind is not None and kind.diameter is None and reeving.sheave_block_mass is None:
         sentence = (
