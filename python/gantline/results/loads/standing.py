@@ -1,4 +1,4 @@
-"""When drives stand: a load hangs still while they do."""
+"""When drives stand, and what is in tanks of loads: a load hangs still while they do."""
 
 from __future__ import annotations
 
@@ -10,13 +10,28 @@ from gantline.results.recording import Recording
 from gantline.results.ropes.parting import while_there
 from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["drives_stand"]
+__all__ = ["all_stands"]
 
 _ROUNDED = 1e-14  # of the work of drives over a run
 _SLIPPING = 1e-10  # rounding of the work of a tugger that slips, from sample to sample
 
 
-def drives_stand(recording: Recording) -> BoolArray:
+def all_stands(recording: Recording) -> BoolArray:
+    """Whether from sample to sample no drive does work and no load gets heavier or lighter, shape (time - 1,).
+
+    What runs through holes of a vessel's tanks is no drive's work, and leaves what hangs as it is. What runs out
+    of a load, or of a body that may hang with it, does not.
+    """
+    stands = _drives_stand(recording)
+    if "tank_content" in recording:
+        afloat = tuple(f"{vessel.name}." for vessel in recording.rig.vessels)
+        for tank in recording.rig.tanks:
+            if not tank.name.startswith(afloat):
+                stands = stands & (np.diff(recording.column("tank_content", tank.name)) == 0.0)
+    return stands
+
+
+def _drives_stand(recording: Recording) -> BoolArray:
     """Whether no drive does work from sample to sample, shape (time - 1,), but for winches that only pull.
 
     Tuggers ask for hauling in all the time, and slip: their drives do the work of pull times speed. One whose
