@@ -19,20 +19,36 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.hydro.tank import liquid_in_box
+from gantline.results.recording import Recording
 from gantline.results.rotation import axes
-from gantline.scenario.afloat.tanks import bodies_afloat, has_sea, hole_turns
+from gantline.scenario.afloat.tanks import (
+    bodies_afloat,
+    has_sea,
+    holed_tanks,
+    hole_turns,
+    with_contents,
+)
 from gantline.scenario.afloat.water import BallastTank, Water
 from gantline.statics.answers import Equilibrium
 
 if TYPE_CHECKING:
     from gantline.statics.lift import Statics
 
-__all__ = ["with_what_runs"]
+__all__ = ["with_what_has_run", "with_what_runs"]
 
 Floats = npt.NDArray[np.float64]
 
 #: Share of its capacity that is air or liquid at least in a tank with a surface.
 _SURFACE = 1e-6
+
+
+def with_what_has_run(question: Statics, recording: Recording, sample: int = -1) -> Statics:
+    """A lift with what has run through holes of its tanks by a sample of a recording, which no plan knows."""
+    holed = holed_tanks(question.scenario)
+    if not holed:
+        return question
+    contents = {name: float(recording.column("tank_content", name)[sample]) for name in holed}
+    return type(question)(with_contents(question.scenario, contents))
 
 
 def with_what_runs(question: Statics, rest: Equilibrium, body: str, motions: Floats) -> Floats:

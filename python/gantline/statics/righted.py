@@ -10,9 +10,10 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.results.rotation import axes
-from gantline.scenario.afloat.tanks import holed_tanks, with_contents
+from gantline.scenario.afloat.tanks import holed_tanks
 from gantline.statics.answers import Equilibrium, Losses, NoEquilibriumError
 from gantline.statics.inclining import metacentric_heights
+from gantline.statics.open_tanks import with_what_has_run
 
 if TYPE_CHECKING:
     from gantline.statics.lift import Statics
@@ -82,15 +83,9 @@ def righting_at_end(
     def rest(losses: Losses) -> Equilibrium:
         found = question.equilibrium_of(state, losses=losses)
         if found.is_stable and _is_elsewhere(found, attitudes):
-            return as_it_is(found).equilibrium(min(time, question.scenario.duration), losses=losses)
+            as_it_is = with_what_has_run(question, found.recording)
+            return as_it_is.equilibrium(min(time, question.scenario.duration), losses=losses)
         return found
-
-    def as_it_is(found: Equilibrium) -> Statics:
-        holed = holed_tanks(question.scenario)
-        if not holed:
-            return question
-        contents = {name: float(found.recording.column("tank_content", name)[-1]) for name in holed}
-        return type(question)(with_contents(question.scenario, contents))
 
     return _righting(question, rest)
 
