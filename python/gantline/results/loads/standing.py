@@ -32,7 +32,8 @@ def all_stands(recording: Recording) -> BoolArray:
 
 
 def _drives_stand(recording: Recording) -> BoolArray:
-    """Whether no drive does work from sample to sample, shape (time - 1,), but for winches that only pull.
+    """Whether no drive does work from sample to sample, shape (time - 1,), but for winches that only pull, and
+    hoists that compensate heave.
 
     Tuggers ask for hauling in all the time, and slip: their drives do the work of pull times speed. One whose
     line is slack hauls at that speed and does none.
@@ -51,7 +52,22 @@ def _drives_stand(recording: Recording) -> BoolArray:
         work = work - slipped
     else:
         standing = work == 0.0
-    return standing | _winches_slip(recording, work, rounding)
+    return standing | _winches_slip(recording, work, rounding) | _compensates_alone(recording)
+
+
+def _compensates_alone(recording: Recording) -> BoolArray:
+    """Whether from sample to sample hoists keep hooks still against heave, and steps move nothing, shape (time - 1,).
+
+    What hangs then hangs as still as waves leave it, stiller than from a hoist that stands.
+    """
+    alone = np.zeros(len(recording.time) - 1, dtype=np.bool_)
+    moved = alone.copy()
+    for step in recording.rig.plan:
+        if step.compensate_heave or step.drives:
+            under_way = _under_way(recording, step.step)
+            alone |= under_way & bool(step.compensate_heave)
+            moved |= under_way & bool(step.drives)
+    return alone & ~moved
 
 
 def _winches_slip(recording: Recording, work: FloatArray, rounding: float) -> BoolArray:
@@ -77,14 +93,22 @@ def _winches_slip(recording: Recording, work: FloatArray, rounding: float) -> Bo
     if not alone.any():
         return alone
     for step in recording.rig.plan:
-        for begin, end in _from_to(recording, step.step, "step_begin", "step_end"):
-            under_way = (after > begin) & (before < end)
-            for drive in step.drives:
-                alone &= ~under_way | slips.get(drive, none)
+        under_way = _under_way(recording, step.step) if step.drives else none
+        for drive in step.drives:
+            alone &= ~under_way | slips.get(drive, none)
     power = work / (after - before)
     even = np.abs(np.diff(power)) <= _SLIPPING * np.abs(power[1:]) + rounding / np.min(after - before)
     alone &= np.append(False, even) | np.append(even, False)
     return alone
+
+
+def _under_way(recording: Recording, step: str) -> BoolArray:
+    """Whether a step goes on from sample to sample, or in a part of that, shape (time - 1,)."""
+    before, after = recording.time[:-1], recording.time[1:]
+    under_way = np.zeros(len(before), dtype=np.bool_)
+    for begin, end in _from_to(recording, step, "step_begin", "step_end"):
+        under_way |= (after > begin) & (before < end)
+    return under_way
 
 
 def _from_to(recording: Recording, name: str, begins: str, ends: str) -> list[tuple[float, float]]:
