@@ -25,8 +25,9 @@ def all_stands(recording: Recording) -> BoolArray:
     stands = _drives_stand(recording)
     if "tank_content" in recording:
         afloat = tuple(f"{vessel.name}." for vessel in recording.rig.vessels)
+        of_loads = {tank for load in recording.rig.loads for tank in load.tanks}
         for tank in recording.rig.tanks:
-            if not tank.name.startswith(afloat):
+            if tank.name in of_loads or not tank.name.startswith(afloat):
                 stands = stands & (np.diff(recording.column("tank_content", tank.name)) == 0.0)
     return stands
 
