@@ -153,12 +153,12 @@ def test_a_compartment_open_to_the_sea_is_lost_buoyancy(integrator: str) -> None
     assert content[-1] == content[-1000]
     if integrator == "adaptive":
         remainder = abs(float(run.column("energy", "remainder")[-1]))
-        assert remainder < 1e-6 * abs(float(run.column("energy", "drive_work")[-1]))
+        assert remainder < 1e-6 * abs(float(run.column("energy", "fluid_work")[-1]))
 
 
 def test_what_holes_take_is_in_the_books() -> None:
     """A tank ashore, its bottom D below the sea, fills through a hole: each kilogram loses g (z_w − z_S),
-    (HO5), ρ A g D²/2 in all, and the work of drives is as much negative. The head that is left over is 5e-5
+    (HO5), ρ A g D²/2 in all, and `fluid_work` is as much negative. The head that is left over is 5e-5
     of 2 m, of which the square counts.
     """
     deep, area = 2.0, 12.0
@@ -182,7 +182,7 @@ def test_what_holes_take_is_in_the_books() -> None:
     full = SEA * area * deep
     assert run.column("tank_content", "shore.dock")[-1] == pytest.approx(full, rel=STILL)
     lost = 0.5 * SEA * area * G * deep**2
-    assert run.column("energy", "drive_work")[-1] == pytest.approx(-lost, rel=1e-6)
+    assert run.column("energy", "fluid_work")[-1] == pytest.approx(-lost, rel=1e-6)
 
 
 def test_a_load_that_is_hoisted_faster_than_it_drains() -> None:

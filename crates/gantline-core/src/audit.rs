@@ -46,7 +46,7 @@ const STILL: f64 = 1e-9;
 pub struct Flows {
     /// Work of the drives on the system.
     pub drive_work: f64,
-    /// Work of wind, current and waves on the system, through drives that waves move too.
+    /// Work of wind, current and waves on the system, through drives that waves move too, and of what runs through holes.
     #[serde(default)]
     pub fluid_work: f64,
     /// Lost in rope dampers.
@@ -71,12 +71,12 @@ pub struct Flows {
 }
 
 impl Flows {
-    /// Where the work of a drive is booked: as the waves' that move it, or its own.
+    /// Where the work of a drive is booked: as that of the fluid that moves it, or its own.
     pub fn work_of(&mut self, drive: &DriveJoint) -> &mut f64 {
-        if drive.by_waves { &mut self.fluid_work } else { &mut self.drive_work }
+        if drive.by_fluid { &mut self.fluid_work } else { &mut self.drive_work }
     }
 
-    /// What drives, wind, current and waves put in [J].
+    /// What drives, wind, current, waves and what runs through holes put in [J].
     pub fn put_in(&self) -> f64 {
         self.drive_work + self.fluid_work
     }
@@ -264,12 +264,12 @@ impl Ledger {
     }
 }
 
-/// Numbers in [`KINDS`] of those that a system has: without water or air, and where neither streams, theirs are left out.
+/// Numbers in [`KINDS`] of those that a system has: without water or air, and where nothing of it streams, theirs are left out.
 pub fn kinds_of(system: &System) -> Vec<usize> {
     let has_fluid = system.tree.forces.iter().any(|force| !matches!(force, AnyForce::Mooring(_)));
     let streams = force::has_stream(&system.tree)
         || force::has_waves(&system.tree)
-        || system.drives.iter().any(|drive| drive.by_waves)
+        || system.drives.iter().any(|drive| drive.by_fluid)
         || force::submerged(&system.tree).any(|load| !load.sea.components.is_empty());
     let is_there = |kind: &usize| match KINDS[*kind] {
         "fluid" | "drag" => has_fluid,

@@ -87,8 +87,8 @@ pub struct DriveJoint {
     pub is_limited: bool,
     /// True for one of these that hauls as long as its rope pulls less.
     pub keeps_pull: bool,
-    /// True where waves move it.
-    pub by_waves: bool,
+    /// True where waves move it, or liquid that runs through holes of a tank by itself.
+    pub by_fluid: bool,
     /// Whether it may move otherwise than by polynomials in time: waves do, and so does a way that several go together.
     pub curved: bool,
 }

@@ -26,7 +26,7 @@ import numpy as np
 from gantline.results.alike import earliest_peak, first_peak
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
 from gantline.results.loads.hinges import HINGE_OPENED
-from gantline.results.loads.standing import drives_stand
+from gantline.results.loads.standing import all_stands
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.ropes.parting import DETACHED, PARTING, while_there
@@ -166,7 +166,7 @@ def moves_all_along(recording: Recording) -> bool:
     """
     if recording.is_equilibrium or "drive_work" not in recording.coordinates.get("energy_kind", ()):
         return False
-    still = np.append(drives_stand(recording), True)
+    still = np.append(all_stands(recording), True)
     return bool(quiet_windows(recording)) and not any(still[one].all() for one in quiet_windows(recording))
 
 
@@ -198,7 +198,7 @@ def _hung_still(recording: Recording, clear: BoolArray) -> list[BoolArray]:
     last = trailing(clear)
     earlier = []
     if "energy" in recording and "drive_work" in recording.coordinates["energy_kind"]:
-        still = clear & np.append(drives_stand(recording), True)
+        still = clear & np.append(all_stands(recording), True)
         earlier = [one for one in stretches(still) if _lasts(recording, one)]
         if earlier and earlier[-1][-1]:
             return earlier

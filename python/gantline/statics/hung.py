@@ -15,8 +15,8 @@ from gantline.results.loads.upright import borne_by_water, left_to_statics
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Resting
 from gantline.results.rotation import axes
-from gantline.scenario.afloat.tanks import holed_tanks
 from gantline.statics.answers import Equilibrium, Mode, NoEquilibriumError
+from gantline.statics.open_tanks import with_what_has_run
 
 if TYPE_CHECKING:
     from gantline.statics.lift import Statics
@@ -67,8 +67,7 @@ def _resting(
     rest = None if state is None else question.equilibrium_of(state, losses="none")
     time = float(recording.time[sample])
     if rest is None or (rest.is_stable and _aside(recording, rest, load, sample) > _ELSEWHERE):
-        if holed_tanks(question.scenario):
-            return None  # what has run through holes by then no plan knows
+        question = with_what_has_run(question, recording, sample)
         rest = question.equilibrium(min(time, question.scenario.duration))
     # Of contacts that slide freely, as here, the equilibrium lists none.
     if any(rest.recording.column("contact_force", one)[-1] > 0.0 for one in load.contacts):

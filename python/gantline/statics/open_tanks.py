@@ -13,26 +13,43 @@ over the displacement: lost buoyancy.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from gantline.hydro.tank import liquid_in_box
+from gantline.results.recording import Recording
 from gantline.results.rotation import axes
-from gantline.scenario.afloat.tanks import bodies_afloat, has_sea, hole_turns
+from gantline.scenario.afloat.tanks import (
+    bodies_afloat,
+    has_sea,
+    holed_tanks,
+    hole_turns,
+    with_contents,
+)
 from gantline.scenario.afloat.water import BallastTank, Water
 from gantline.statics.answers import Equilibrium
 
 if TYPE_CHECKING:
     from gantline.statics.lift import Statics
 
-__all__ = ["with_what_runs"]
+__all__ = ["with_what_has_run", "with_what_runs"]
 
 Floats = npt.NDArray[np.float64]
 
 #: Share of its capacity that is air or liquid at least in a tank with a surface.
 _SURFACE = 1e-6
+
+
+def with_what_has_run(question: Statics, recording: Recording, sample: int = -1) -> Statics:
+    """A lift with what has run through holes of its tanks by a sample of a recording, which no plan knows."""
+    holed = holed_tanks(question.scenario)
+    if not holed:
+        return question
+    contents = {name: float(recording.column("tank_content", name)[sample]) for name in holed}
+    return type(question)(with_contents(question.scenario, contents))
 
 
 def with_what_runs(question: Statics, rest: Equilibrium, body: str, motions: Floats) -> Floats:
@@ -73,27 +90,49 @@ def _rise(motions: Floats, lever: Floats) -> Floats:
 
 
 def _surfaces(question: Statics, rest: Equilibrium, body: str) -> list[tuple[Floats, float]]:
-    """Surfaces that follow the sea: middle from the body's centre (3,) [m], mass for a metre more [kg/m]."""
-    tanks = bodies_afloat(question.scenario)[body].tanks or {}
+    """Surfaces that follow the sea, in a body and what is fixed to it: middle from its centre of gravity (3,) [m],
+    mass for a metre more [kg/m]."""
+    if not has_sea(question.scenario):
+        return []
+    own = rest.recording.column("body_position", body)[-1]
+    bodies = bodies_afloat(question.scenario)
+    return [
+        (place - own, mass)
+        for name in _fixed_to(question, body)
+        if name in bodies
+        for place, mass in _surfaces_in(question, rest, name, bodies[name].tanks or {})
+    ]
+
+
+def _fixed_to(question: Statics, body: str) -> list[str]:
+    """The body, and all that moves as it does."""
+    found = [body]
+    for one in question.assembly.document["bodies"]:  # parents come before what they bear
+        if one["joint"]["type"] == "fixed" and one.get("parent") in found:
+            found.append(one["name"])
+    return found
+
+
+def _surfaces_in(
+    question: Statics, rest: Equilibrium, body: str, tanks: Mapping[str, BallastTank]
+) -> Iterator[tuple[Floats, float]]:
+    """Surfaces that follow the sea in tanks of a body: their middles (3,) [m], mass for a metre more [kg/m]."""
     given = next(one for one in question.assembly.document["bodies"] if one["name"] == body)
     centre = np.array(given["centre_of_gravity"], dtype=float)
     turn = axes(rest.recording.column("body_orientation", body)[-1])
-    height = float(rest.recording.column("body_position", body)[-1][2])
+    at = rest.recording.column("body_position", body)[-1]
     level = (question.scenario.water or Water()).level
     turns = hole_turns(question.scenario)
-    found = []
-    for name, tank in tanks.items() if has_sea(question.scenario) else ():
+    for name, tank in tanks.items():
         content = float(rest.recording.column("tank_content", f"{body}.{name}")[-1])
         holes = (
-            height + turn[2] @ (np.array(hole.at) - centre)
+            at[2] + turn[2] @ (np.array(hole.at) - centre)
             for own, hole in (tank.holes or {}).items()
             if not hole.closed or turns[f"{body}.{name}.{own}"]
         )
         if _has_surface(tank, content) and any(hole < level for hole in holes):
             liquid = liquid_in_box(tank.box, turn[2], content / tank.density)
-            lever = turn @ (np.array(tank.bottom) + liquid.middle - centre)
-            found.append((lever, tank.density * liquid.area))
-    return found
+            yield at + turn @ (np.array(tank.bottom) + liquid.middle - centre), tank.density * liquid.area
 
 
 def _has_surface(tank: BallastTank, content: float) -> bool:

@@ -14,9 +14,10 @@ import numpy.typing as npt
 
 from gantline.results.rotation import axes
 from gantline.results.variable import Columns, FloatArray, Names
-from gantline.scenario.afloat.tanks import holed_tanks, with_contents
+from gantline.scenario.afloat.tanks import holed_tanks
 from gantline.statics.answers import Equilibrium, Losses, NoEquilibriumError
 from gantline.statics.inclining import metacentric_heights
+from gantline.statics.open_tanks import with_what_has_run
 
 if TYPE_CHECKING:
     from gantline.statics.lift import Statics
@@ -88,9 +89,8 @@ def righting_at_end(
     def rest(losses: Losses) -> Equilibrium:
         found = question.equilibrium_of(state, losses=losses)
         if found.is_stable and _is_elsewhere(found, attitudes):
-            return _as_it_is(question, found).equilibrium(
-                min(time, question.scenario.duration), losses=losses
-            )
+            as_it_is = with_what_has_run(question, found.recording)
+            return as_it_is.equilibrium(min(time, question.scenario.duration), losses=losses)
         return found
 
     return _righting(question, rest)
@@ -132,20 +132,11 @@ def righting_on_the_way(
         found = question.equilibrium_of(state, losses=losses)
         if not (found.is_stable and _is_elsewhere(found, stands(found))):
             return found
-        asked = _as_it_is(question, found)
+        asked = with_what_has_run(question, found.recording)
         ends = asked.when(step, "ends")
         return found if ends is None else asked.equilibrium(ends, losses=losses)
 
     return _righting(question, rest)
-
-
-def _as_it_is(question: Statics, found: Equilibrium) -> Statics:
-    """The lift with what tanks with holes have in an equilibrium, which its plan does not know."""
-    holed = holed_tanks(question.scenario)
-    if not holed:
-        return question
-    contents = {name: float(found.recording.column("tank_content", name)[-1]) for name in holed}
-    return type(question)(with_contents(question.scenario, contents))
 
 
 def _righting(question: Statics, rest: Callable[[Losses], Equilibrium]) -> Heights:

@@ -13,7 +13,8 @@ use crate::plan::{
     Switching, Until,
 };
 use crate::spec::{
-    AxisJointSpec, BodySpec, EmergencySpec, JointSpec, ReelSpec, StepSpec, StopAtSpec, SystemSpec, UntilSpec,
+    AxisJointSpec, BodySpec, EmergencySpec, ForceSpec, JointSpec, ReelSpec, StepSpec, StopAtSpec, SystemSpec,
+    UntilSpec,
 };
 use crate::system::{ContactGroup, DriveJoint, Rows};
 use crate::tree::Tree;
@@ -52,7 +53,8 @@ pub(super) fn build_drives(spec: &SystemSpec, tree: &Tree) -> Result<Vec<DriveJo
             matches!(step.until, UntilSpec::Leading { .. }) && step.moves.iter().any(|one| one.drive == name)
         });
         let curved = by_waves || (leads && !is_limited);
-        drives.push(DriveJoint { name, body, dof, is_limited, keeps_pull, by_waves, curved });
+        let by_fluid = by_waves || runs_through_holes(spec, &spec.bodies[body].name);
+        drives.push(DriveJoint { name, body, dof, is_limited, keeps_pull, by_fluid, curved });
     }
     for given in &spec.bodies {
         if let Some(name) = given.joint.drive()
@@ -62,6 +64,14 @@ pub(super) fn build_drives(spec: &SystemSpec, tree: &Tree) -> Result<Vec<DriveJo
         }
     }
     Ok(drives)
+}
+
+/// Whether a body is the content of a tank with holes.
+fn runs_through_holes(spec: &SystemSpec, body: &str) -> bool {
+    spec.forces.iter().any(|force| {
+        matches!(force, ForceSpec::Tank { pumped: Some(pumped), .. }
+            if pumped.content == body && !pumped.holes.is_empty())
+    })
 }
 
 /// The steps, and what stops them.

@@ -92,7 +92,7 @@ impl Statics {
             let cause = "none has been found about which it could be asked".to_owned();
             return Err(NoEquilibrium { element: "the lift".to_owned(), cause });
         }
-        let follows = self.taking_part(system, friction);
+        let follows = self.taking_part(system, state, friction);
         let Self { search, bearings, .. } = self;
         search.linearise(system, state);
         search.matrix.extra.fill(0.0);

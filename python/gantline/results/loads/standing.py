@@ -1,4 +1,4 @@
-"""When drives stand: a load hangs still while they do."""
+"""When drives stand, and what is in tanks of loads: a load hangs still while they do."""
 
 from __future__ import annotations
 
@@ -10,14 +10,31 @@ from gantline.results.recording import Recording
 from gantline.results.ropes.parting import while_there
 from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["drives_stand"]
+__all__ = ["all_stands"]
 
 _ROUNDED = 1e-14  # of the work of drives over a run
 _SLIPPING = 1e-10  # rounding of the work of a tugger that slips, from sample to sample
 
 
-def drives_stand(recording: Recording) -> BoolArray:
-    """Whether no drive does work from sample to sample, shape (time - 1,), but for winches that only pull.
+def all_stands(recording: Recording) -> BoolArray:
+    """Whether from sample to sample no drive does work and no load gets heavier or lighter, shape (time - 1,).
+
+    What runs through holes of a vessel's tanks is no drive's work, and leaves what hangs as it is. What runs out
+    of a load, or of a body that may hang with it, does not.
+    """
+    stands = _drives_stand(recording)
+    if "tank_content" in recording:
+        afloat = tuple(f"{vessel.name}." for vessel in recording.rig.vessels)
+        of_loads = {tank for load in recording.rig.loads for tank in load.tanks}
+        for tank in recording.rig.tanks:
+            if tank.name in of_loads or not tank.name.startswith(afloat):
+                stands = stands & (np.diff(recording.column("tank_content", tank.name)) == 0.0)
+    return stands
+
+
+def _drives_stand(recording: Recording) -> BoolArray:
+    """Whether no drive does work from sample to sample, shape (time - 1,), but for winches that only pull, and
+    hoists that compensate heave.
 
     Tuggers ask for hauling in all the time, and slip: their drives do the work of pull times speed. One whose
     line is slack hauls at that speed and does none.
@@ -36,7 +53,22 @@ def drives_stand(recording: Recording) -> BoolArray:
         work = work - slipped
     else:
         standing = work == 0.0
-    return standing | _winches_slip(recording, work, rounding)
+    return standing | _winches_slip(recording, work, rounding) | _compensates_alone(recording)
+
+
+def _compensates_alone(recording: Recording) -> BoolArray:
+    """Whether from sample to sample hoists keep hooks still against heave, and steps move nothing, shape (time - 1,).
+
+    What hangs then hangs as still as waves leave it, stiller than from a hoist that stands.
+    """
+    alone = np.zeros(len(recording.time) - 1, dtype=np.bool_)
+    moved = alone.copy()
+    for step in recording.rig.plan:
+        if step.compensate_heave or step.drives:
+            under_way = _under_way(recording, step.step)
+            alone |= under_way & bool(step.compensate_heave)
+            moved |= under_way & bool(step.drives)
+    return alone & ~moved
 
 
 def _winches_slip(recording: Recording, work: FloatArray, rounding: float) -> BoolArray:
@@ -62,14 +94,22 @@ def _winches_slip(recording: Recording, work: FloatArray, rounding: float) -> Bo
     if not alone.any():
         return alone
     for step in recording.rig.plan:
-        for begin, end in _from_to(recording, step.step, "step_begin", "step_end"):
-            under_way = (after > begin) & (before < end)
-            for drive in step.drives:
-                alone &= ~under_way | slips.get(drive, none)
+        under_way = _under_way(recording, step.step) if step.drives else none
+        for drive in step.drives:
+            alone &= ~under_way | slips.get(drive, none)
     power = work / (after - before)
     even = np.abs(np.diff(power)) <= _SLIPPING * np.abs(power[1:]) + rounding / np.min(after - before)
     alone &= np.append(False, even) | np.append(even, False)
     return alone
+
+
+def _under_way(recording: Recording, step: str) -> BoolArray:
+    """Whether a step goes on from sample to sample, or in a part of that, shape (time - 1,)."""
+    before, after = recording.time[:-1], recording.time[1:]
+    under_way = np.zeros(len(before), dtype=np.bool_)
+    for begin, end in _from_to(recording, step, "step_begin", "step_end"):
+        under_way |= (after > begin) & (before < end)
+    return under_way
 
 
 def _from_to(recording: Recording, name: str, begins: str, ends: str) -> list[tuple[float, float]]:
