@@ -30,6 +30,18 @@ def test_static_values_are_means_that_ringing_does_not_move() -> None:
     assert metrics["dynamic_amplification_factor"] == pytest.approx(HIGHEST / 600e3, rel=1e-6)
 
 
+def test_static_values_do_not_count_samples_that_stand_closer_for_more() -> None:
+    """Of what grows with time the mean under sin²(π t/20 s) over 20 s is its middle, 10 s, whatever the grid.
+
+    Trapezia of 0.5 s from 10 to 20 s miss of ∫ t sin² dt = 100 s² h²/12 of what its integrand's slope changes
+    by there, from 1 to 0; those of 20 ms before miss 600 times less, and ∫ sin² dt = 10 s, flat at both, none.
+    """
+    time = np.concatenate([np.linspace(0.0, 10.0, 501), np.linspace(10.5, 20.0, 20)])
+    recording = sample_recording(time, tension=np.full((time.size, 5), WEIGHT / 5))
+    everywhere = np.ones(time.size, dtype=np.bool_)
+    assert series.static_value(recording, time, everywhere) == pytest.approx(10.0 - 0.5**2 / 120.0, abs=1e-5)
+
+
 def test_the_quiet_window_begins_when_the_last_drive_rests() -> None:
     recording = ringing_lift()
     window = recording.time[series.quiet_window(recording)]
