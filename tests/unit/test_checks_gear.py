@@ -323,6 +323,9 @@ def test_dynamic_load_of_a_shackle() -> None:
     found = checked("shackle_dynamic_load_of_strength", rig)
     assert found.value == pytest.approx(PEAK / 650e3, rel=1e-6)
     assert found.verdict == Verdict.FAILED
+    # The factor is on the working load limit alone.
+    rig["factors"] = factors(dynamic_amplification_factor=1.05)
+    assert checked("shackle_dynamic_load_of_strength", rig).value == pytest.approx(PEAK / 650e3, rel=1e-6)
 
 
 def test_a_shackle_is_pulled_aside_at_another_time_than_at_its_peak() -> None:
