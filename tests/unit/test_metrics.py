@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.variable import Variable
 from sample_lift import WEIGHT, ringing_lift, sample_recording, sample_rig
 
 # Ringing of 100 kN at 1 Hz is highest a quarter of a second after a full second; samples are 20 ms apart.
@@ -53,6 +55,21 @@ def test_the_quiet_window_begins_at_lift_off_while_a_drive_works_to_the_end() ->
     recording = ringing_lift(energy={"drive_work": 50.0 * time})
     window = recording.time[series.quiet_window(recording)]
     assert (window[0], window[-1]) == (10.0, 40.0)
+
+
+def test_lengths_that_a_run_adjusts() -> None:
+    """S1 comes to be 20 mm longer and ends 10 mm longer, S2 50 mm shorter; the first rope is no sling."""
+    lift = ringing_lift()
+    lengthening = np.zeros((len(lift.time), 6))
+    lengthening[1000, 1], lengthening[1500, 2], lengthening[-1, 1] = 0.02, -0.05, 0.01
+    adjusted = Variable(("time", "rope"), lengthening, "m", "")
+    metrics = Recording(
+        {**lift.variables, "rope_lengthening": adjusted}, lift.coordinates, lift.attributes
+    ).metrics()
+    assert metrics["largest_rope_lengthening"] == 0.02
+    assert metrics["largest_rope_shortening"] == 0.05
+    assert metrics["final_rope_lengthening.sling.S1"] == 0.01
+    assert metrics["final_rope_lengthening.sling.S2"] == 0.0
 
 
 def test_breaking_force_over_peak() -> None:
