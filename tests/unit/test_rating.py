@@ -15,7 +15,7 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.forces import UNRAISED
 from gantline.checks.ratings import kept_back
 from gantline.checks.run import check_recording, values_of
-from gantline.results.cranes.rating import overloads
+from gantline.results.cranes.rating import chart_used, overloads
 from gantline.results.cranes.rating_chart import RatingChart
 from gantline.results.recording import Recording
 from gantline.results.variable import Variable
@@ -73,6 +73,13 @@ def test_outside_of_the_chart_nothing_may_hang(radius: float, words: str) -> Non
     assert found.verdict is Verdict.FAILED
     assert words in found.remark
     assert found.remark.endswith("12.00 m to 18.00 m: no lift: crane c1") and found.value is None
+
+
+def test_no_number_says_what_is_used_outside_of_the_chart() -> None:
+    """10 t at 14 m use 10/283; at 18.5 m, past the last row, whatever hangs is too much."""
+    of = recording([[14.0], [18.5]], [[10.0], [10.0]])
+    (chart,) = of.rig.rating_charts
+    assert chart_used(of, chart) == pytest.approx([10 / 283, math.inf])
 
 
 def test_one_hook_of_several_outside_of_the_chart_is_enough() -> None:
