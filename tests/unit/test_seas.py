@@ -79,6 +79,27 @@ def test_the_worst_of_its_records_is_the_outcome_of_a_sea(
     assert sea.worst is not None and sea.worst.outcome is outcome
 
 
+@pytest.mark.parametrize(
+    ("verdicts", "allowed"),
+    [
+        ((Verdict.OK, Verdict.WARNING, Verdict.FAILED), 2.0),
+        ((Verdict.OK, Verdict.FAILED, Verdict.OK), 1.0),
+        ((Verdict.FAILED, Verdict.OK, Verdict.OK), None),
+    ],
+)
+def test_no_height_beyond_one_that_is_no_go_is_allowed(
+    verdicts: tuple[Verdict, ...], allowed: float | None
+) -> None:
+    """Seas of 1, 2 and 3 m; what a period suits may pass where a lower sea does not."""
+    checks = [Check("sling_tension", verdict, "", value=1.0, limit=2.0) for verdict in verdicts]
+    seas = [
+        Sea(height, 8.0, 0.0, 5.0, [SeaRecord(1, checks=[check])])
+        for height, check in zip((1.0, 2.0, 3.0), checks, strict=True)
+    ]
+    found = SeasResult("a lift", "", "swell", is_regular=False, records=1, seas=seas)
+    assert found.allowed_height(0.0, 8.0) == allowed
+
+
 def test_no_higher_sea_is_run_than_the_first_that_is_no_go() -> None:
     """The lift weighs some 780 kN in still water: a little less is allowed."""
     given = lift(ALIKE, least="770 kN")
