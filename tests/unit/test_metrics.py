@@ -36,7 +36,8 @@ def test_static_values_do_not_count_samples_that_stand_closer_for_more() -> None
     """Of what grows with time the mean under sin²(π t/20 s) over 20 s is its middle, 10 s, whatever the grid.
 
     Trapezia of 0.5 s from 10 to 20 s miss of ∫ t sin² dt = 100 s² h²/12 of what its integrand's slope changes
-    by there, from 1 to 0; those of 20 ms before miss 600 times less, and ∫ sin² dt = 10 s, flat at both, none.
+    by there, from 1 to 0; those of 20 ms before miss 600 times less, and ∫ sin² dt = 10 s, flat at both ends,
+    none.
     """
     time = np.concatenate([np.linspace(0.0, 10.0, 501), np.linspace(10.5, 20.0, 20)])
     recording = sample_recording(time, tension=np.full((time.size, 5), WEIGHT / 5))

@@ -47,8 +47,8 @@ def test_heel_and_trim_of_what_bears_a_boom(
     axis: tuple[float, float, float], degrees: float, heel: float, trim: float
 ) -> None:
     """Base and boom turn about x (ahead), y (to port) and z, by the right hand; no turn changes the boom's
-    angle over the base. The base has its origin 2 m behind its centre of gravity, and outreach counts from 5 m
-    ahead of that.
+    angle over the base. The base has its origin 2 m behind its centre of gravity, and outreach counts from
+    5 m ahead of that.
     """
     half = math.radians(degrees) / 2
     turn = np.array([math.cos(half), *(math.sin(half) * part for part in axis)])
