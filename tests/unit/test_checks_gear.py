@@ -205,7 +205,8 @@ def test_sling_angles_of_the_whole_lift_are_those_of_its_lowest_hook() -> None:
     cosine = (HEIGHT - 2.0) / math.hypot(LUGS[1][0] - ALONG[1], LUGS[1][1], HEIGHT - 2.0)
     for name, angle in (("vertical", math.acos(cosine)), ("horizontal", math.asin(cosine))):
         found = check(lift, f"sling_angle_from_{name}")
-        assert (found.element, found.time) == ("S2", pytest.approx(25.0))
+        assert found.element == "S2"
+        assert found.time == pytest.approx(25.0)
         assert found.value == pytest.approx(angle, rel=1e-9)
 
 
