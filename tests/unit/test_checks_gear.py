@@ -197,6 +197,19 @@ def test_both_sling_angles_are_of_one_sling() -> None:
     )
 
 
+def test_sling_angles_of_the_whole_lift_are_those_of_its_lowest_hook() -> None:
+    """The hook comes 2 m down by 25 s and goes up again; both angles are of S2 there."""
+    time = np.linspace(0.0, 40.0, 2001)
+    down = 2.0 * np.sin(math.pi * np.clip(time - 10.0, 0.0, 30.0) / 30.0) ** 2
+    lift = ringing_lift(hook=HOOK - down)
+    cosine = (HEIGHT - 2.0) / math.hypot(LUGS[1][0] - ALONG[1], LUGS[1][1], HEIGHT - 2.0)
+    for name, angle in (("vertical", math.acos(cosine)), ("horizontal", math.asin(cosine))):
+        found = check(lift, f"sling_angle_from_{name}")
+        assert found.element == "S2"
+        assert found.time == pytest.approx(25.0)
+        assert found.value == pytest.approx(angle, rel=1e-9)
+
+
 # 0027/ND rev 11, table 7-1.
 BENDING = [
     (1.0, 2.00),
@@ -238,6 +251,20 @@ def test_bending_ratio_of_a_sling() -> None:
     assert found.formula == "120 mm / 64 mm, bending factor 1.575"
     assert (found.verdict, found.has_no_limit) == (Verdict.NOT_CHECKED, True)
     assert checked("sling_bending_ratio", shackled(bow=None)).remark.startswith("bow diameter not known: S1")
+
+
+@pytest.mark.parametrize("smaller", ["top", "bottom"])
+def test_of_both_bows_of_a_sling_the_smaller_counts(smaller: str) -> None:
+    """64 mm on 100 mm: D/d 1.5625, factor 1/(1 - 0.5/1.25) = 5/3, also on the force of its rope."""
+    rig = shackled()
+    for sling in rig["slings"]:
+        sling["shackles"][smaller] = sling["shackles"][smaller] | {"bow_diameter": 0.1}
+    found = checked("sling_bending_ratio", rig)
+    assert found.value == pytest.approx(1.5625)
+    assert found.element == f"S1 {smaller}"
+    rig["factors"] = factors(**RULE)
+    used = values_of(ringing_lift(rig=rig), "rope_load_of_breaking_force")["sling.S2"]
+    assert used == pytest.approx(PEAK * 1.3 * 1.3 * 1.5 * 5.0 / 3.0 / 3039e3, rel=1e-6)
 
 
 def test_static_load_of_a_shackle() -> None:
@@ -297,6 +324,9 @@ def test_dynamic_load_of_a_shackle() -> None:
     found = checked("shackle_dynamic_load_of_strength", rig)
     assert found.value == pytest.approx(PEAK / 650e3, rel=1e-6)
     assert found.verdict == Verdict.FAILED
+    # The factor is on the working load limit alone.
+    rig["factors"] = factors(dynamic_amplification_factor=1.05)
+    assert checked("shackle_dynamic_load_of_strength", rig).value == pytest.approx(PEAK / 650e3, rel=1e-6)
 
 
 def test_a_shackle_is_pulled_aside_at_another_time_than_at_its_peak() -> None:

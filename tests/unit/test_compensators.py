@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from gantline.assembly import assemble
+from gantline.assembly.cranes.compensator_stages import stages
 from gantline.checks import Check, Verdict, check_recording
 from gantline.checks.compensators import stroke_margin
 from gantline.checks.measure import Caution
@@ -19,7 +20,7 @@ from gantline.report.first_page import stop_if
 from gantline.report.subject import Subject
 from gantline.results import Recording
 from gantline.results.cranes.compensators import borne, counted, in_words, met_while
-from gantline.scenario import Scenario, ScenarioError, parse_scenario
+from gantline.scenario import Scenario, ScenarioError, parse_scenario, resolve
 from gantline.simulation import simulate
 from gantline.statics import Statics
 from lift_text import changed
@@ -352,6 +353,21 @@ def test_in_the_water_less_hangs_on_it() -> None:
     wet = f"  in_water: {{displaced_volume: 25 m^3, {masses}}}\n"
     (sentence,) = doubts(("  lugs:\n", f"{wet}  lugs:\n"), ("load:\n", "water: {level: -9 m}\nload:\n"))
     assert sentence.startswith("in the water 455 kN hang on the gas of PHC")
+
+
+def test_in_the_water_its_period_is_that_of_the_added_mass_too() -> None:
+    """(PC5) of 72 t and 60 t of added mass; 5 m³ x 1.025 t/m³ less hang on the gas, and the rod is less far
+    out: its column, (PC1), is as long as 0.6 MN over that pull to the power of 1/1.1 makes it.
+    """
+    masses = "added_mass: [20 t, 30 t, 60 t], drag_coefficients: [2, 2, 2]"
+    wet = f"  in_water: {{displaced_volume: 5 m^3, {masses}}}\n"
+    given = lift(("  lugs:\n", f"{wet}  lugs:\n"), ("load:\n", "water: {level: -9 m}\nload:\n"))
+    in_air, in_water = stages(given, resolve(given))
+    pull = (72e3 - 5.0 * 1025.0) * 9.81
+    column = 3.0 / (1.0 - (600 / 900) ** (1 / 1.1)) * (600e3 / pull) ** (1 / 1.1)
+    assert in_water.pull == pytest.approx(pull, rel=1e-9)
+    assert in_air.period == pytest.approx(OWN_PERIOD, rel=1e-9)
+    assert in_water.period == pytest.approx(2 * math.pi * math.sqrt(132e3 * column / (1.1 * pull)), rel=1e-9)
 
 
 CHARGE = "gas: {charge_pressure: 6 MPa, piston_area: 0.1 m^2, volume: 1 m^3}"

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
 import pytest
 
+from gantline.results.rig import Rig
+from gantline.results.ropes.flows import rope_flows
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import simulate
 from lift_text import MECHANICS, spoiled
@@ -139,3 +144,20 @@ def test_layers_need_the_thickness_of_the_rope() -> None:
     given = assembled(known).document["ropes"][0]["route"][-1]["drum"]
     assert given["layers"] == {"radius": 0.4, "step": 0.03, "turns": 20.0, "start": 5.0}
     assert given["laid_under"] == 20e3
+
+
+@pytest.mark.parametrize(
+    ("turns", "more"),
+    [(12.0, 0.0), (19.9, 0.15**2), (20.1, 0.35**2), (30.0, 10.0), (39.9, 20.0 - 0.1 + 0.15**2), (45.0, 30.0)],
+)
+def test_rope_hauled_in_layer_by_layer(turns: float, more: float) -> None:
+    """n turns in layer k are n π (D + 2 (k − 1) δ); within the half turn x in which rope climbs the diameter
+    grows by 4 δ x, so that x² of a turn of 2 π δ comes on. 5 turns of 20 in a layer are on at the start.
+    """
+    drum = {"diameter": 1.0, "layers": 3, "layer_step": 0.04, "wraps_at_start": 5.0, "wraps_per_layer": 20.0}
+    rig = Rig.from_json({"drums": [{"name": "winch", "flow": "winch", **drum}]})
+    columns = {"joint_position": np.array([[-(turns - 5.0) * math.pi]])}
+    found, _ = rope_flows(columns, {"joint": ["winch"]}, rig)
+    assert found["drum_wraps"].values[0, 0] == pytest.approx(turns, rel=1e-12)
+    wound = math.pi * (turns - 5.0 + 0.08 * more)
+    assert -found["rope_paid_out"].values[0, 0] == pytest.approx(wound, rel=1e-12)

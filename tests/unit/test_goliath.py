@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gantline.assembly import assemble
-from gantline.checks import check_recording
+from gantline.checks import check_recording, values_of
 from gantline.results.cranes.crane import Crane, CraneHook, corner_loads, crane_events, hook_state
 from gantline.results.strength import Rating
 from gantline.scenario import ScenarioError, parse_scenario
@@ -253,3 +253,22 @@ def test_checks_hold_the_recording_against_the_crane() -> None:
     assert checks["falls_out_of_plumb"].value == pytest.approx(0.0, abs=1e-6)
     levels = {rating.level for rating in recording.rig.ratings}
     assert levels == {"hook", "trolley", "crane"}
+
+
+def test_hooks_count_where_they_are_under_their_trolleys() -> None:
+    """A 3 m outside of its trolley at -20 m, B 4 m outside of one at 18 m: at -23 m and 22 m.
+
+    They are 74 m - 23 m - 14 m and 74 m - 22 m - 14 m from where they may not go, and 45 m apart, of 12 m.
+    """
+    one = "          A: {type: H, height: 35.0 m}\n"
+    two = (
+        "      two:\n        mass: 300 t\n        position: 18 m\n"
+        "        traverse: {speed: 30 m/min, acceleration: 0.03 m/s^2, range: [-50 m, 50 m]}\n"
+        "        hooks:\n          B: {type: H, along: 4 m, height: 35 m}\n"
+    )
+    text = goliath_lift("{step: look, hold: until_end}", duration=1.0)
+    text = spoiled(one, one.replace("H,", "H, along: -3 m,") + two, text)
+    text = text.replace("range: [-60 m, 60 m]", "range: [-50 m, 50 m]")
+    recording = Simulation(parse_scenario(text)).run()
+    assert values_of(recording, "hook_approach_margin") == pytest.approx({"gol.A": 37.0, "gol.B": 38.0})
+    assert values_of(recording, "hook_distance_margin") == pytest.approx({"gol.A to gol.B": 33.0})

@@ -10,6 +10,7 @@ import pytest
 
 from gantline.checks import LugFigures, lug_figures
 from gantline.export import TableError, write_lugs
+from gantline.results.loads.spreaders import thrust
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
@@ -84,6 +85,16 @@ def test_slings_above_and_below_pull_at_a_lug_of_the_bar_together(lugs: dict[str
         assert one.slings == (lug[4:], "W" if inwards > 0.0 else "E")
         assert one.force == pytest.approx(size, rel=1e-3)
         assert one.pull == pytest.approx((inwards * size, 0.0, 0.0), rel=1e-3, abs=1e-3 * size)
+
+
+@pytest.mark.parametrize(("inwards", "length"), [(0.0, 5.001), (1.0, 5.1)])
+def test_slings_that_lean_inwards_below_a_bar_push_it_together_too(inwards: float, length: float) -> None:
+    """tan 45° above and 1 m over 5 m below, each of half of the load."""
+    text = LIFT.replace("at: [-3 m,", f"at: [{inwards - 3.0} m,").replace("[ 5 m,", f"[{5.0 - inwards} m,")
+    text = text.replace("length: 5.001 m", f"length: {length} m")
+    found = Statics(parse_scenario(text)).equilibrium().recording
+    (bar,) = found.rig.spreaders
+    assert thrust(found, bar)[-1] == pytest.approx((1.0 + inwards / 5.0) * HALF, rel=2e-3)
 
 
 def test_the_table_has_kn_and_t(rest: Recording, tmp_path: Path) -> None:

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from gantline.results import series
+from gantline.results.recording import Recording
+from gantline.results.variable import Variable
 from sample_lift import WEIGHT, ringing_lift, sample_recording, sample_rig
 
 # Ringing of 100 kN at 1 Hz is highest a quarter of a second after a full second; samples are 20 ms apart.
@@ -30,6 +32,19 @@ def test_static_values_are_means_that_ringing_does_not_move() -> None:
     assert metrics["dynamic_amplification_factor"] == pytest.approx(HIGHEST / 600e3, rel=1e-6)
 
 
+def test_static_values_do_not_count_samples_that_stand_closer_for_more() -> None:
+    """Of what grows with time the mean under sin²(π t/20 s) over 20 s is its middle, 10 s, whatever the grid.
+
+    Trapezia of 0.5 s from 10 to 20 s miss of ∫ t sin² dt = 100 s² h²/12 of what its integrand's slope changes
+    by there, from 1 to 0; those of 20 ms before miss 600 times less, and ∫ sin² dt = 10 s, flat at both ends,
+    none.
+    """
+    time = np.concatenate([np.linspace(0.0, 10.0, 501), np.linspace(10.5, 20.0, 20)])
+    recording = sample_recording(time, tension=np.full((time.size, 5), WEIGHT / 5))
+    everywhere = np.ones(time.size, dtype=np.bool_)
+    assert series.static_value(recording, time, everywhere) == pytest.approx(10.0 - 0.5**2 / 120.0, abs=1e-5)
+
+
 def test_the_quiet_window_begins_when_the_last_drive_rests() -> None:
     recording = ringing_lift()
     window = recording.time[series.quiet_window(recording)]
@@ -41,6 +56,21 @@ def test_the_quiet_window_begins_at_lift_off_while_a_drive_works_to_the_end() ->
     recording = ringing_lift(energy={"drive_work": 50.0 * time})
     window = recording.time[series.quiet_window(recording)]
     assert (window[0], window[-1]) == (10.0, 40.0)
+
+
+def test_lengths_that_a_run_adjusts() -> None:
+    """S1 comes to be 20 mm longer and ends 10 mm longer, S2 50 mm shorter; the first rope is no sling."""
+    lift = ringing_lift()
+    lengthening = np.zeros((len(lift.time), 6))
+    lengthening[1000, 1], lengthening[1500, 2], lengthening[-1, 1] = 0.02, -0.05, 0.01
+    adjusted = Variable(("time", "rope"), lengthening, "m", "")
+    metrics = Recording(
+        {**lift.variables, "rope_lengthening": adjusted}, lift.coordinates, lift.attributes
+    ).metrics()
+    assert metrics["largest_rope_lengthening"] == 0.02
+    assert metrics["largest_rope_shortening"] == 0.05
+    assert metrics["final_rope_lengthening.sling.S1"] == 0.01
+    assert metrics["final_rope_lengthening.sling.S2"] == 0.0
 
 
 def test_breaking_force_over_peak() -> None:

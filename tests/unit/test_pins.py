@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 from gantline.assembly import assemble
 from gantline.checks import check_recording
 from gantline.cli.summary import summary
+from gantline.results.recording import Recording
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import simulate
 from lift_text import BASE
@@ -126,6 +128,10 @@ def test_pins_are_held_against_their_capacity(capacity: float | None, verdict: s
     assert check.value == pytest.approx(1.05 * peak / (capacity * 9.81), rel=1e-12)
     assert (check.element, peak > (30.0 + 0.2) * 9.81) == ("pin of e1.2", True)
     assert check.formula == f"({peak:.1f} kN x 1.05 to the design weight) / {capacity * 9.81:.1f} kN"
+    # What pushes sheaves up their guides bears on their pins as what pulls them down.
+    upwards = replace(run["pin_force"], values=-run["pin_force"].values)
+    pushed = Recording({**run.variables, "pin_force": upwards}, run.coordinates, run.attributes)
+    assert [one.value for one in checks_of(pushed, "pin_force_of_capacity")] == [check.value]
 
 
 def test_an_equalizer_without_pins_has_no_such_check() -> None:

@@ -14,10 +14,11 @@ from gantline.assembly import assemble
 from gantline.checks.check import Check, Verdict
 from gantline.checks.forces import UNRAISED
 from gantline.checks.ratings import kept_back
-from gantline.checks.run import check_recording
-from gantline.results.cranes.rating import overloads
+from gantline.checks.run import check_recording, values_of
+from gantline.results.cranes.rating import chart_used, overloads
 from gantline.results.cranes.rating_chart import RatingChart
 from gantline.results.recording import Recording
+from gantline.results.variable import Variable
 from gantline.rule_data import several_cranes
 from gantline.scenario import parse_scenario
 from gantline.scenario.cranes.rating import Rating
@@ -40,6 +41,18 @@ def check(of: Recording, key: str = "hoist_load_of_rating") -> Check:
     return check_of(of, key)
 
 
+def hung_clear(of: Recording) -> Recording:
+    """The same with a load that nothing supports, of the design weight."""
+    load = {"name": "load", "body": "load", "weight": 1.0, "contacts": []}
+    rig = {**of.attributes["rig"], "loads": [load]}
+    return Recording(of.variables, of.coordinates, {**of.attributes, "rig": rig})
+
+
+def rated(of: Recording) -> dict[str, float]:
+    """What cranes and hooks use of their charts."""
+    return values_of(of, "hoist_load_of_rating")
+
+
 def test_the_worst_moment_is_where_load_and_radius_make_it() -> None:
     """150 t at 13 m (321.5 t), 150 t at 17 m (213 t), 160 t at 16 m (231 t): the second governs."""
     found = check(recording([[13.0], [17.0], [16.0]], [[150.0], [150.0], [160.0]]))
@@ -60,6 +73,13 @@ def test_outside_of_the_chart_nothing_may_hang(radius: float, words: str) -> Non
     assert found.verdict is Verdict.FAILED
     assert words in found.remark
     assert found.remark.endswith("12.00 m to 18.00 m: no lift: crane c1") and found.value is None
+
+
+def test_no_number_says_what_is_used_outside_of_the_chart() -> None:
+    """10 t at 14 m use 10/283; at 18.5 m, past the last row, whatever hangs is too much."""
+    of = recording([[14.0], [18.5]], [[10.0], [10.0]])
+    (chart,) = of.rig.rating_charts
+    assert chart_used(of, chart) == pytest.approx([10 / 283, math.inf])
 
 
 def test_one_hook_of_several_outside_of_the_chart_is_enough() -> None:
@@ -158,6 +178,25 @@ def test_cranes_that_lift_together_keep_capacity_back() -> None:
     assert far.verdict is Verdict.FAILED
 
 
+def test_what_is_kept_back_is_on_the_weight_by_the_rule_too() -> None:
+    """Two cranes hold 141 t still, each below a hook block of 9 t: (141 x 1.2 + 9) x 1.25 of 231 t."""
+    factors = {
+        "several_cranes_factor": {"value": 1.25, "source": "our rule"},
+        "dynamic_amplification_factor": {"value": 1.2, "source": "our rule"},
+    }
+    of = recording([[16.0] * 2] * 8, [[150.0] * 2] * 8, cranes=("c1", "c2"), factors=factors)
+    used = (141 * 1.2 + 9) * 1.25 / 231
+    assert rated(hung_clear(of)) == pytest.approx({"crane c1": used, "crane c2": used})
+
+
+def test_the_weight_by_the_rule_counts_where_least_may_hang() -> None:
+    """91 t hang in a hook block of 9 t at 14 to 18 m and back: 91 x 1.2 + 9 of the 195 t at 18 m."""
+    factors = {"dynamic_amplification_factor": {"value": 1.2, "source": "our rule"}}
+    radii = [14.0, 15.0, 16.0, 17.0, 18.0, 17.0, 16.0, 15.0]
+    of = recording([[radius] for radius in radii], [[100.0]] * 8, factors=factors)
+    assert rated(hung_clear(of)) == pytest.approx({"crane c1": (91 * 1.2 + 9) / 195})
+
+
 def test_without_a_rule_for_several_cranes_there_is_a_warning() -> None:
     found = check(recording([[16.0] * 2] * 2, [[150.0] * 2] * 2, cranes=("c1", "c2")))
     assert found.verdict is Verdict.WARNING
@@ -179,6 +218,20 @@ def test_a_chart_holds_for_falls_that_are_plumb(lead: float, verdict: Verdict) -
     assert found.verdict is verdict
     assert found.value == pytest.approx(lead)
     assert found.element == "off_lead H0"
+
+
+@pytest.mark.parametrize("key", ["heel", "trim"])
+def test_a_chart_holds_for_a_crane_that_stands_level(key: str) -> None:
+    """1.2 deg to the other side, of 1 deg, while it bears 100 t; 3 deg of the empty hook do not count."""
+    of = recording([[14.0]] * 3, [[100.0], [100.0], [9.0]])
+    rig = of.attributes["rig"]
+    charts = [{**one, "heel": math.radians(1.0), "trim": math.radians(1.0)} for one in rig["rating_charts"]]
+    leans = Variable(("time", "crane"), np.radians([[0.4], [-1.2], [3.0]]), "rad", "")
+    attributes = {**of.attributes, "rig": {**rig, "rating_charts": charts}}
+    leant = Recording({**of.variables, f"crane_{key}": leans}, of.coordinates, attributes)
+    found = check(leant, "attitude_of_rating")
+    assert (found.verdict, found.element, found.time) == (Verdict.FAILED, f"{key} c1", 1.0)
+    assert found.value == pytest.approx(1.2)
 
 
 def test_an_empty_hook_beside_the_load_may_swing() -> None:

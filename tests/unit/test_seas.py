@@ -11,12 +11,12 @@ import pytest
 
 from column_in_waves import ALIKE, SEA, column
 from gantline import Simulation, simulate
-from gantline.checks import Outcome, check_recording
+from gantline.checks import Check, Outcome, Verdict, check_recording
 from gantline.cli.seas_table import seas_table
 from gantline.results.file.saved_seas import SavedSea, SavedSeas, degrees
 from gantline.scenario import Scenario, parse_scenario
 from gantline.study import SeasResult, run_seas
-from gantline.study.seas import NoSeaError
+from gantline.study.seas import NoSeaError, Sea, SeaRecord
 
 
 def lift(waves: str = SEA, **words: Any) -> Scenario:
@@ -53,6 +53,51 @@ def test_gusts_have_other_records_too() -> None:
     (sea,) = run_seas(given, records=2).seas
     same = simulate(given.changed({"wind.gusts.seed": 6}))
     assert [one.value for one in sea.records[1].checks] == [one.value for one in check_recording(same)]
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "outcome", "allowed", "refused"),
+    [
+        ((Verdict.OK, Verdict.OK), Outcome.GO, True, False),
+        ((Verdict.OK, Verdict.WARNING), Outcome.GO_WITH_WARNINGS, True, False),
+        ((Verdict.OK, Verdict.FAILED, Verdict.WARNING), Outcome.NO_GO, False, True),
+        ((Verdict.OK, None), Outcome.NO_GO, False, True),
+    ],
+)
+def test_the_worst_of_its_records_is_the_outcome_of_a_sea(
+    verdicts: tuple[Verdict | None, ...], outcome: Outcome, allowed: bool, refused: bool
+) -> None:
+    """None stands for a lift that could not go on, which has no checks and is no go."""
+    records = [
+        SeaRecord(number, cause="it sank")
+        if verdict is None
+        else SeaRecord(number, checks=[Check("sling_tension", verdict, "", value=1.0, limit=2.0)])
+        for number, verdict in enumerate(verdicts, 1)
+    ]
+    sea = Sea(2.0, 8.0, 0.0, 5.0, records)
+    assert (sea.outcome, sea.is_allowed, sea.is_refused) == (outcome, allowed, refused)
+    assert sea.worst is not None and sea.worst.outcome is outcome
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "allowed"),
+    [
+        ((Verdict.OK, Verdict.WARNING, Verdict.FAILED), 2.0),
+        ((Verdict.OK, Verdict.FAILED, Verdict.OK), 1.0),
+        ((Verdict.FAILED, Verdict.OK, Verdict.OK), None),
+    ],
+)
+def test_no_height_beyond_one_that_is_no_go_is_allowed(
+    verdicts: tuple[Verdict, ...], allowed: float | None
+) -> None:
+    """Seas of 1, 2 and 3 m; what a period suits may pass where a lower sea does not."""
+    checks = [Check("sling_tension", verdict, "", value=1.0, limit=2.0) for verdict in verdicts]
+    seas = [
+        Sea(height, 8.0, 0.0, 5.0, [SeaRecord(1, checks=[check])])
+        for height, check in zip((1.0, 2.0, 3.0), checks, strict=True)
+    ]
+    found = SeasResult("a lift", "", "swell", is_regular=False, records=1, seas=seas)
+    assert found.allowed_height(0.0, 8.0) == allowed
 
 
 def test_no_higher_sea_is_run_than_the_first_that_is_no_go() -> None:

@@ -75,6 +75,16 @@ def test_energy_that_a_drive_put_in_is_no_gain() -> None:
     assert (found.energy_gain, found.energy_gain_time) == (0.0, None)
 
 
+def test_energy_that_water_gives_back_is_no_gain() -> None:
+    """What rights a vessel is a potential: 100 J of it come and go as she rolls."""
+    righting = np.array([100.0, 50.0, 0.0, 50.0, 100.0])
+    rolls = lift({"kinetic": 100.0 - righting, "joint_damping": righting})
+    kinds = ["fluid" if kind == "joint_damping" else kind for kind in rolls.coordinates["energy_kind"]]
+    afloat = Recording(rolls.variables, {**rolls.coordinates, "energy_kind": kinds}, rolls.attributes)
+    found = stability_of(afloat)
+    assert (found.energy_gain, found.energy_gain_time) == (0.0, None)
+
+
 def test_residuals_and_steps_that_did_not_settle() -> None:
     recording = lift(counters={"steps": 10, "unconverged": 3})
     variables = {

@@ -11,6 +11,7 @@ from hypothesis import strategies as some
 from scipy.spatial.transform import Rotation
 
 from gantline.results.afloat.trains import Trains
+from gantline.results.afloat.wind import Wind
 
 SEA = Trains.from_json(
     {
@@ -79,3 +80,12 @@ def test_points_in_no_order() -> None:
     assert SEA.at_body(TIME, origin, turn, points.astype(float)) == pytest.approx(
         SEA.at(TIME, place), abs=1e-12
     )
+
+
+def test_gusty_wind_is_its_mean_and_what_gusts_add() -> None:
+    """At a place that goes along, 8 m/s and the same sum."""
+    place = np.stack([0.3 * TIME, 5.0 - 0.2 * TIME], axis=1)
+    expected = [8.0 + _height(time, x, y) for time, (x, y) in zip(TIME, place, strict=True)]
+    gusty, steady = Wind(8.0, 0.0, gusts=SEA), Wind(8.0, 0.0)
+    assert gusty.speed_at(TIME, place) == pytest.approx(expected, abs=1e-12)
+    assert steady.speed_at(TIME, place) == pytest.approx(np.full(TIME.shape, 8.0))

@@ -31,9 +31,42 @@ from boom_lift import (
     weight_moment,
 )
 from gantline.checks import check_recording
+from gantline.results.cranes.boom import Boom, boom_state
+from gantline.results.cranes.crane import CraneHook
 from gantline.scenario import parse_scenario
 from gantline.statics import Statics
 from gantline.statics.inclining import metacentric_heights
+
+
+@pytest.mark.parametrize(
+    ("axis", "degrees", "heel", "trim"),
+    [((1.0, 0.0, 0.0), 2.0, 2.0, 0.0), ((0.0, 1.0, 0.0), -3.0, 0.0, 3.0), ((0.0, 0.0, 1.0), 40.0, 0.0, 0.0)],
+    ids=["port side up", "boom up", "turned"],
+)
+def test_heel_and_trim_of_what_bears_a_boom(
+    axis: tuple[float, float, float], degrees: float, heel: float, trim: float
+) -> None:
+    """Base and boom turn about x (ahead), y (to port) and z, by the right hand; no turn changes the boom's
+    angle over the base. The base has its origin 2 m behind its centre of gravity, and outreach counts from
+    5 m ahead of that.
+    """
+    half = math.radians(degrees) / 2
+    turn = np.array([math.cos(half), *(math.sin(half) * part for part in axis)])
+    columns = {
+        "time": np.zeros(1),
+        "body_position": np.array([[[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [30.0, 0.0, -40.0]]]),
+        "body_orientation": np.array([[turn, turn, [1.0, 0.0, 0.0, 0.0]]]),
+    }
+    hook = CraneHook("h", top="boom")
+    boom = Boom(
+        "c", boom="boom", base="base", reach_from=(5.0, 0.0, 0.0), base_from=(-2.0, 0.0, 0.0), hooks=[hook]
+    )
+    found, _ = boom_state(columns, {"body": ["base", "boom", "h"], "joint": []}, [boom])
+    for name, angle in (("crane_heel", heel), ("crane_trim", trim), ("boom_angle", 0.0)):
+        assert found[name].values[0, 0] == pytest.approx(math.radians(angle), abs=1e-12)
+    ahead = math.radians(degrees if axis[2] else 0.0)
+    base = 3.0 * math.cos(math.radians(degrees)) if axis[1] else 3.0
+    assert found["crane_radius"].values[0, 0] == pytest.approx(30.0 * math.cos(ahead) - base, abs=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -8,12 +8,16 @@ So the simulator is held to be in balance, and the balance to be the catenary's.
 from __future__ import annotations
 
 import csv
+import math
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from gantline.assembly.ropes.catenary import end_mass, hang, node_masses
+from gantline.assembly.ropes.rope_weight import length_that_pulls
+from gantline.scenario.gear import RopeMaterial
+from gantline.scenario.rope_weight import RopeWeight
 from hanging import Catenary, lift, run
 from mechanics import Floats
 
@@ -56,6 +60,19 @@ def test_tension_at_the_ends_as_recorded(case: Catenary) -> None:
     assert recording["rope_end_tension"].values[-1, 0] == pytest.approx([lower, upper], rel=1e-5)
     assert recording["rope_tension"].values[-1, 0] == pytest.approx(max(lower, upper), rel=1e-5)
     assert recording["rope_peak_tension"].values[0] == pytest.approx(max(lower, upper), rel=1e-5)
+
+
+def test_a_rope_of_the_length_that_a_wanted_pull_takes() -> None:
+    """Level, H = 50 kN and V = 10 kN at both ends: T = √(H² + V²) is that of 100 m, of which 0.65 m are sag.
+
+    T goes with 1/√sag: 2e-5 of it, to which 50 nodes have the forces of the ends, are 4e-5 of 0.65 m.
+    """
+    case = CASES["level"]
+    kind = RopeMaterial.model_construct(axial_stiffness=case.stiffness)
+    weight = RopeWeight("distributed", case.weight / 9.81, 50)
+    ends = np.zeros(3), np.array([case.reach[0], 0.0, case.reach[1]])
+    length, _ = length_that_pulls(*ends, math.hypot(case.horizontal, case.upper), kind, weight, 9.81)
+    assert length == pytest.approx(case.length, abs=4e-5 * 0.65)
 
 
 def ends_missed(case: Catenary, nodes: int, masses: Floats, at_end: float) -> float:

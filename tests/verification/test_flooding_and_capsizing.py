@@ -46,18 +46,21 @@ def test_flooding_is_told_and_the_run_goes_on(tmp_path: Path, integrator: str) -
 
 
 @pytest.mark.parametrize(
-    ("heel", "depth"),
-    [("20 deg", "8 m"), ("20 deg", "30 m"), ("12 deg", "5.5 m")],
+    ("heel", "depth", "most"),
+    [("20 deg", "8 m", 2e-8), ("20 deg", "30 m", 2e-8), ("12 deg", "5.5 m", 1e-6)],
     ids=["both", "bottom", "deck"],
 )
-def test_energy_balances_where_edges_go_under_and_come_out(tmp_path: Path, heel: str, depth: str) -> None:
+def test_energy_balances_where_edges_go_under_and_come_out(
+    tmp_path: Path, heel: str, depth: str, most: float
+) -> None:
     """A barge that rolls its deck edges under, its bottom's edges out, or both at once, for a minute. Forces
-    between these times are smooth, and Gauss points of order 8 along steps of order 5 leave 1e-6 of the
-    energy at most; steps across them left 2e-5 to 2e-4.
+    between these times are smooth, and Gauss points of order 8 along steps of order 5 leave 3e-9 of the
+    energy where steps end there, and steps across the edges of a bottom 7e-8 and more. Of a deck alone they
+    leave 1e-7 and 2e-7, which does not tell.
     """
     given = barge(heel=heel, hull={"box": ["100 m", "30 m", depth]})
     run = simulate(written(tmp_path, lift_of(given, start="as_given", duration="60 s")))
-    assert run.attributes["energy_remainder"] < 1e-6
+    assert run.attributes["energy_remainder"] < most
 
 
 def test_an_opening_goes_under_before_the_deck(tmp_path: Path) -> None:

@@ -157,6 +157,12 @@ def test_natural_periods() -> None:
     assert len(set(nearest)) == 5
 
 
+@pytest.mark.parametrize(("along", "is_told"), [(0.086, False), (0.089, True)])
+def test_a_hook_bears_a_degree_without_a_word(along: float, is_told: bool) -> None:
+    """tan⁻¹(e/h) below the hook: 0.985° of 86 mm in 5 m, 1.020° of 89 mm."""
+    assert bool(checks("frame_held_upright", lift("axis: vertical", along))) is is_told
+
+
 def test_what_a_hook_bears_is_told() -> None:
     """W e = 176.6 kN m, 0.30 m beside a hook 5 m above the sheaves: 3.4°. With e of 0.05 m it is 0.6°."""
     [told] = checks("frame_held_upright", lift("axis: vertical", 0.3))

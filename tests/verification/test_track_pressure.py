@@ -118,3 +118,16 @@ def test_a_load_at_rest_counts_against_the_load_that_tips(radius: float, tonnes:
         corners = np.array([[left / 2, left / 2, right / 2, right / 2]])
         found = tipping_utilisation(corners, np.array([own]), np.array([[0.0, aside]]), LENGTH, GAUGE)
         assert found[0] == pytest.approx(share, abs=1e-12)
+
+
+@pytest.mark.parametrize("share", [0.3, 0.9])
+def test_a_load_holds_a_crane_whose_own_weight_lies_beyond_a_track(share: float) -> None:
+    """Without a load it would go over its right track, with W e; Q at r to the left holds Q (r + b/2)."""
+    own, beyond, radius = 500.0, 0.5, 8.0
+    load = own * beyond / share / (radius + GAUGE / 2)
+    left = (load * (radius + GAUGE / 2) - own * beyond) / GAUGE
+    right = own + load - left
+    corners = np.array([[left / 2, left / 2, right / 2, right / 2]])
+    centre = np.array([[0.0, -GAUGE / 2 - beyond]])
+    found = tipping_utilisation(corners, np.array([own]), centre, LENGTH, GAUGE)
+    assert found[0] == pytest.approx(share, abs=1e-12)

@@ -66,6 +66,26 @@ fn unstretched(length: f64, strain: f64) -> f64 {
     length / (1.0 + strain)
 }
 
+/// Rope of n turns in layer k is n 2π r (1 + (k − 1) γ); within the half turn x in which it climbs the ratio grows as
+/// 2x, so that x² is gained there. 5 turns are on at the start, so turns 20 and 40 are the middles of the climbs.
+#[test]
+fn wound_rope_is_that_of_each_layer() {
+    let layers = Layers { radius: 0.5, growth: 0.08, turns: 20.0, start: 5.0 };
+    let turn = std::f64::consts::PI;
+    for (turns, more) in [
+        (12.0, 0.0),
+        (20.0, 0.25_f64.powi(2)),
+        (20.1, 0.35_f64.powi(2)),
+        (30.0, 10.0),
+        (40.0, 20.0 + 0.25_f64.powi(2)),
+        (45.0, 25.0 + 5.0),
+    ] {
+        let (turned, wound) = ((turns - 5.0) * turn, (turns - 5.0 + 0.08 * more) * turn);
+        assert!((layers.wound(turned) - wound).abs() < 1e-12, "{turns}: {} {wound}", layers.wound(turned));
+        assert!((layers.turned_at(wound) - turned).abs() < 1e-12, "{turns}");
+    }
+}
+
 #[test]
 fn what_went_on_last_comes_off_first() {
     let mut coil = Coil::new(1e-3);

@@ -381,4 +381,23 @@ mod tests {
         let straight = line.hang(hanging.grounded + 1e-6, 10.0, 20.0);
         assert!(straight.horizontal < 1e-3 && (straight.vertical - v).abs() < 1e-3, "{straight:?}");
     }
+
+    /// A heaped line that stretches by a tenth where it leaves its fairlead: what hangs stores ∫ V dZ over
+    /// Z = V/w (1 + V/2EA), which is V²/2w + V³/3wEA, and is u (1 + w u/2EA) long where u of it is unstretched.
+    #[test]
+    fn heaps_store_what_lifting_them_took() {
+        let (w, stiffness, v) = (100.0, 1e4, 1e3);
+        let rise = v / w * (1.0 + v / (2.0 * stiffness));
+        let line = Catenary { weight: w, stiffness, on_bed: true };
+        let hanging = line.hang(3.0, rise, 20.0);
+        assert!((hanging.vertical - v).abs() < 1e-9);
+        let energy = v * v / (2.0 * w) + v * v * v / (3.0 * w * stiffness);
+        assert!((hanging.energy.value - energy).abs() < 1e-9 * energy, "{hanging:?}");
+        // 10 m of 20 m lie on the bed; from there on the height is that of what hangs.
+        for (share, unstretched) in [(0.5, 0.0), (0.75, 5.0), (1.0, 10.0)] {
+            let [x, z] = line.place(&hanging, 20.0, share);
+            let above = unstretched * (1.0 + w * unstretched / (2.0 * stiffness));
+            assert!((x - 3.0).abs() < 1e-9 && (z - above).abs() < 1e-9, "{x} {z}");
+        }
+    }
 }
