@@ -54,7 +54,8 @@ def drained_by_half(breadth: float) -> Recording:
             "lugs": {name: {"at": [f"{x} m", "0 m", f"{LUGS} m"]} for name, x in sides.items()},
         },
         "cranes": {
-            name: {"type": "fixed_hook", "at": [f"{x} m", "0 m", "30 m"], "hoist": HOIST} for name, x in sides.items()
+            name: {"type": "fixed_hook", "at": [f"{x} m", "0 m", "30 m"], "hoist": HOIST}
+            for name, x in sides.items()
         },
         "slings": {
             name: {"from": name, "to": f"module.{name}", "rope": "stiff", "length": "16 m"} for name in sides

@@ -21,7 +21,7 @@ from gantline.checks import Verdict
 from gantline.results import Recording, series
 from gantline.simulation import Simulation
 from of_recording import checks_of
-from tanked_load import G, OWN, hold, lift, tank
+from tanked_load import OWN, G, hold, lift, tank
 
 #: A hole in the bottom of its tank.
 LEAK = {"at": ["80 m", "0 m", "1 m"], "area": "0.05 m^2"}

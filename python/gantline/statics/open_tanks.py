@@ -25,8 +25,8 @@ from gantline.results.rotation import axes
 from gantline.scenario.afloat.tanks import (
     bodies_afloat,
     has_sea,
-    holed_tanks,
     hole_turns,
+    holed_tanks,
     with_contents,
 )
 from gantline.scenario.afloat.water import BallastTank, Water
@@ -90,8 +90,11 @@ def _rise(motions: Floats, lever: Floats) -> Floats:
 
 
 def _surfaces(question: Statics, rest: Equilibrium, body: str) -> list[tuple[Floats, float]]:
-    """Surfaces that follow the sea, in a body and what is fixed to it: middle from its centre of gravity (3,) [m],
-    mass for a metre more [kg/m]."""
+    """Surfaces that follow the sea, in a body and what is fixed to it.
+
+    Returns:
+        Of each its middle from the centre of gravity of the body (3,) [m], and mass for a metre more [kg/m].
+    """
     if not has_sea(question.scenario):
         return []
     own = rest.recording.column("body_position", body)[-1]
@@ -116,7 +119,7 @@ def _fixed_to(question: Statics, body: str) -> list[str]:
 def _surfaces_in(
     question: Statics, rest: Equilibrium, body: str, tanks: Mapping[str, BallastTank]
 ) -> Iterator[tuple[Floats, float]]:
-    """Surfaces that follow the sea in tanks of a body: their middles (3,) [m], mass for a metre more [kg/m]."""
+    """Surfaces that follow the sea in tanks of a body: their middles (3,) [m], mass of a metre [kg/m]."""
     given = next(one for one in question.assembly.document["bodies"] if one["name"] == body)
     centre = np.array(given["centre_of_gravity"], dtype=float)
     turn = axes(rest.recording.column("body_orientation", body)[-1])

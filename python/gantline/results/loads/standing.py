@@ -17,10 +17,10 @@ _SLIPPING = 1e-10  # rounding of the work of a tugger that slips, from sample to
 
 
 def all_stands(recording: Recording) -> BoolArray:
-    """Whether from sample to sample no drive does work and no load gets heavier or lighter, shape (time - 1,).
+    """Whether from sample to sample no drive does work and no load changes its weight, shape (time - 1,).
 
-    What runs through holes of a vessel's tanks is no drive's work, and leaves what hangs as it is. What runs out
-    of a load, or of a body that may hang with it, does not.
+    What runs through holes of a vessel's tanks is no drive's work, and leaves what hangs as it is. What runs
+    out of a load, or of a body that may hang with it, does not.
     """
     stands = _drives_stand(recording)
     if "tank_content" in recording:
@@ -33,10 +33,9 @@ def all_stands(recording: Recording) -> BoolArray:
 
 
 def _drives_stand(recording: Recording) -> BoolArray:
-    """Whether no drive does work from sample to sample, shape (time - 1,), but for winches that only pull, and
-    hoists that compensate heave.
+    """Whether no drive does work from sample to sample, shape (time - 1,).
 
-    Tuggers ask for hauling in all the time, and slip: their drives do the work of pull times speed. One whose
+    Winches that only pull may, and hoists that compensate heave. Tuggers ask for hauling in all the time, and slip: their drives do the work of pull times speed. One whose
     line is slack hauls at that speed and does none.
     """
     work = np.diff(recording.column("energy", "drive_work"))
@@ -57,7 +56,7 @@ def _drives_stand(recording: Recording) -> BoolArray:
 
 
 def _compensates_alone(recording: Recording) -> BoolArray:
-    """Whether from sample to sample hoists keep hooks still against heave, and steps move nothing, shape (time - 1,).
+    """Whether hoists keep hooks still against heave and steps move nothing, shape (time - 1,).
 
     What hangs then hangs as still as waves leave it, stiller than from a hoist that stands.
     """
