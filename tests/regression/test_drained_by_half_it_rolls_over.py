@@ -1,13 +1,13 @@
-"""A load that hung still with its tank half drained, of which was said that it is not known whether it stays upright.
+"""Of a load that hung still with its tank half drained it was not known whether it stays upright.
 
-Of what has run through holes no plan knows, and so equilibria were asked at the end of a run alone; of every
-hold before that the check `hangs_stably` warned, "no equilibrium was found", of loads that hang upright and of
-those that roll over. The run knows what was in the tank, and they are asked with that.
+Of what has run through holes no plan knows, and so equilibria were asked at the end of a run alone; of
+every hold before that the check `hangs_stably` warned, "no equilibrium was found", of loads that hang
+upright and of those that roll over. The run knows what was in the tank, and they are asked with that.
 
 A load of 120 t hangs by two lugs in a line, 0.5 m above its centre of gravity, with a tank of 10 by 5.5 m
 under its deck: with m in it at the height z its righting lever about that line is
 
-    120 t · 0.5 m + m (4 m - z) - rho L B^3/12 ,
+120 t · 0.5 m + m (4 m - z) - rho L B^3/12 ,
 
 the last, of 142 t m, while it has a surface. Full or empty it hangs upright; by half it does not.
 """

@@ -1,9 +1,10 @@
 """A barge whose GM was 15 m too large as a load that hangs from a crane ashore leaned on guides of her deck.
 
-What stands on a deck goes along with it as a vessel is inclined, since friction holds it at an angle so small:
-each contact between a vessel and what does not float was taken for one on which something stands, guides too, and
-those without friction. So the side of a barge was tied to the slings of a crane ashore, which are stiff: GM 17.4 m
-for 2.8 m, and a limit of 5 m was kept. Now something stands where what presses is within 50 degrees of plumb.
+What stands on a deck goes along with it as a vessel is inclined, since friction holds it at an angle so
+small: each contact between a vessel and what does not float was taken for one on which something stands,
+guides too, and those without friction. So the side of a barge was tied to the slings of a crane ashore,
+which are stiff: GM 17.4 m for 2.8 m, and a limit of 5 m was kept. Now something stands where what presses
+is within 50 degrees of plumb.
 
 A guide still pushes: a load that is a pendulum of length L with the weight W, h above the axis about which
 she heels, rights her by W h^2/L, a few centimetres of GM.

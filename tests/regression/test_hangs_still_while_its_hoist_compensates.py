@@ -1,9 +1,9 @@
 """A load whose hook was kept still against heave for 90 s, and was told that it never hung still.
 
-A load hangs still while drives do no work, and a hoist that compensates heave works all the time. The skid of
-`onto_a_platform`, with its hook kept still from the start until it is set down, had no static forces: no contingency
-and no factor of a rule came into the check of any capacity, and the warning was to hold it still for 5 s. What
-hangs from a hook that is kept still hangs stiller than from one that stands.
+A load hangs still while drives do no work, and a hoist that compensates heave works all the time. The skid
+of `onto_a_platform`, with its hook kept still from the start until it is set down, had no static forces: no
+contingency and no factor of a rule came into the check of any capacity, and the warning was to hold it
+still for 5 s. What hangs from a hook that is kept still hangs stiller than from one that stands.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""A barge with two rooms open to the sea, in a body of `mechanics` that is fixed to her, whose GM was 6.7 m too large.
+"""A barge whose GM was 6.7 m too large, with two rooms open to the sea in a body fixed to her.
 
-What runs through holes as a vessel heels takes from her GM, but only her own tanks were looked at. The same two
-wing rooms in a body fixed to her, such as sponsons, were held: GM 6.61 m for -0.10 m, and `floats_stably` said
-nothing. What is fixed to her is a part of her, and what is fixed to that.
+What runs through holes as a vessel heels takes from her GM, but only her own tanks were looked at. The same
+two wing rooms in a body fixed to her, such as sponsons, were held: GM 6.61 m for -0.10 m, and
+`floats_stably` said nothing. What is fixed to her is a part of her, and what is fixed to that.
 """
 
 from __future__ import annotations
@@ -24,8 +24,9 @@ ROOM, ASIDE, FRAME = (60.0, 10.0, 8.0), 10.0, 1e3
 @pytest.mark.parametrize("high", [5.0, 12.0])
 @pytest.mark.parametrize("on", ["frame", "sponsons"])
 def test_gm_is_that_of_lost_buoyancy(high: float, on: str) -> None:
-    """GM Δ = (KB + BM - KG) Δ', BM and Δ' of what is left of the hull, as of rooms of her own, the frame's weight
-    as high as hers. The rooms' places are counted from their body, which lies 2 m to port and 1 m up.
+    """GM Δ = (KB + BM - KG) Δ', BM and Δ' of what is left of the hull, as of rooms of her own.
+
+    The frame's weight is as high as hers. The rooms' places are counted from their body, which lies 2 m to port and 1 m up.
     """
     own, area = OWN / SEA, LENGTH * BREADTH - 2 * ROOM[0] * ROOM[1]
     draft = own / area

@@ -1,9 +1,9 @@
 """A load that hung still for 40 s beside a barge with a leak, and was told that it never had.
 
-What runs through holes of tanks was booked as work of drives, and a load hangs still while drives do none. So
-with a leaking barge anywhere in the lift there were no static forces: 100 t with a contingency of 1.1, lifted
-by a hook for 105 t and set down again, was GO WITH WARNINGS at 98 %, by the peak of its simulated weight alone,
-with "hold the load still for 5 s". It is 105.3 % and NO-GO, with or without the barge.
+What runs through holes of tanks was booked as work of drives, and a load hangs still while drives do none.
+So with a leaking barge anywhere in the lift there were no static forces: 100 t with a contingency of 1.1,
+lifted by a hook for 105 t and set down again, was GO WITH WARNINGS at 98 %, by the peak of its simulated
+weight alone, with "hold the load still for 5 s". It is 105.3 % and NO-GO, with or without the barge.
 
 It is the fluid's work now. A load that drains itself does not hang still, as before.
 """
@@ -57,7 +57,7 @@ def set_down(vessels: dict[str, Any] | None) -> Recording:
 
 
 def test_a_leak_beside_it_leaves_a_load_still() -> None:
-    """132 t of 125 t, as without the barge, by means over the hold: 120 t · g, to what is left of its bounce."""
+    """132 t of 125 t, as without the barge, by means over the hold: 120 t · g, but for its bounce."""
     run, alone = set_down({"barge": leaking()}), set_down(None)
     assert np.ptp(run.column("tank_content", "barge.fore")) > 10e3
     for one in (run, alone):
@@ -70,7 +70,7 @@ def test_a_leak_beside_it_leaves_a_load_still() -> None:
 
 
 def test_a_leak_is_the_work_of_no_drive() -> None:
-    """Drives of hooks that stand and of a barge that nobody pumps do none; what the jets lose is the water's."""
+    """Drives of hooks that stand and of a barge that nobody pumps do none; jets lose what is the water's."""
     run = set_down({"barge": leaking()})
     at_rest = run.time > 70.0
     assert np.ptp(run.column("energy", "drive_work")[at_rest]) == 0.0

@@ -35,8 +35,9 @@ def all_stands(recording: Recording) -> BoolArray:
 def _drives_stand(recording: Recording) -> BoolArray:
     """Whether no drive does work from sample to sample, shape (time - 1,).
 
-    Winches that only pull may, and hoists that compensate heave. Tuggers ask for hauling in all the time, and slip: their drives do the work of pull times speed. One whose
-    line is slack hauls at that speed and does none.
+    Winches that only pull may, and hoists that compensate heave. Tuggers ask for hauling in all the
+    time, and slip: their drives do the work of pull times speed. One whose line is slack hauls at that
+    speed and does none.
     """
     work = np.diff(recording.column("energy", "drive_work"))
     tuggers = [line for line in recording.rig.tag_lines if line.pull is not None and line.speed is not None]
