@@ -26,7 +26,8 @@ ROOM, ASIDE, FRAME = (60.0, 10.0, 8.0), 10.0, 1e3
 def test_gm_is_that_of_lost_buoyancy(high: float, on: str) -> None:
     """GM Δ = (KB + BM - KG) Δ', BM and Δ' of what is left of the hull, as of rooms of her own.
 
-    The frame's weight is as high as hers. The rooms' places are counted from their body, which lies 2 m to port and 1 m up.
+    The frame's weight is as high as hers. The rooms' places are counted from their body, which lies 2 m
+    to port and 1 m up.
     """
     own, area = OWN / SEA, LENGTH * BREADTH - 2 * ROOM[0] * ROOM[1]
     draft = own / area
