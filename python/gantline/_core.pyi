@@ -115,9 +115,7 @@ class Statics:
     ) -> float | None:
         """When a step begins or ends [s], followed no farther; for errors see `settle`."""
 
-    def settle_saved(
-        self, saved: bytes, losses: str = "none", slide: list[float] | None = None
-    ) -> dict[str, Any]:
+    def settle_saved(self, saved: bytes, losses: str) -> dict[str, Any]:
         """The same of where a simulation of the document has got to; ValueError if it is not of it."""
 
     def step_off(self, losses: str = "none") -> dict[str, Any] | None:

@@ -159,9 +159,9 @@ def test_a_state_of_another_lift() -> None:
     system = json.dumps(hoist(UP_AND_DOWN))
     settings = json.dumps({"integrator": {"type": "adaptive"}, "duration": 1.0, "sample_interval": 0.5})
     saved = _core.Simulation(system, settings).save()
-    assert _core.Statics(system).settle_saved(saved)["time"] == 0.0
+    assert _core.Statics(system).settle_saved(saved, "none")["time"] == 0.0
     other = _core.Statics(json.dumps(hoist([])))
     with pytest.raises(ValueError, match="it was saved from another lift"):
-        other.settle_saved(saved)
+        other.settle_saved(saved, "none")
     with pytest.raises(ValueError, match="the saved state cannot be used"):
-        other.settle_saved(b"nothing")
+        other.settle_saved(b"nothing", "none")

@@ -29,7 +29,7 @@ use crate::tree::kinematics::Kinematics;
 pub(crate) use checkpoint::{fingerprint, saved_state};
 pub use commands::Command;
 use method::Method;
-pub use waypoints::Waypoint;
+use waypoints::Waypoint;
 
 /// Why a run cannot be set up or taken up again.
 #[derive(Debug, Error)]

@@ -7,14 +7,13 @@ use std::sync::{Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
 use gantline_core::record::named::Named;
-use gantline_core::simulation::Waypoint;
 use gantline_core::stepper::StepError;
 use numpy::ndarray::{ArrayD, IxDyn};
 use numpy::{IntoPyArray, PyArrayDyn};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::MutexExt;
-use pyo3::types::{IntoPyDict, PyBytes, PyDict};
+use pyo3::types::{IntoPyDict, PyDict};
 
 /// How often a caller hears of the progress.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
@@ -177,27 +176,14 @@ impl Simulation {
     }
 
     /// All that is needed to go on with the same bytes.
-    fn save<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+    fn save(&self, py: Python<'_>) -> PyResult<Vec<u8>> {
         let inner = self.inner(py)?;
-        let bytes = py.detach(|| inner.save()).map_err(value_error)?;
-        Ok(PyBytes::new(py, &bytes))
+        py.detach(|| inner.save()).map_err(value_error)
     }
 
-    /// Where steps of the plan have ended so far, from the `first` of these on: name of the step, time [s], and the state
-    /// there for `Statics.settle_saved`.
-    fn waypoints<'py>(
-        &self,
-        py: Python<'py>,
-        first: usize,
-    ) -> PyResult<Vec<(String, f64, Bound<'py, PyBytes>)>> {
-        let inner = self.inner(py)?;
-        let further = inner.waypoints().get(first..).unwrap_or_default();
-        let saved = |one: &Waypoint| {
-            let bytes = inner.save_waypoint(one).map_err(value_error)?;
-            let step = inner.system().plan.steps[one.step].name.clone();
-            Ok((step, one.state.time, PyBytes::new(py, &bytes)))
-        };
-        further.iter().map(saved).collect()
+    /// Where steps of the plan ended, from the `first` on: step, time [s], state for `Statics.settle_saved`.
+    fn waypoints(&self, py: Python<'_>, first: usize) -> PyResult<Vec<(String, f64, Vec<u8>)>> {
+        self.inner(py)?.save_waypoints(first).map_err(value_error)
     }
 
     /// Takes up a saved run of the same document and settings.

@@ -12,6 +12,9 @@ use pyo3::types::{IntoPyDict, PyDict};
 
 use super::{array, dictionary, value_error};
 
+/// What was asked for, by name.
+type Answer<'py> = PyResult<Bound<'py, PyDict>>;
+
 /// A system at rest.
 #[pyclass(module = "gantline._core")]
 pub struct Statics {
@@ -67,7 +70,7 @@ impl Statics {
         losses: &str,
         slide: Option<[f64; 3]>,
         goes_on: Option<Py<PyAny>>,
-    ) -> PyResult<Bound<'py, PyDict>> {
+    ) -> Answer<'py> {
         let size = self.degrees_of_freedom();
         if let Some(given) = increment.as_ref().map(Vec::len).filter(|&given| given != size) {
             return Err(value_error(format!("{given} increments for {size} degrees of freedom")));
@@ -96,15 +99,8 @@ impl Statics {
     }
 
     /// Finds the equilibrium of where a simulation of the same document has got to, from what it has saved.
-    #[pyo3(signature = (saved, losses="none", slide=None))]
-    fn settle_saved<'py>(
-        &mut self,
-        py: Python<'py>,
-        saved: &[u8],
-        losses: &str,
-        slide: Option<[f64; 3]>,
-    ) -> PyResult<Bound<'py, PyDict>> {
-        let losses = losses_of(losses, slide)?;
+    fn settle_saved<'py>(&mut self, py: Python<'py>, saved: &[u8], losses: &str) -> Answer<'py> {
+        let losses = losses_of(losses, None)?;
         self.modes.clear();
         let rest = py.detach(|| self.inner.settle_saved(saved, losses)).map_err(value_error)?;
         self.found(py, rest.map_err(no_equilibrium)?)
@@ -120,7 +116,7 @@ impl Statics {
     }
 
     /// Loses a body at the equilibrium found last and finds that of everything else.
-    fn lose<'py>(&mut self, py: Python<'py>, body: &str, losses: &str) -> PyResult<Bound<'py, PyDict>> {
+    fn lose<'py>(&mut self, py: Python<'py>, body: &str, losses: &str) -> Answer<'py> {
         let missing = || value_error(format!("there is no {body} to lose"));
         let (index, losses) = (self.inner.body(body).ok_or_else(missing)?, losses_of(losses, None)?);
         self.modes.clear();
@@ -135,7 +131,7 @@ impl Statics {
         py: Python<'py>,
         count: Option<usize>,
         found: Option<Vec<(f64, Vec<f64>)>>,
-    ) -> PyResult<Bound<'py, PyDict>> {
+    ) -> Answer<'py> {
         self.modes = py.detach(|| self.inner.modes(count, found));
         let (modes, count, bodies) = (&self.modes, self.modes.len(), self.inner.names().body.len());
         let motion = modes.iter().flat_map(|mode| self.inner.body_motion(&mode.shape)).collect();
@@ -164,7 +160,7 @@ impl Statics {
         py: Python<'py>,
         parameters: Vec<(String, String)>,
         stands: bool,
-    ) -> PyResult<Bound<'py, PyDict>> {
+    ) -> Answer<'py> {
         let named = parameters.iter().map(|(kind, name)| self.inner.parameter(kind, name));
         let wanted: Vec<Parameter> = named.collect::<Result<_, _>>().map_err(value_error)?;
         let found = py.detach(|| self.inner.sensitivities(&wanted, stands.into())).map_err(no_equilibrium)?;
@@ -182,7 +178,7 @@ impl Statics {
 
     /// The lift linearised about the equilibrium found last, water as at a circular frequency [rad/s] or an infinite one.
     #[pyo3(signature = (frequency=None))]
-    fn linear<'py>(&mut self, py: Python<'py>, frequency: Option<f64>) -> PyResult<Bound<'py, PyDict>> {
+    fn linear<'py>(&mut self, py: Python<'py>, frequency: Option<f64>) -> Answer<'py> {
         let out = dictionary(py, py.detach(|| self.inner.linear(frequency)))?;
         out.set_item("coordinates", self.inner.coordinates())?;
         Ok(out)
@@ -194,13 +190,13 @@ impl Statics {
     }
 
     /// Columns of the equilibrium or swing found last, by name.
-    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    fn columns<'py>(&self, py: Python<'py>) -> Answer<'py> {
         let (columns, events) = (py.detach(|| self.inner.columns()), vec![0.0; self.inner.events().len()]);
         dictionary(py, named(self.inner.samples(), columns, &self.inner.names(), events))
     }
 
     /// Names that go with the columns.
-    fn names<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    fn names<'py>(&self, py: Python<'py>) -> Answer<'py> {
         let out = self.inner.names().lists().into_py_dict(py)?;
         let (kinds, names): (Vec<_>, Vec<_>) = self.inner.events().into_iter().unzip();
         out.set_item("event_kind", kinds)?;
@@ -233,7 +229,7 @@ impl Statics {
         found.map_err(no_equilibrium)
     }
 
-    fn found<'py>(&self, py: Python<'py>, rest: Rest) -> PyResult<Bound<'py, PyDict>> {
+    fn found<'py>(&self, py: Python<'py>, rest: Rest) -> Answer<'py> {
         let out = PyDict::new(py);
         out.set_item("time", self.inner.state().time)?;
         out.set_item("residual", rest.residual)?;

@@ -102,13 +102,17 @@ impl Simulation {
         written(&past, &self.samples.packed())
     }
 
-    /// A waypoint as [`Simulation::save`] would have given it there, without the past: for
-    /// [`crate::statics::lift::StaticLift::settle_saved`].
+    /// Waypoints from the `first` on: name of the step that ended, time [s], and what [`Simulation::save`] would have given
+    /// there but for the past, for [`crate::statics::lift::StaticLift::settle_saved`].
     ///
     /// # Errors
-    /// [`SetupError`] where it cannot be written.
-    pub fn save_waypoint(&self, waypoint: &Waypoint) -> Result<Vec<u8>, SetupError> {
-        written(&self.at(&waypoint.state), &[])
+    /// [`SetupError`] where one cannot be written.
+    pub fn save_waypoints(&self, first: usize) -> Result<Vec<(String, f64, Vec<u8>)>, SetupError> {
+        let further = self.waypoints.iter().skip(first);
+        let saved = further.map(|Waypoint { step, state }| {
+            Ok((self.system.plan.steps[*step].name.clone(), state.time, written(&self.at(state), &[])?))
+        });
+        saved.collect()
     }
 
     /// A state of this lift, without what was before it.

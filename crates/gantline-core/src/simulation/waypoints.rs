@@ -29,9 +29,4 @@ impl Simulation {
             self.waypoints.push(Waypoint { step, state: state.clone() });
         }
     }
-
-    /// Where steps of the plan have ended so far, but for those that end with the run.
-    pub fn waypoints(&self) -> &[Waypoint] {
-        &self.waypoints
-    }
 }
