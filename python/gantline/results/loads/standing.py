@@ -61,7 +61,7 @@ def _compensates_alone(recording: Recording) -> BoolArray:
 
     What hangs then hangs as still as waves leave it, stiller than from a hoist that stands.
     """
-    alone = np.zeros(len(recording.time) - 1, dtype=np.bool_)
+    alone = np.zeros(len(recording.time[1:]), dtype=np.bool_)  # none of a run that has not begun
     moved = alone.copy()
     for step in recording.rig.plan:
         if step.compensate_heave or step.drives:
