@@ -74,8 +74,8 @@ class Simulation:
     def save(self) -> bytes:
         """The state, exactly."""
 
-    def waypoints(self, first: int) -> list[tuple[str, float, bytes]]:
-        """Where steps ended, from the `first` on: step, time [s], state for `Statics.settle_saved`."""
+    def waypoints(self, first: int) -> list[tuple[str | None, float | None, float, bytes]]:
+        """Where steps ended and tanks passed marks, from the `first` on, as `statics.righted.Waypoint`."""
 
     def restore(self, state: bytes) -> None:
         """Go on from a state that `save` gave."""

@@ -64,7 +64,13 @@ from gantline.scenario.afloat.water import Water
 from gantline.scenario.failed import failed_at
 from gantline.statics import Statics
 from gantline.statics.hung import resting_loads
-from gantline.statics.righted import Heights, righting_at_end, righting_at_start, righting_on_the_way
+from gantline.statics.righted import (
+    Heights,
+    Waypoint,
+    righting_at_end,
+    righting_at_start,
+    righting_on_the_way,
+)
 from gantline.version import version
 
 Progress = Callable[[float], bool | None]
@@ -441,7 +447,7 @@ class Simulation:
 
         A run of perfect symmetry stays upright there: nothing pushes but rounding. A load that is set down
         at the end no longer hangs above its vessel: GM is least while it does, so that every end of a step
-        counts.
+        counts, and every moment at which a tank gets a surface or loses it.
         """
         found = self.assembly.rig
         floats = [vessel.body for vessel in self._rig.vessels if not vessel.is_carried]
@@ -449,9 +455,9 @@ class Simulation:
             return found
         if self.settings["start"] == "rest":
             found = with_righting(found, 0.0, self._righting_at_start)
-        for step, at, state in self._core.waypoints(len(self._righting_on_the_way)):
-            heights = righting_on_the_way(self._question, step, at, state, columns, names)
-            self._righting_on_the_way.append((at, heights))
+        for waypoint in map(Waypoint._make, self._core.waypoints(len(self._righting_on_the_way))):
+            heights = righting_on_the_way(self._question, waypoint, columns, names)
+            self._righting_on_the_way.append((waypoint.time, heights))
         for at, heights in self._righting_on_the_way:
             found = with_righting(found, at, heights)
         if self.ended and self.status == "done":

@@ -74,8 +74,10 @@ def test_fails_by_a_free_surface_that_comes_on_the_way() -> None:
     centre = (MASS * (metacentre() - 5.0) + 5e5 * level) / whole
     surface = DENSITY * TANK * BREADTH**3 / 12 / whole
     [check] = checked(recording)
-    assert check.time == pytest.approx(60.0)
-    [(_, height, _)] = recording.rig.vessels[0].righting
+    # As the first has come in, with all of its surface; then the more, the better, up to the end of the step.
+    assert check.time is not None and check.time < 20.0
+    *_, (time, height, _) = recording.rig.vessels[0].righting
+    assert time == pytest.approx(60.0)
     assert height == pytest.approx(metacentre(whole) - centre - surface, rel=1e-4)
     assert height < -4.0
 

@@ -29,6 +29,7 @@ use crate::tree::kinematics::Kinematics;
 pub(crate) use checkpoint::{fingerprint, saved_state};
 pub use commands::Command;
 use method::Method;
+pub use waypoints::Saved;
 use waypoints::Waypoint;
 
 /// Why a run cannot be set up or taken up again.
@@ -201,7 +202,7 @@ impl Simulation {
         self.counters.factorisations += report.factorisations;
         self.counters.unconverged += u64::from(!report.converged);
         self.record(report.complementarity_residual);
-        self.note_waypoint();
+        self.note_waypoints();
         if self.reached(f64::INFINITY) {
             self.state.plan.close(self.settings.duration, &mut self.events);
         }

@@ -181,8 +181,8 @@ impl Simulation {
         py.detach(|| inner.save()).map_err(value_error)
     }
 
-    /// Where steps of the plan ended, from the `first` on: step, time [s], state for `Statics.settle_saved`.
-    fn waypoints(&self, py: Python<'_>, first: usize) -> PyResult<Vec<(String, f64, Vec<u8>)>> {
+    /// Where steps ended and tanks passed marks, from the `first` on: step, time since it began unless it ended, time, state.
+    fn waypoints(&self, py: Python<'_>, first: usize) -> PyResult<Vec<gantline_core::simulation::Saved>> {
         self.inner(py)?.save_waypoints(first).map_err(value_error)
     }
 

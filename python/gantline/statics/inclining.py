@@ -61,21 +61,26 @@ class MetacentricHeights:
         return 1.0 / yields if yields else math.inf
 
 
-def metacentric_heights(question: Statics, rest: Equilibrium) -> dict[str, MetacentricHeights]:
+def metacentric_heights(
+    question: Statics, rest: Equilibrium, *, at_level: bool = False
+) -> dict[str, MetacentricHeights]:
     """Metacentric heights of every vessel of a lift that floats freely.
 
     Args:
         question: The lift.
         rest: Its equilibrium that was found last.
+        at_level: Whether of tanks with holes those count only that have come to their level.
     """
     found = {}
     for vessel in (one for one in rest.recording.rig.vessels if not one.is_carried):
         displaced = float(rest.recording.column("vessel_displacement", vessel.name)[-1])
-        found[vessel.name] = heights_of(question, rest, vessel.body, displaced)
+        found[vessel.name] = heights_of(question, rest, vessel.body, displaced, at_level=at_level)
     return found
 
 
-def heights_of(question: Statics, rest: Equilibrium, body: str, displaced: float) -> MetacentricHeights:
+def heights_of(
+    question: Statics, rest: Equilibrium, body: str, displaced: float, *, at_level: bool = False
+) -> MetacentricHeights:
     """Metacentric heights of a body that floats.
 
     Args:
@@ -83,13 +88,14 @@ def heights_of(question: Statics, rest: Equilibrium, body: str, displaced: float
         rest: Its equilibrium that was found last.
         body: Name of the body.
         displaced: Mass of the water that it displaces [kg].
+        at_level: Whether of tanks with holes those count only that have come to their level.
     """
     masses = {one["name"]: float(one["mass"]) for one in question.assembly.document["bodies"]}
     kinds = ("centre_x", "centre_y", "mass")
     found = question.sensitivities([(kind, body) for kind in kinds], standing=True)
     motions = np.array([one.of_body(body) for one in found])
     motions[:2] /= masses[body]
-    answers = masses[body] * with_what_runs(question, rest, body, motions)
+    answers = masses[body] * with_what_runs(question, rest, body, motions, at_level=at_level)
     orientation = rest.recording.column("body_orientation", body)[-1]
     ahead = float(heading(orientation))
     # Forward and to port, level, as rows.

@@ -39,6 +39,8 @@ __all__ = ["with_what_has_run", "with_what_runs"]
 
 Floats = npt.NDArray[np.float64]
 
+#: As far as that from the level outside it no longer runs [m].
+_LEVEL = 0.1
 #: Share of its capacity that is air or liquid at least in a tank with a surface.
 _SURFACE = 1e-6
 
@@ -52,11 +54,13 @@ def with_what_has_run(question: Statics, recording: Recording, sample: int = -1)
     return type(question)(with_contents(question.scenario, contents))
 
 
-def with_what_runs(question: Statics, rest: Equilibrium, body: str, motions: Floats) -> Floats:
+def with_what_runs(
+    question: Statics, rest: Equilibrium, body: str, motions: Floats, *, at_level: bool = False
+) -> Floats:
     """How a body answers to weights, with what runs through its holes meanwhile.
 
     Tanks count that have a surface and a hole below the water outside, open at the start or by a step
-    of the plan: one that has not come to its level yet, or is closed again, too.
+    of the plan: one that is closed again, too, and, unless `at_level`, one that has not come to its level.
 
     Args:
         question: The lift.
@@ -64,11 +68,12 @@ def with_what_runs(question: Statics, rest: Equilibrium, body: str, motions: Flo
         body: Name of a body that floats.
         motions: Of its centre of gravity and its turns under 1 kg m more along its x and y, and under a
             kilogram more at its centre of gravity, with what is in tanks held, shape (3, 6) [m, rad].
+        at_level: Whether tanks count only that have come to their level.
 
     Returns:
         The first two of them with what runs, shape (2, 6).
     """
-    places = _surfaces(question, rest, body)
+    places = _surfaces(question, rest, body, at_level)
     if not places:
         return motions[:2]
     turn = axes(rest.recording.column("body_orientation", body)[-1])
@@ -89,7 +94,7 @@ def _rise(motions: Floats, lever: Floats) -> Floats:
     return rises
 
 
-def _surfaces(question: Statics, rest: Equilibrium, body: str) -> list[tuple[Floats, float]]:
+def _surfaces(question: Statics, rest: Equilibrium, body: str, at_level: bool) -> list[tuple[Floats, float]]:
     """Surfaces that follow the sea, in a body and what is fixed to it.
 
     Returns:
@@ -99,11 +104,13 @@ def _surfaces(question: Statics, rest: Equilibrium, body: str) -> list[tuple[Flo
         return []
     own = rest.recording.column("body_position", body)[-1]
     bodies = bodies_afloat(question.scenario)
+    outside = (question.scenario.water or Water()).level
     return [
         (place - own, mass)
         for name in _fixed_to(question, body)
         if name in bodies
         for place, mass in _surfaces_in(question, rest, name, bodies[name].tanks or {})
+        if not at_level or abs(place[2] - outside) < _LEVEL
     ]
 
 

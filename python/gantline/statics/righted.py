@@ -1,4 +1,4 @@
-"""What rights vessels where a run begins and ends, and where steps of its plan end.
+"""What rights vessels where a run begins and ends, where steps of its plan end, and as tanks fill.
 
 One that is symmetrical does not show it in its motion.
 """
@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -22,7 +22,14 @@ from gantline.statics.open_tanks import with_what_has_run
 if TYPE_CHECKING:
     from gantline.statics.lift import Statics
 
-__all__ = ["Heights", "righting", "righting_at_end", "righting_at_start", "righting_on_the_way"]
+__all__ = [
+    "Heights",
+    "Waypoint",
+    "righting",
+    "righting_at_end",
+    "righting_at_start",
+    "righting_on_the_way",
+]
 
 #: Metacentric heights for heel and trim of vessels by their names [m].
 Heights = dict[str, tuple[float, float]]
@@ -49,7 +56,7 @@ def righting(question: Statics, rest: Equilibrium) -> Heights:
         return {}
 
 
-def _righting_of(question: Statics, rest: Equilibrium) -> Heights:
+def _righting_of(question: Statics, rest: Equilibrium, *, at_level: bool = False) -> Heights:
     """The same, with an error where it answers to no push smoothly."""
     limits = question.scenario.limits
     is_limited = limits is not None and limits.metacentric_height is not None
@@ -57,7 +64,7 @@ def _righting_of(question: Statics, rest: Equilibrium) -> Heights:
     is_known = rest.is_stable and not holed_tanks(question.scenario)
     if not rest.recording.rig.vessels or (is_known and not is_limited):
         return {}
-    heights = metacentric_heights(question, rest)
+    heights = metacentric_heights(question, rest, at_level=at_level)
     both = {name: (one.transverse, one.longitudinal) for name, one in heights.items()}
     return {
         name: found
@@ -96,24 +103,35 @@ def righting_at_end(
     return _righting(question, rest)
 
 
-def righting_on_the_way(
-    question: Statics, step: str, time: float, state: bytes, columns: Columns, names: Names
-) -> Heights:
-    """The same where a step of the plan has ended in a run.
+class Waypoint(NamedTuple):
+    """A moment of a run, in the words of its plan."""
+
+    #: The step that has ended, or that began last; None before any has.
+    step: str | None
+    #: For how long it has gone on [s]; None where it has ended.
+    since: float | None
+    #: Of the run [s].
+    time: float
+    #: What was saved there.
+    state: bytes
+
+
+def righting_on_the_way(question: Statics, waypoint: Waypoint, columns: Columns, names: Names) -> Heights:
+    """The same where a step of the plan has ended in a run, or the surface in a tank has come or gone.
 
     One that stands where it would not come to rest, and does not move, is held by its symmetry alone: the
-    equilibrium of the plan where this step ends tells what rights it. One that waves roll is not.
+    equilibrium of the plan at this moment tells what rights it. One that waves roll is not.
+
+    Within a step, all stops: what rushes through a hole then answers to no heel as it will once it is level.
 
     Args:
         question: The lift.
-        step: Its name.
-        time: When it ended [s].
-        state: What was saved there.
+        waypoint: The moment.
         columns: What the run has recorded.
         names: Names along these.
     """
     orientations, times = columns["body_orientation"], columns["time"]
-    last = max(int(np.searchsorted(times, time, side="right")) - 1, 0)
+    last = max(int(np.searchsorted(times, waypoint.time, side="right")) - 1, 0)
     before = max(last - 1, 0)
     bodies = {name: number for number, name in enumerate(names["body"])}
 
@@ -129,17 +147,28 @@ def righting_on_the_way(
         return still
 
     def rest(losses: Losses) -> Equilibrium:
-        found = question.equilibrium_of(state, losses=losses)
+        found = question.equilibrium_of(waypoint.state, losses=losses)
         if not (found.is_stable and _is_elsewhere(found, stands(found))):
             return found
         asked = with_what_has_run(question, found.recording)
-        ends = asked.when(step, "ends")
-        return found if ends is None else asked.equilibrium(ends, losses=losses)
+        then = _in_equilibria(asked, waypoint)
+        return found if then is None else asked.equilibrium(then, losses=losses)
 
-    return _righting(question, rest)
+    return _righting(question, rest, at_level=waypoint.since is not None)
 
 
-def _righting(question: Statics, rest: Callable[[Losses], Equilibrium]) -> Heights:
+def _in_equilibria(question: Statics, waypoint: Waypoint) -> float | None:
+    """When that moment is while the lift goes from rest to rest [s], whose steps take other times."""
+    if waypoint.step is None:
+        return waypoint.time
+    ends = question.when(waypoint.step, "ends")
+    if waypoint.since is None:
+        return ends
+    begins = question.when(waypoint.step, "begins")
+    return None if begins is None else min(begins + waypoint.since, math.inf if ends is None else ends)
+
+
+def _righting(question: Statics, rest: Callable[[Losses], Equilibrium], *, at_level: bool = False) -> Heights:
     """What rights vessels where they rest without friction, with it where nothing rests without.
 
     Friction rights no vessel: one that fenders hold to its neighbour as long as they stick seems to have of
@@ -147,7 +176,7 @@ def _righting(question: Statics, rest: Callable[[Losses], Equilibrium]) -> Heigh
     """
     for losses in _LOSSES:
         try:
-            return _righting_of(question, rest(losses))
+            return _righting_of(question, rest(losses), at_level=at_level)
         except NoEquilibriumError:
             continue
     return {}

@@ -139,6 +139,16 @@ impl Tank {
         (self.volume + pumped / self.density).clamp(0.0, self.capacity)
     }
 
+    /// Share of what it holds that is in it.
+    pub fn fill(&self, q: &[f64]) -> f64 {
+        self.filled(self.content(q)) / self.capacity
+    }
+
+    /// Whether what is in it has a surface that is free, at such a share.
+    pub fn has_surface(fill: f64) -> bool {
+        fill > FREE && 1.0 - fill > FREE
+    }
+
     /// Where the next drop goes: what lies below a surface that there always is.
     fn surface(&self, up: DVec3, pumped: f64) -> (Immersion, Plane) {
         self.contents(up, self.filled(pumped).clamp(FREE * self.capacity, (1.0 - FREE) * self.capacity))
@@ -154,10 +164,9 @@ impl Tank {
     fn at(&self, pose: &Pose, gravity: DVec3, pumped: f64) -> Contents {
         let (turn, up) = (pose.rotation, -gravity / gravity.length());
         let (weight, volume) = (self.density * gravity.length(), self.filled(pumped));
-        let free = FREE * self.capacity;
         // Of what is the body's only how it moves away from where it is frozen.
         let known = if self.pumped.is_some() { DVec3::ZERO } else { self.frozen * volume };
-        if volume <= free || self.capacity - volume <= free {
+        if !Self::has_surface(volume / self.capacity) {
             let moment = if self.pumped.is_some() { self.contents(DVec3::Z, volume).0.moment } else { known };
             return Contents { up, weight, volume, shift: turn * (moment - known), spread: DMat3::ZERO };
         }

@@ -327,6 +327,11 @@ impl PlanState {
         self.phases.iter().enumerate().filter_map(move |(index, phase)| Some((index, end(phase)?)))
     }
 
+    /// The step that began last, by its number, and when it did [s].
+    pub fn begun_last(&self) -> Option<(usize, f64)> {
+        Some((self.begun.checked_sub(1)?, self.begin))
+    }
+
     /// Name of the step that began last of those that have not ended, if any.
     pub fn current<'a>(&self, plan: &'a Plan) -> Option<&'a str> {
         let under_way = |index: &usize| {

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::method::Method;
-use super::{Command, Counters, SetupError, Simulation, Waypoint};
+use super::{Command, Counters, Saved, SetupError, Simulation, Waypoint};
 use crate::event::EventLog;
 use crate::record::Samples;
 use crate::state::State;
@@ -102,15 +102,15 @@ impl Simulation {
         written(&past, &self.samples.packed())
     }
 
-    /// Waypoints from the `first` on: name of the step that ended, time [s], and what [`Simulation::save`] would have given
-    /// there but for the past, for [`crate::statics::lift::StaticLift::settle_saved`].
+    /// Waypoints from the `first` on, as [`Saved`].
     ///
     /// # Errors
     /// [`SetupError`] where one cannot be written.
-    pub fn save_waypoints(&self, first: usize) -> Result<Vec<(String, f64, Vec<u8>)>, SetupError> {
+    pub fn save_waypoints(&self, first: usize) -> Result<Vec<Saved>, SetupError> {
         let further = self.waypoints.iter().skip(first);
-        let saved = further.map(|Waypoint { step, state }| {
-            Ok((self.system.plan.steps[*step].name.clone(), state.time, written(&self.at(state), &[])?))
+        let saved = further.map(|Waypoint { step, since, state, .. }| {
+            let name = step.map(|step| self.system.plan.steps[step].name.clone());
+            Ok((name, *since, state.time, written(&self.at(state), &[])?))
         });
         saved.collect()
     }
