@@ -64,7 +64,10 @@ vessels:
     masses: {{all: {{mass: {self.mass} kg, at: [{LENGTH / 2} m, 0 m, {self.centre} m]}}}}
     radii_of_gyration: [8 m, 23 m, 24 m]
     tanks:
-      deep: {{box: [{TANK} m, {BREADTH} m, {TALL} m], bottom: [{LENGTH / 2} m, 0 m, {self.bottom} m], content: 0}}
+      deep:
+        box: [{TANK} m, {BREADTH} m, {TALL} m]
+        bottom: [{LENGTH / 2} m, 0 m, {self.bottom} m]
+        content: 0
 plan:
 {pumped}
   - {{step: wait, hold: until_end}}
