@@ -16,6 +16,7 @@ import gantline
 from gantline.checks import Verdict
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
+from gantline.study import run_steps
 from of_recording import checks_of
 
 LENGTH, BREADTH, DENSITY, MASS = 80.0, 24.0, 1025.0, 5.7e6
@@ -156,6 +157,18 @@ def test_the_least_is_within_a_step_as_the_surface_comes_or_before_it_goes(
     assert content == pytest.approx(mark * FULL, abs=RATE)
     # KB + BM - KG to the rounding of the equilibrium; what is pumped between samples is even.
     assert value == pytest.approx(barge.height(content), rel=1e-5)
+
+
+def test_statics_have_the_least_within_a_step() -> None:
+    """A row at 50 and at 98 % of the time of a pump that comes to its rate in 10 s; none where GM is more."""
+    barge = Barge(centre=9.0, bottom=6.0, at_once=True)
+    question = gantline.Statics(parse_scenario(barge.lift()))
+    assert [one.name for one in run_steps(question)] == ["start", "fill", "end of the lift"]
+    start, half, most, *_ = run_steps(question, pumping=True)
+    assert [start.name, half.name, most.name] == ["start", "fill at 50 %", "fill at 98 %"]
+    assert start.heights["barge"].transverse == pytest.approx(barge.height(0.0), rel=1e-6)
+    assert half.heights["barge"].transverse == pytest.approx(barge.height(0.5 * FULL), rel=1e-6)
+    assert most.heights["barge"].transverse < barge.height(0.98 * FULL)
 
 
 def test_what_nothing_rights_within_a_step_is_told_though_it_lies_upright() -> None:

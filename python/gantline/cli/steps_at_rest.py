@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 _LONGEST = 36
 #: Share of a load's weight that a crane carries, above rounding [1].
 _CARRIED = 1e-3
+#: What is added to the heading where there are such moments.
+_WITHIN = ", and where one pumps that leaves less GM in between"
 _HOLDS = "holds its crane to what it stands on"
 
 
@@ -35,7 +37,7 @@ def steps(question: Statics, *, held: bool, as_json: bool) -> NoReturn:
     from gantline.cli.check_table import width_of_terminal
     from gantline.study.steps import run_steps
 
-    found = list(run_steps(question, "held" if held else "none"))
+    found = list(run_steps(question, "held" if held else "none", pumping=True))
     left_out = question.scenario.left_out_at_rest
     if as_json:
         document = {"left_out": left_out, "steps": [one.to_json() for one in found]}
@@ -61,7 +63,7 @@ def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[s
     parts = [
         [
             *(*heading(question.rig), *question.scenario.left_out_at_rest),
-            "At rest where each step ends",
+            f"At rest where each step ends{_WITHIN if any(map(_is_within, found)) else ''}",
             *(() if rest is None else friction_of(rest)),
             *slides,
             *_not_ended(question, found),
@@ -75,6 +77,12 @@ def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[s
         ],
     ]
     return [line for part in parts if part for line in (*part, "")]
+
+
+def _is_within(one: StepAtRest) -> bool:
+    from gantline.study.steps import END, START
+
+    return not one.steps and one.name not in (START, END)
 
 
 def _not_ended(question: Statics, found: Sequence[StepAtRest]) -> list[str]:

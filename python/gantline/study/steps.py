@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from gantline.scenario.plan.steps import PumpStep
 from gantline.statics import Losses, Statics
 from gantline.statics.inclining import MetacentricHeights, metacentric_heights
 from gantline.study.state import State, settled
@@ -20,6 +21,9 @@ _AS_IT_BEGINS = ("cut", "detach", "attach", "remove_supports", "pull_pins", "put
 #: How much earlier a step is looked at that ends at a given time, as another one begins, which must not have
 #: begun [s]. Where one waited for something the other has not begun at that very moment.
 _EARLIER = 1e-9
+#: Shares of a step that pumps at which it is asked what rights vessels: a surface comes, is half way up or as
+#: high as it gets.
+_SHARES = (0.02, 0.5, 0.98)
 #: What is told of a vessel: variables less their first word.
 _OF_VESSELS = ("displacement", "draft_aft", "draft_forward", "heel", "trim", "freeboard")
 
@@ -29,7 +33,8 @@ class StepAtRest:
     """A lift at rest at a moment of its plan.
 
     Attributes:
-        steps: The steps that end then; none at the start, and at the end of a lift that ends in between.
+        steps: The steps that end then; none at the start, at the end of a lift that ends in between, and
+            within a step.
         name: These steps in one word, or what the moment is called.
         state: How the lift hangs then.
         heights: What rights its vessels then, by their names; empty without equilibrium.
@@ -55,14 +60,17 @@ class StepAtRest:
         return {"steps": list(self.steps), **self.state.to_json(), "vessels": vessels}
 
 
-def run_steps(question: Statics, losses: Losses = "none") -> Iterator[StepAtRest]:
+def run_steps(question: Statics, losses: Losses = "none", *, pumping: bool = False) -> Iterator[StepAtRest]:
     """Statics of a lift at its start, where each step of its plan ends, and at its end.
 
-    What a step requires is among the checks where it ends.
+    What a step requires is among the checks where it ends. GM may be less while a step pumps than where it
+    begins and ends, its tank being slack in between.
 
     Args:
         question: The lift. When steps end that wait for something is found from rest to rest.
         losses: What friction does, see `Statics.equilibrium`.
+        pumping: Whether moments are among them at which a step pumps, and GM of a vessel is less than at the
+            moments before and after.
 
     Yields:
         The lift at each of these moments, in order, as soon as it is found; of one that has no equilibrium
@@ -73,18 +81,42 @@ def run_steps(question: Statics, losses: Losses = "none") -> Iterator[StepAtRest
     duration = question.scenario.duration
     ended: dict[float, list[str]] = {}
     changing: dict[float, list[str]] = {}
+    within: dict[float, str] = {}
     for step in question.scenario.plan:
         begin, end = question.times_of(step.step)
         if end is not None:
             ended.setdefault(end, []).append(step.step)
         if begin is not None and any(getattr(step, key) for key in _AS_IT_BEGINS):
             changing.setdefault(begin, []).append(step.step)
-    for moment in sorted({0.0, duration, *ended}):
+        if pumping and isinstance(step, PumpStep) and begin is not None and end is not None:
+            named = {
+                begin + share * (end - begin): f"{step.step} at {100.0 * share:.0f} %" for share in _SHARES
+            }
+            within |= named
+    kept: list[StepAtRest] = []
+    last: StepAtRest | None = None
+    for moment in sorted({0.0, duration, *ended} | within.keys()):
         steps = tuple(ended.get(moment, ()))
+        is_within = moment in within and not steps
         state = _ended(question, moment, asked, steps, changing.get(moment, ()))
-        heights = {} if state.rest is None else metacentric_heights(question, state.rest)
-        name = ", ".join(steps) or (END if moment > 0.0 else START)
-        yield StepAtRest(steps, name, state, heights)
+        rest = state.rest
+        heights = {} if rest is None else metacentric_heights(question, rest, at_level=is_within)
+        name = within[moment] if is_within else ", ".join(steps) or (END if moment > 0.0 else START)
+        one = StepAtRest(steps, name, state, heights)
+        if is_within:
+            kept.append(one)
+            continue
+        yield from (between for between in kept if last is None or _is_less(between, last, one))
+        yield one
+        kept, last = [], one
+
+
+def _is_less(between: StepAtRest, *others: StepAtRest) -> bool:
+    """Whether GM of a vessel for heel is less than at other moments, or nothing rests there."""
+    return between.state.rest is None or any(
+        height.transverse < min(one.heights[name].transverse for one in others if name in one.heights)
+        for name, height in between.heights.items()
+    )
 
 
 def _ended(
