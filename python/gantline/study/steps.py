@@ -89,10 +89,8 @@ def run_steps(question: Statics, losses: Losses = "none", *, pumping: bool = Fal
         if begin is not None and any(getattr(step, key) for key in _AS_IT_BEGINS):
             changing.setdefault(begin, []).append(step.step)
         if pumping and isinstance(step, PumpStep) and begin is not None and end is not None:
-            named = {
-                begin + share * (end - begin): f"{step.step} at {100.0 * share:.0f} %" for share in _SHARES
-            }
-            within |= named
+            for share in _SHARES:
+                within[begin + share * (end - begin)] = f"{step.step} at {100.0 * share:.0f} %"
     kept: list[StepAtRest] = []
     last: StepAtRest | None = None
     for moment in sorted({0.0, duration, *ended} | within.keys()):
@@ -113,8 +111,9 @@ def run_steps(question: Statics, losses: Losses = "none", *, pumping: bool = Fal
 
 def _is_less(between: StepAtRest, *others: StepAtRest) -> bool:
     """Whether GM of a vessel for heel is less than at other moments, or nothing rests there."""
+    known = [one.heights for one in others if one.heights]
     return between.state.rest is None or any(
-        height.transverse < min(one.heights[name].transverse for one in others if name in one.heights)
+        height.transverse < min((one[name].transverse for one in known), default=math.inf)
         for name, height in between.heights.items()
     )
 
