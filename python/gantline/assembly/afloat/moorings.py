@@ -31,7 +31,7 @@ __all__ = ["add_moorings", "mooring_rig", "warn_of_hauled", "winch_drive", "winc
 
 #: Inertia of a winch [kg]: next to nothing beside a vessel.
 _INERTIA = 1.0
-#: Ropes of steel have 4000 to 5000 kg in a cubic metre of the circle about them, chains more, fibre ropes
+#: Ropes of steel have 4500 to 5800 kg in a cubic metre of the circle about them, chains more, fibre ropes
 #: less than 1200 [kg/m^3].
 _STEEL_ROPE = 2500.0
 #: Largest strain of a line at the start, but of one whose curve goes further [1].

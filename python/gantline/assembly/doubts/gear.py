@@ -28,7 +28,7 @@ _LEAST_STRETCH, _MOST_STRETCH = 0.002, 1.0
 #: Modulus of solid steel [Pa], EN 1993-1-1, 3.2.6: no rope is stiffer over its circle.
 _STEEL_MODULUS = 210e9
 #: Ropes of fibre weigh a tenth of a bar of steel as thick, none of steel as much as that [1]; chain, whose
-#: diameter is that of its bar of which two lie side by side, 3.3 to 3.6 times as much: 20 to 22 t/m times d².
+#: diameter is that of its bar of which two lie side by side, 3.2 to 3.6 times as much: 20 to 22 t/m times d².
 _LIGHTEST_ROPE, _HEAVIEST_ROPE = 0.02, 5.0
 #: What ropes break at over their circle [Pa]: compacted steel of grade 2160 some 1500 MPa, soft fibre 50 MPa.
 _WEAKEST_ROPE, _STRONGEST_ROPE = 5e6, 3e9
