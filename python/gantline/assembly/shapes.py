@@ -17,6 +17,7 @@ from gantline.assembly.cranes.boom import boom_shape
 from gantline.assembly.cranes.compensators import compensator_shapes
 from gantline.assembly.cranes.crawler import crawler_shape, crawlers
 from gantline.assembly.cranes.goliath import crane_shape, goliaths
+from gantline.assembly.loads.carried import carried
 from gantline.assembly.loads.lifted import LiftedLoad
 from gantline.assembly.loads.supports import every_support, pad_shape, support_contact
 from gantline.assembly.parts import Json, Parts, box_shape
@@ -204,7 +205,7 @@ def add_touching(parts: Parts, scenario: Scenario) -> None:
         bodies = [body for shape in (*one, *other) if (body := parts.shapes[shape]["body"]) is not None]
         if not bodies:
             raise scenario.error(path, "neither of the two can move; one of them is a body")
-        group, law = contact.group or _carried(parts, scenario, bodies), _law(contact)
+        group, law = contact.group or carried(parts, scenario, bodies), _law(contact)
         for first in one:
             for second in other:
                 own = name if len(one) == len(other) == 1 else f"{name}.{first}.{second}"
@@ -212,26 +213,6 @@ def add_touching(parts: Parts, scenario: Scenario) -> None:
     if load is not None and len(parts.shapes[load.name]["parts"]) > 1:
         for pair in parts.pairs:
             pair["places"] = _PLACES_OF_PARTS if load.name in pair["shapes"] else _PLACES
-
-
-def _carried(parts: Parts, scenario: Scenario, bodies: Sequence[str]) -> str:
-    """Which of the bodies of a contact it carries: the load, but for what stands on that from the start."""
-    if scenario.load is None or scenario.load.name not in bodies:
-        return bodies[0]
-    load = scenario.load.name
-    middle = parts.place(load, (0.0, 0.0, 0.0))[2]
-    plain = scenario.mechanics.bodies if scenario.mechanics is not None else {}
-    for body in bodies:
-        if body in plain and parts.bodies[body]["joint"]["type"] == "free" and _lowest(parts, body) > middle:
-            return body
-    return load
-
-
-def _lowest(parts: Parts, body: str) -> float:
-    """Level of the lowest corner of the boxes of a plain body at the start [m]."""
-    (position, rotation), (box,) = parts.pose(body), parts.shapes[body]["parts"]
-    reach = np.abs(rotation[2]) @ np.array(box["size"]) / 2
-    return float(position[2] + rotation[2] @ np.array(box["centre"]) - reach)
 
 
 def _law(given: object) -> list[float]:
