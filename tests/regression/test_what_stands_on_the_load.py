@@ -1,9 +1,9 @@
 """A load with a container on top was never clear of its supports, since the container pressed on it.
 
 The contact of a load and a body counted as one of the load's supports, whichever of the two stood on the
-other. So `until: {supports: clear}` never came, the hoist went on, and nothing was known of what hangs still:
-no static hook load, and so none with the contingency. What stands on the load from the start is now carried by
-it: its contact is a group of its own, as `group` of the lift file could have it.
+other. So `until: {supports: clear}` never came, the hoist went on, and nothing was known of what hangs
+still: no static hook load, and so none with the contingency. What stands on the load from the start is now
+carried by it: its contact is a group of its own, as `group` of the lift file could have it.
 
 Nor could such a lift start at rest where the container just touched the load: that was put where it has sunk
 into the ground, 1.2 mm down, and left a gap in which friction held nothing: `nothing holds it, it falls
@@ -29,7 +29,7 @@ GRAVITY = 9.81
 
 
 def lift(height: float = 4.195, place: str = "ground") -> Scenario:
-    """A box of 3 m, on the ground or on stools of 1 m, and a container of 2.4 m with its middle so high [m]."""
+    """A box of 3 m, on the ground or on stools of 1 m, and a container with its middle so high [m]."""
     foot = 0.0 if place == "ground" else 1.0
     grid = "{under: box, grid: {x: [-4 m, 4 m], y: [-2 m, 2 m]}, height: 1 m, stiffness: 100 MN/m}"
     stools = "" if place == "ground" else f"supports: {{stools: {grid}}}"
@@ -54,7 +54,10 @@ load:
     C: {{at: [-4 m,  2.5 m, 3 m]}}
     D: {{at: [-4 m, -2.5 m, 3 m]}}
 cranes:
-  crane: {{type: fixed_hook, at: [0 m, 0 m, {13.0 + foot} m], hoist: {{speed: 6 m/min, acceleration: 0.05 m/s^2}}}}
+  crane:
+    type: fixed_hook
+    at: [0 m, 0 m, {13.0 + foot} m]
+    hoist: {{speed: 6 m/min, acceleration: 0.05 m/s^2}}
 sling_defaults: {{rope: sling, length: 11.12 m}}
 slings:
 {slings}mechanics:
@@ -94,7 +97,7 @@ def test_the_static_hook_load_is_known(recording: Recording) -> None:
 
 @pytest.mark.parametrize("place", ["ground", "stools"])
 def test_it_starts_where_it_just_touches(place: str) -> None:
-    """Its middle is 1.2 m above the top of the load, which has sunk in by some millimetres; its weight presses."""
+    """Its middle is 1.2 m above the top of the load, which sinks in by some millimetres."""
     rest = Statics(lift(height=4.2 if place == "ground" else 5.2, place=place)).equilibrium(
         0.0, losses="held"
     )

@@ -55,9 +55,9 @@ from gantline.assembly.doubts.vessels import doubtful_vessels
 from gantline.assembly.doubts.waits import doubtful_waits
 from gantline.assembly.doubts.ways import doubtful_ways
 from gantline.assembly.doubts.weight import doubtful_density, doubtful_weight
+from gantline.assembly.loads.carried import settle_with_load
 from gantline.assembly.loads.guides import add_guides
 from gantline.assembly.loads.in_water import add_in_water
-from gantline.assembly.loads.carried import settle_with_load
 from gantline.assembly.loads.lifted import LiftedLoad, add_load, lifted_load
 from gantline.assembly.loads.on_load import kept_on_load
 from gantline.assembly.loads.supports import removals
