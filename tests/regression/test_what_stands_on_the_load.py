@@ -28,8 +28,16 @@ CONTINGENCY = 1.1
 GRAVITY = 9.81
 
 
-def lift(height: float = 4.195, place: str = "ground") -> Scenario:
-    """A box of 3 m, on the ground or on stools of 1 m, and a container with its middle so high [m]."""
+def lift(height: float = 4.195, place: str = "ground", *, stacked: bool = False) -> Scenario:
+    """A box of 3 m, on the ground or on stools of 1 m, and a container with its middle so high [m].
+
+    Where `stacked`, another one stands on that.
+    """
+    like = "inertia: {xx: 9.6 t m^2, yy: 18.1 t m^2, zz: 18.1 t m^2}, shape: {box: [4 m, 2.4 m, 2.4 m]}"
+    first, above = (f"{{type: free, position: [0.5 m, 0 m, {z} m]}}" for z in (height, height + 2.4))
+    second = f"second: {{joint: {above}, mass: {CONTAINER / 1e3} t, {like}}}" if stacked else ""
+    law = "stiffness: 100 MN/m, damping: 1 MN s/m, friction: 0.3"
+    between = f"more: {{between: [second, container], {law}}}" if stacked else ""
     foot = 0.0 if place == "ground" else 1.0
     grid = "{under: box, grid: {x: [-4 m, 4 m], y: [-2 m, 2 m]}, height: 1 m, stiffness: 100 MN/m}"
     stools = "" if place == "ground" else f"supports: {{stools: {grid}}}"
@@ -62,13 +70,11 @@ sling_defaults: {{rope: sling, length: 11.12 m}}
 slings:
 {slings}mechanics:
   bodies:
-    container:
-      joint: {{type: free, position: [0.5 m, 0 m, {height} m]}}
-      mass: {CONTAINER / 1e3} t
-      inertia: {{xx: 9.6 t m^2, yy: 18.1 t m^2, zz: 18.1 t m^2}}
-      shape: {{box: [4 m, 2.4 m, 2.4 m]}}
+    container: {{joint: {first}, mass: {CONTAINER / 1e3} t, {like}}}
+    {second}
   body_contacts:
-    on: {{between: [container, box], stiffness: 100 MN/m, damping: 1 MN s/m, friction: 0.3}}
+    on: {{between: [container, box], {law}}}
+    {between}
 plan:
   - {{step: off, hoist: crane, speed: 1 m/min, until: {{supports: clear}}}}
   - {{step: up, hoist: crane, speed: 3 m/min, by: 1 m}}
@@ -95,16 +101,17 @@ def test_the_static_hook_load_is_known(recording: Recording) -> None:
     assert check.value == pytest.approx(CONTINGENCY * (LOAD + CONTAINER) * GRAVITY, rel=1e-5)
 
 
-@pytest.mark.parametrize("place", ["ground", "stools"])
-def test_it_starts_where_it_just_touches(place: str) -> None:
+@pytest.mark.parametrize(
+    ("place", "height", "containers"), [("ground", 4.2, 1), ("stools", 5.2, 1), ("ground", 4.2, 2)]
+)
+def test_it_starts_where_it_just_touches(place: str, height: float, containers: int) -> None:
     """Its middle is 1.2 m above the top of the load, which sinks in by some millimetres."""
-    rest = Statics(lift(height=4.2 if place == "ground" else 5.2, place=place)).equilibrium(
-        0.0, losses="held"
-    )
-    pressed = [rest.recording.column("contact_force", f"on/{number}")[-1] for number in range(1, 9)]
-    assert sum(pressed) == pytest.approx(CONTAINER * GRAVITY, rel=1e-6)
-    at = rest.recording.column("body_position", "container")[-1]
-    assert np.hypot(at[0] - 0.5, at[1]) < 1e-4
+    scenario = lift(height, place, stacked=containers == 2)
+    rest = Statics(scenario).equilibrium(0.0, losses="held").recording
+    pressed = [rest.column("contact_force", f"on/{number}")[-1] for number in range(1, 9)]
+    assert sum(pressed) == pytest.approx(containers * CONTAINER * GRAVITY, rel=1e-6)
+    at = rest.column("body_position", "container")[-1]
+    assert np.hypot(at[0] - 0.5, at[1]) < 1e-4  # friction holds it
 
 
 @pytest.mark.parametrize(("height", "group"), [(4.195, "container"), (1.0, "box")])
