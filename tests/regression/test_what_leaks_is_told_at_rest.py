@@ -46,7 +46,9 @@ def test_tables_say_it(lift: tuple[Path, bool], words: tuple[str, ...]) -> None:
     assert (SAID in said.stdout.splitlines()) is is_holed
 
 
-def test_numbers_say_it(lift: tuple[Path, bool]) -> None:
+@pytest.mark.parametrize("words", [("statics", "--steps"), ("ballast",)], ids=" ".join)
+def test_numbers_say_it(lift: tuple[Path, bool], words: tuple[str, ...]) -> None:
     path, is_holed = lift
-    document = json.loads(called("statics", path, "--steps", "--json").stdout)
+    verb, *options = words
+    document = json.loads(called(verb, path, *options, "--json").stdout)
     assert document["left_out"] == ([SAID] if is_holed else [])
