@@ -55,6 +55,7 @@ from gantline.assembly.doubts.vessels import doubtful_vessels
 from gantline.assembly.doubts.waits import doubtful_waits
 from gantline.assembly.doubts.ways import doubtful_ways
 from gantline.assembly.doubts.weight import doubtful_density, doubtful_weight
+from gantline.assembly.loads.carried import settle_with_load
 from gantline.assembly.loads.guides import add_guides
 from gantline.assembly.loads.in_water import add_in_water
 from gantline.assembly.loads.lifted import LiftedLoad, add_load, lifted_load
@@ -190,6 +191,8 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     hang_in_tackles(parts, scenario)
     rest_on_girders(parts, scenario)
     add_shapes(parts, scenario, rigging, lifted)
+    if lifted is not None:
+        settle_with_load(parts, scenario, lifted)
     add_touching(parts, scenario)
     kinds = rope_kinds(scenario, rigging)
     add_watches(parts, scenario, {name: kind.diameter for name, (kind, _) in kinds.items()})

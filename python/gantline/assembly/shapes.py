@@ -17,6 +17,7 @@ from gantline.assembly.cranes.boom import boom_shape
 from gantline.assembly.cranes.compensators import compensator_shapes
 from gantline.assembly.cranes.crawler import crawler_shape, crawlers
 from gantline.assembly.cranes.goliath import crane_shape, goliaths
+from gantline.assembly.loads.carried import carried
 from gantline.assembly.loads.lifted import LiftedLoad
 from gantline.assembly.loads.supports import every_support, pad_shape, support_contact
 from gantline.assembly.parts import Json, Parts, box_shape
@@ -204,8 +205,7 @@ def add_touching(parts: Parts, scenario: Scenario) -> None:
         bodies = [body for shape in (*one, *other) if (body := parts.shapes[shape]["body"]) is not None]
         if not bodies:
             raise scenario.error(path, "neither of the two can move; one of them is a body")
-        carried = load.name if load is not None and load.name in bodies else bodies[0]
-        group, law = contact.group or carried, _law(contact)
+        group, law = contact.group or carried(parts, scenario, bodies), _law(contact)
         for first in one:
             for second in other:
                 own = name if len(one) == len(other) == 1 else f"{name}.{first}.{second}"

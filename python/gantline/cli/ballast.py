@@ -93,7 +93,8 @@ def ballast(
         except ValueError as problem:
             stop(f"{scenario.source}: {problem}")
     if as_json:
-        typer.echo(json.dumps(answer.to_json(), indent=2, allow_nan=False))
+        numbers = {**answer.to_json(), "left_out": scenario.left_out_at_rest}
+        typer.echo(json.dumps(numbers, indent=2, allow_nan=False))
     else:
         from gantline.cli.ballast_table import report
 

@@ -76,6 +76,7 @@ def _as_lines(question: Statics, found: LostLoad) -> list[str]:
     state = "stable" if found.rest.is_stable else "UNSTABLE"
     lines = [
         *heading(question.rig),
+        *question.scenario.left_out_at_rest,
         f"'{found.load}' lost at {found.rest.time:g} s; at rest without it: {state}",
     ]
     lines += ["", *vessels(found.rest.recording), "", *righting(found.heights)]

@@ -357,7 +357,9 @@ class BodyContact(Element):
     damping: Damping = Field(0.0, description="Damping at each place that touches.")
     friction: Ratio = Field(0.0, description="Coefficient of friction.")
     group: Name | None = Field(
-        None, description="Contacts of one group lift off together; the first that moves if not given."
+        None,
+        description="Contacts of one group lift off together; if not given the load, "
+        "but what stands on it from the start, or the first that moves.",
     )
 
 

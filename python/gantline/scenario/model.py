@@ -250,14 +250,18 @@ class Scenario(Element):
 
     @property
     def left_out_at_rest(self) -> list[str]:
-        """Sentences on its waves and gusts, which an equilibrium leaves out; none where it has none."""
+        """Sentences on what an equilibrium leaves out: waves, gusts and holes; none where it has none."""
+        from gantline.scenario.afloat.tanks import holed_tanks
+
         gusts = isinstance(self.wind, Wind) and self.wind.gusts is not None
         waves = f"the waves {', '.join(self.waves or {})}"
         pushed = any(self.has_mean_drift(name) for name in self.vessels or {})
         without = f"{waves}, but with their mean drift forces if there are any" if pushed else waves
+        holed = list(holed_tanks(self))
         return [
             *([f"Still water: without {without}"] if self.waves else []),
             *(["Steady wind: without its gusts"] if gusts else []),
+            *([f"{', '.join(holed)} as at the start: nothing runs through holes"] if holed else []),
         ]
 
     def has_mean_drift(self, vessel: str) -> bool:
