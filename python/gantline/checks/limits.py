@@ -409,7 +409,7 @@ LIMITS: dict[str, Measure] = {
         definition="nothing may go under",
     ),
     "metacentric_height": Measure(
-        "least GM of a vessel for heel, where a run begins at rest, a step ends or it has ended",
+        "least GM of a vessel for heel, where a run begins at rest and ends, steps end, and as tanks fill",
         "m",
         2,
         vessels.metacentric_height,
