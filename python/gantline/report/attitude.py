@@ -150,7 +150,7 @@ def _swing_after_travel(subject: Subject, load: Load) -> tuple[str, float] | Non
 
 
 def tightest_clearance(subject: Subject) -> tuple[str, str] | None:
-    """The watched pair that comes nearest to what it has to keep, as the checks have it; how near, and when."""
+    """The watched pair nearest to what it has to keep, as the checks have it; how near it is, and when."""
     recording = subject.recording
     pairs = recording.coordinates.get("pair", ())
     if "clearance" not in recording or not pairs:

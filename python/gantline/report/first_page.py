@@ -160,7 +160,7 @@ def _failed(subject: Subject) -> list[Check]:
 
 
 def _is_distance(check: Check) -> bool:
-    """Whether a check is of the distance that the lift file asks of a watched pair, and of no margin beyond."""
+    """Whether a check is of the distance that a watched pair has to keep, and of no margin beyond."""
     return check.name == "clearance_margin" and check.limit == 0.0
 
 
