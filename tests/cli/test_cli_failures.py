@@ -202,7 +202,7 @@ def test_a_sling_that_is_certain_to_be_too_short_is_refused_before_anything_runs
     """The load stands and nothing has held it: where the hook and the lug are is known."""
     code, said = run(tmp_path, TOO_SHORT.replace("attach: sling.short", "attach: [sling.short, sling.long]"))
     assert code == 2
-    assert "lift.yaml:23: plan[2].attach: 'sling.short' is 8.5 m and 0.500 m too short to be put on" in said
+    assert "lift.yaml:23: step 'on', plan[2].attach: 'sling.short' is 8.5 m and 0.500 m too short" in said
     assert (
         "from 'hook' to its lug it is 9.000 m then; lower the hook before, or make the sling longer" in said
     )

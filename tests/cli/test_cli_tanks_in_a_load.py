@@ -37,33 +37,39 @@ WET: dict[str, Any] = {"added_mass": ["50 t", "80 t", "150 t"], "drag_coefficien
         ),
         (
             {"plan": [pump("drain", ("module.insid", "sea"), "600 t/h", by="3 t")]},
-            "plan[1].pump.from: 'module.insid' is not a tank, nor 'sea'; did you mean 'module.inside'?",
+            "step 'drain', plan[1].pump.from: 'module.insid' is not a tank, nor 'sea'; did you mean "
+            "'module.inside'?",
         ),
         (
             {"plan": [pump("drain", OUT, "600 t/h", by="30 t")]},
-            "plan[1].by: 'module.inside' would run empty: 30 t are pumped from it, and 24 t are in it then",
+            "step 'drain', plan[1].by: 'module.inside' would run empty: 30 t are pumped from it, and "
+            "24 t are in it then",
         ),
         (
             {"plan": [pump("fill", OUT[::-1], "600 t/h", by="3 t")]},
-            "plan[1].pump.from: there is no sea in this file: nothing in it has a hull, and it has no "
+            "step 'fill', plan[1].pump.from: there is no sea in this file: nothing in it has a hull, "
+            "and it has no "
             "'water'; 'water: {level: 0 m}' says where it is",
         ),
         (
             {"plan": [pump("fill", OUT[::-1], "600 t/h", by="30 t")], **SEA_AROUND},
-            "plan[1].by: 'module.inside' would run over: 30 t are pumped into it, and there is room for "
+            "step 'fill', plan[1].by: 'module.inside' would run over: 30 t are pumped into it, and "
+            "there is room for "
             "25.2 t then",
         ),
         (
             {"plan": [{"step": "drain", "pump": {"from": "module.inside"}, "rate": "9 t/h", "by": "3 t"}]},
-            "plan[1].pump: 'to' is missing, where it goes: a tank, or 'sea', which is all outside of tanks",
+            "step 'drain', plan[1].pump: 'to' is missing, where it goes: a tank, or 'sea', which is "
+            "all outside of tanks",
         ),
         (
             {"plan": [{"step": "drain", "drain": "module.inside", "rate": "9 t/h", "by": "3 t"}]},
-            "plan[1]: 'drain' is not what a step can do; did you mean 'pump'?",
+            "step 'drain', plan[1]: 'drain' is not what a step can do; did you mean 'pump'?",
         ),
         (
             {"plan": [pump("drain", OUT, "600 t/h", until={"load_transferred": "50 %"})], **GROUND},
-            "plan[1].until: this waits for a share of a weight that changes: from 0 t to 24 t may be in the "
+            "step 'drain', plan[1].until: this waits for a share of a weight that changes: from 0 t to "
+            "24 t may be in the "
             "tanks of the load by then; wait for 'supports' or 'hoist_load', or pump 'by' an amount in a "
             "step of its own before",
         ),

@@ -76,7 +76,7 @@ LENGTH = "slings.S1.length"
         ),
         (
             "statics equalizer --sweep 'duration=1 s..2 s/2'",
-            "--sweep: duration=1 s: plan[1].brake_from: 25 s is after the end of the lift at 1 s",
+            "--sweep: duration=1 s: step 'hoist', plan[1].brake_from: 25 s is after the end of the lift",
         ),
     ],
 )

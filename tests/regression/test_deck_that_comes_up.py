@@ -12,25 +12,20 @@ import pytest
 from gantline import simulate
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
+from hung_box import hung_box
 from lift_text import changed
 from of_recording import checks_of
 
-LIFT = """\
+LIFT = (
+    """\
 format: 1
 lift: {title: Onto a deck that heaves}
 duration: 14 s
 start: rest
 ropes: {soft: {axial_stiffness: 20 MN, damping_time: 10 ms}}
-load:
-  name: box
-  shape: {box: [2 m, 2 m, 2 m]}
-  position: [0 m, 0 m, HEIGHT m]
-  weight: {calculated: 10 t}
-  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
-  lugs: {top: {at: [0 m, 0 m, 2 m]}}
-cranes:
-  hook: {type: fixed_hook, at: [0 m, 0 m, HOOK m], hoist: {speed: 30 m/min, acceleration: 0.2 m/s^2}}
-slings: {S: {from: hook, to: box.top, length: 5 m, rope: soft}}
+"""
+    + hung_box("0 m, 0 m, HEIGHT m", "0 m, 0 m, HOOK m", "speed: 30 m/min, acceleration: 0.2 m/s^2")
+    + """\
 mechanics:
   bodies:
     deck:
@@ -46,6 +41,7 @@ plan:
   - {step: end, hold: until_end}
 simulation: {sample_interval: 10 ms}
 """
+)
 
 
 def run(ramp: str, step: str, height: float = 1.0) -> Recording:

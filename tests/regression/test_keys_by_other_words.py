@@ -33,11 +33,14 @@ def answer(old: str, new: str) -> str:
 )
 def test_a_step_that_does_something_else_is_named(key: str, verb: str) -> None:
     said = answer("{step: hoist, hoist: hook", f"{{step: hoist, {key}: hook")
-    assert said == f"plan[1]: '{key}' is not what a step can do; did you mean '{verb}'?"
+    assert said == f"step 'hoist', plan[1]: '{key}' is not what a step can do; did you mean '{verb}'?"
 
 
 def test_a_step_that_does_nothing_is_told_what_there_is() -> None:
-    assert answer("{step: hoist, hoist: hook", "{step: hoist, pull_pins: e1") == f"plan[1]: {VERBS}"
+    assert (
+        answer("{step: hoist, hoist: hook", "{step: hoist, pull_pins: e1")
+        == f"step 'hoist', plan[1]: {VERBS}"
+    )
 
 
 @pytest.mark.parametrize(
@@ -95,4 +98,5 @@ def test_a_mapping_in_words_is_written_out(until: str, what: str, keys: str, rig
 
 def test_a_mapping_in_other_words_is_not_guessed() -> None:
     said = answer("start_at: 0 s, brake_from: 10 s}", "until: clear}")
-    assert said.startswith("plan[1].until: found 'clear'; until is a mapping") and "write" not in said
+    assert said.startswith("step 'hoist', plan[1].until: found 'clear'; until is a mapping")
+    assert "write" not in said

@@ -18,29 +18,25 @@ from gantline.report.attitude import attitude
 from gantline.report.subject import Subject
 from gantline.results.loads.lift_off import lift_off_in_words
 from gantline.scenario import parse_scenario
+from hung_box import hung_box
 from lift_text import changed
 
 #: Let down at 0.4 m/s onto ground that throws it up again, and lifted off once more.
-LIFT = """\
+LIFT = (
+    """\
 format: 1
 lift: {title: A box is put down hard}
 duration: 8 s
 ground: {stiffness: 20 MN/m, damping: 0 N s/m}
 ropes: {soft: {axial_stiffness: 20 MN, damping_time: 10 ms}}
-load:
-  name: box
-  shape: {box: [2 m, 2 m, 2 m]}
-  position: [0 m, 0 m, 0.5 m]
-  weight: {calculated: 10 t}
-  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
-  lugs: {top: {at: [0 m, 0 m, 2 m]}}
-cranes:
-  hook: {type: fixed_hook, at: [0 m, 0 m, 7.5 m], hoist: {speed: 30 m/min, acceleration: 1 m/s^2}}
-slings: {S: {from: hook, to: box.top, length: 5 m, rope: soft}}
+"""
+    + hung_box("0 m, 0 m, 0.5 m", "0 m, 0 m, 7.5 m", "speed: 30 m/min, acceleration: 1 m/s^2")
+    + """\
 plan:
   - {step: down, lower: hook, speed: 24 m/min, by: 0.7 m}
   - {step: wait, hold: 2 s}
 """
+)
 UP = "  - {step: up, hoist: hook, speed: 24 m/min, by: 1 m}\n  - {step: end, hold: until_end}\n"
 
 

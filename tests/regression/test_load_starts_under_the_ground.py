@@ -10,27 +10,29 @@ import pytest
 
 from gantline.assembly import assemble
 from gantline.scenario import load_scenario, parse_scenario
+from hung_box import hung_box
 
-LIFT = """
+LIFT = (
+    """\
 format: 1
 lift: {title: A box hangs}
 duration: 10 s
 water: {level: 0 m}
 ground: {level: LEVEL, friction: 0.5}
 ropes: {sling: {axial_stiffness: 100 MN, damping_time: 20 ms}}
-load:
-  name: box
-  shape: {box: [4 m, 2 m, 2 m]}
-  position: [0 m, 0 m, 3 m]
-  weight: {calculated: 10 t}
-  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
-  lugs: {A: {at: [0 m, 0 m, 2 m]}}
-cranes:
-  hook: {type: fixed_hook, at: [0 m, 0 m, 10 m], hoist: {speed: 3 m/min, acceleration: 0.5 m/s^2}}
-slings: {A: {rope: sling, from: hook, to: box.A, length: 5 m}}
+"""
+    + hung_box(
+        "0 m, 0 m, 3 m",
+        "0 m, 0 m, 10 m",
+        "speed: 3 m/min, acceleration: 0.5 m/s^2",
+        size="4 m, 2 m, 2 m",
+        rope="sling",
+    )
+    + """\
 plan:
   - {step: hang, hold: until_end}
 """
+)
 
 
 def doubts(level: str) -> list[str]:

@@ -12,25 +12,20 @@ import pytest
 
 from gantline import simulate
 from gantline.scenario import ScenarioError, parse_scenario
+from hung_box import hung_box
 from lift_text import changed
 from mechanics import G
 from of_recording import step_end
 
-LIFT = """\
+LIFT = (
+    """\
 format: 1
 lift: {title: Off a deck at sea}
 duration: 12 s
 ropes: {soft: {axial_stiffness: 20 MN, damping_time: 10 ms}}
-load:
-  name: box
-  shape: {box: [2 m, 2 m, 2 m]}
-  position: [0 m, 0 m, 0 m]
-  weight: {calculated: 10 t}
-  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
-  lugs: {top: {at: [0 m, 0 m, 2 m]}}
-cranes:
-  hook: {type: fixed_hook, at: [0 m, 0 m, 6.9 m], hoist: {speed: 6 m/min, acceleration: 1 m/s^2}}
-slings: {S: {from: hook, to: box.top, length: 5 m, rope: soft}}
+"""
+    + hung_box("0 m, 0 m, 0 m", "0 m, 0 m, 6.9 m", "speed: 6 m/min, acceleration: 1 m/s^2")
+    + """\
 mechanics:
   bodies:
     deck: {joint: {type: fixed}, mass: 1 t, shape: {box: [4 m, 4 m, 1 m], centre: [0 m, 0 m, -0.5 m]}}
@@ -40,6 +35,7 @@ plan:
   - {step: off, hoist: hook, speed: 3 m/min, until: {supports: clear}}
   - {step: end, hold: until_end}
 """
+)
 
 
 def test_plan_waits_for_the_deck_to_be_clear() -> None:

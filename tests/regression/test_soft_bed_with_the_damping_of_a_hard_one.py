@@ -12,27 +12,29 @@ import pytest
 import gantline
 from gantline.assembly import assemble
 from gantline.scenario import load_scenario
+from hung_box import hung_box
 
-LIFT = """
+LIFT = (
+    """\
 format: 1
 lift: {title: A box comes down}
 duration: 10 s
 ground: {level: 0 m, friction: 0.5, GROUND}
 ropes: {sling: {axial_stiffness: 100 MN, damping_time: 20 ms, minimum_breaking_force: 900 kN}}
-load:
-  name: box
-  shape: {box: [4 m, 2 m, 2 m]}
-  position: [0 m, 0 m, 1 m]
-  weight: {calculated: 10 t}
-  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
-  lugs: {A: {at: [0 m, 0 m, 2 m]}}
-cranes:
-  hook: {type: fixed_hook, at: [0 m, 0 m, 8 m], hoist: {speed: 30 m/min, acceleration: 0.5 m/s^2}}
-slings: {A: {rope: sling, from: hook, to: box.A, length: 5 m}}
+"""
+    + hung_box(
+        "0 m, 0 m, 1 m",
+        "0 m, 0 m, 8 m",
+        "speed: 30 m/min, acceleration: 0.5 m/s^2",
+        size="4 m, 2 m, 2 m",
+        rope="sling",
+    )
+    + """\
 plan:
   - {step: down, lower: hook, by: 1.5 m, speed: 30 m/min}
   - {step: stand, hold: until_end}
 """
+)
 
 
 def doubts(lift: gantline.Scenario) -> list[str]:

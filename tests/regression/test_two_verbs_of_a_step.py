@@ -17,6 +17,6 @@ def test_a_step_for_each_is_right() -> None:
         parse_scenario(LIFT.replace("{step: lift off, hoist: crane,", both), "lift.yaml")
     line = next(number for number, one in enumerate(LIFT.splitlines(), 1) if "lift off" in one)
     assert str(refused.value) == (
-        f"lift.yaml:{line}: plan[1]: a step does one thing; found 'hoist' and 'lower': "
+        f"lift.yaml:{line}: step 'lift off', plan[1]: a step does one thing; found 'hoist' and 'lower': "
         "a step for each is right, side by side by 'starts: with_previous'"
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from hung_box import hung_box
+
 
 def onto_a_deck(plan: str, motion: str, *, height: float = 0.3, hook: float = 7.3, end: float = 24.0) -> str:
     """A lift file; its plan begins with 6 s of waiting.
@@ -19,16 +21,7 @@ lift: {{title: A box above a deck}}
 duration: {end} s
 start: rest
 ropes: {{soft: {{axial_stiffness: 20 MN, damping_time: 10 ms}}}}
-load:
-  name: box
-  shape: {{box: [2 m, 2 m, 2 m]}}
-  position: [0 m, 0 m, {height} m]
-  weight: {{calculated: 10 t}}
-  centre_of_gravity: {{at: [0 m, 0 m, 1 m]}}
-  lugs: {{top: {{at: [0 m, 0 m, 2 m]}}}}
-cranes:
-  hook: {{type: fixed_hook, at: [0 m, 0 m, {hook} m], hoist: {{speed: 30 m/min, acceleration: 0.2 m/s^2}}}}
-slings: {{S: {{from: hook, to: box.top, length: 5 m, rope: soft}}}}
+{hung_box(f"0 m, 0 m, {height} m", f"0 m, 0 m, {hook} m", "speed: 30 m/min, acceleration: 0.2 m/s^2")}\
 mechanics:
   bodies:
     deck:

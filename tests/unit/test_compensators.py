@@ -467,7 +467,8 @@ MISTAKES: dict[str, tuple[Any, ...]] = {
     ),
     "a pin beside seals": (
         ("hold: until_end", "hold: until_end, put_in_pins: PHC"),
-        "lift.yaml:42: plan[2].put_in_pins: 'PHC' has seal friction, and a pin that steps move; one joint "
+        "lift.yaml:42: step 'hold', plan[2].put_in_pins: 'PHC' has seal friction, and a pin that steps "
+        "move; one joint "
         "has only one of them: leave 'seal_friction' out, or 'locked: true' on for all of the lift",
     ),
     "a pin that is not in": (

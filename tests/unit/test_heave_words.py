@@ -21,28 +21,34 @@ def refused(text: str) -> str:
 @pytest.mark.parametrize(
     ("new", "says"),
     [
-        ("compensate_heave: H2", "plan[1].compensate_heave: 'H2' is not a hook; known here: 'sheerleg.H1'"),
+        (
+            "compensate_heave: H2",
+            "step 'still', plan[1].compensate_heave: 'H2' is not a hook; known here: 'sheerleg.H1'",
+        ),
         (
             "compensate_heave: [H1, sheerleg.H1]",
-            "plan[1].compensate_heave: names a hook twice; each hook stands once",
+            "step 'still', plan[1].compensate_heave: names a hook twice; each hook stands once",
         ),
         (
             "compensate_heave: H1, relative_to: berge",
-            "plan[1].relative_to: 'berge' is not a vessel; did you mean 'barge'?",
+            "step 'still', plan[1].relative_to: 'berge' is not a vessel; did you mean 'barge'?",
         ),
         (
             "compensate_heave: H1, relative_to: platform",
-            "plan[1].relative_to: 'platform' is not a vessel; known here: 'barge'; without it that is the "
+            "step 'still', plan[1].relative_to: 'platform' is not a vessel; known here: 'barge'; "
+            "without it that is the "
             "ground, and all that stands on it",
         ),
         (
             "compensate_heave: H1, relative_to: barge",
-            "plan[1].relative_to: 'barge' bears 'sheerleg.H1' itself, whose boom head does not heave "
+            "step 'still', plan[1].relative_to: 'barge' bears 'sheerleg.H1' itself, whose boom head "
+            "does not heave "
             "against it; name another vessel, or none",
         ),
         (
             "relative_to: barge",
-            "plan[1].relative_to: 'relative_to' stands beside 'compensate_heave'; found it alone",
+            "step 'still', plan[1].relative_to: 'relative_to' stands beside 'compensate_heave'; found "
+            "it alone",
         ),
     ],
 )
@@ -53,7 +59,8 @@ def test_steps_that_compensate_what_cannot_be(new: str, says: str) -> None:
 
 def test_a_hoist_that_cannot_says_what_it_needs() -> None:
     assert refused(compensated_text(STEP, can="")) == (
-        "plan[1].compensate_heave: the hoist of 'H1' does not compensate heave; give it some, such as "
+        "step 'still', plan[1].compensate_heave: the hoist of 'H1' does not compensate heave; give it "
+        "some, such as "
         "'heave_compensation: {speed: 1 m/s, acceleration: 1 m/s^2}'"
     )
 
@@ -64,7 +71,8 @@ def test_a_hook_on_land_does_not_heave() -> None:
     text = compensated_text(STEP.replace("H1", "quay"))
     text = changed(text, ("cranes:\n", f"cranes:\n{land}"))
     assert refused(text) == (
-        "plan[1].compensate_heave: 'quay' hangs from no crane on a vessel, and so nothing of it heaves; "
+        "step 'still', plan[1].compensate_heave: 'quay' hangs from no crane on a vessel, and so "
+        "nothing of it heaves; "
         "leave it out"
     )
 

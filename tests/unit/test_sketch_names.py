@@ -99,3 +99,11 @@ def test_a_long_name_at_the_end_of_the_paper_is_kept_on_it() -> None:
     assert on_paper(9.0, "north_west.2", 92.0) == pytest.approx(half)
     assert on_paper(88.0, "north_west.2", 92.0) == pytest.approx(92.0 - half)
     assert on_paper(46.0, "north_west.2", 92.0) == 46.0
+
+
+def test_a_bold_text_takes_more() -> None:
+    """Three letters of 2.2 mm are 6.6 mm wide, and not 5.25: numbers of lugs 6 mm apart lay on each other."""
+    one, other = (text_box(x, 30.0, "S12", is_bold=True) for x in (40.0, 46.0))
+    assert one == pytest.approx((36.7, 43.3, 30.0))
+    assert not has_room(other, [one])
+    assert has_room(text_box(46.0, 30.0, "S12"), [text_box(40.0, 30.0, "S12")])

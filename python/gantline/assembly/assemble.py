@@ -78,6 +78,7 @@ from gantline.scenario import Rigging, Scenario, StartError, resolve
 from gantline.scenario.errors import Doubt, Problem
 from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
 from gantline.scenario.loads.hinge import hinge_pins
+from gantline.scenario.loads.load import Load
 from gantline.scenario.plan.pins import Pins, pins_of
 
 __all__ = ["Assembly", "assemble", "integrator_settings"]
@@ -154,23 +155,9 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     lifted: LiftedLoad | None = None
     under: Sequence[UnderLoad] = ()
     if scenario.load is not None:
-        lifted = lifted_load(scenario, scenario.load, rigging)
-        scenario = kept_on_load(scenario, lifted)
-        assert scenario.load is not None  # its mechanics alone has changed
-        scenario = cut_to_load(scenario, scenario.load, lifted.body)
-        assert scenario.load is not None  # its supports alone have changed
-        under = under_load(scenario, scenario.load, lifted.body, lifted.centre)
-        check_under_load(scenario, scenario.load, lifted.body, under)
-        add_load(parts, scenario, scenario.load, rigging, lifted, under)
-        parts.supports += [one.pad for one in under]
-        parts.doubts += doubtful_supports(scenario, scenario.load, lifted.body, under)
+        scenario, lifted, under = _add_lifted(parts, scenario, scenario.load, rigging)
         add_between(parts, scenario, rigging, lifted.lugs, pins.at_start)
-        try:
-            add_slings(parts, scenario, rigging, lifted.lugs)
-        except StartError as error:
-            # Slings are too short for a hook that is beside its load, where only its place is wrong.
-            beside = [scenario.problem(*doubt) for doubt in doubtful_beside(parts, scenario, rigging, lifted)]
-            raise StartError(scenario.source, [*beside, *error.problems]) from None
+        _add_slings(parts, scenario, rigging, lifted)
     add_mechanics(parts, scenario)
     add_water(parts, scenario)
     if lifted is not None:
@@ -199,11 +186,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     parts.plan.extend(operations(scenario, rigging, parts))
     parts.compensators.extend(compensators(scenario))
     add_compensation(parts, scenario)
-    pulled_pins = map(add, pins.pulled, hinge_pins(scenario))
-    changes = zip(parts.plan, pulled_pins, pins.put_in, removals(scenario), strict=True)
-    for step, pulled, put_in, removed in changes:
-        said = (("pulls", pulled), ("pins", put_in), ("removes", removed))
-        step |= {key: names for key, names in said if names}
+    _add_changes(parts, scenario, pins)
     parts.emergency_stop = emergency_stop(scenario)
     add_partings(parts, scenario)
     warn_of_cuts(parts, scenario)
@@ -221,6 +204,42 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         under_load=tuple(under),
         guide_fits=guide_fits(parts, scenario),
     )
+
+
+def _add_lifted(
+    parts: Parts, scenario: Scenario, load: Load, rigging: Rigging
+) -> tuple[Scenario, LiftedLoad, Sequence[UnderLoad]]:
+    """The load and what it stands on.
+
+    Returns:
+        The lift with mechanics and supports as the load has them, the load, and all supports under it.
+    """
+    lifted = lifted_load(scenario, load, rigging)
+    scenario = cut_to_load(kept_on_load(scenario, lifted), load, lifted.body)
+    under = under_load(scenario, load, lifted.body, lifted.centre)
+    check_under_load(scenario, load, lifted.body, under)
+    add_load(parts, scenario, load, rigging, lifted, under)
+    parts.supports += [one.pad for one in under]
+    parts.doubts += doubtful_supports(scenario, load, lifted.body, under)
+    return scenario, lifted, under
+
+
+def _add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: LiftedLoad) -> None:
+    """All slings; where they are too short for a hook that is beside its load only its place is wrong."""
+    try:
+        add_slings(parts, scenario, rigging, lifted.lugs)
+    except StartError as error:
+        beside = [scenario.problem(*doubt) for doubt in doubtful_beside(parts, scenario, rigging, lifted)]
+        raise StartError(scenario.source, [*beside, *error.problems]) from None
+
+
+def _add_changes(parts: Parts, scenario: Scenario, pins: Pins) -> None:
+    """What steps of the plan pull, put in and remove."""
+    pulled_pins = map(add, pins.pulled, hinge_pins(scenario))
+    changes = zip(parts.plan, pulled_pins, pins.put_in, removals(scenario), strict=True)
+    for step, pulled, put_in, removed in changes:
+        said = (("pulls", pulled), ("pins", put_in), ("removes", removed))
+        step |= {key: names for key, names in said if names}
 
 
 def _doubts(

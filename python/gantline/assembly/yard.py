@@ -296,20 +296,30 @@ def add_slings(parts: Parts, scenario: Scenario, rigging: Rigging, lugs: dict[st
     if too_short:
         raise StartError(scenario.source, _too_short(parts, scenario, rigging, too_short, lugs))
     warn_of_off(parts, scenario, off)
+    _doubt_below(parts, rigging, scenario.load.name, below)
+    _doubt_long(parts, rigging, scenario.load.name, loose)
+
+
+def _doubt_below(parts: Parts, rigging: Rigging, load: str, below: dict[str, float]) -> None:
+    """Slings whose upper end is below the lug that they hold, by how much [m]."""
     if below:
         deepest = max(below, key=lambda name: below[name])
         more = f" and {len(below) - 1} more" if len(below) > 1 else ""
-        way = _way(scenario.load.name, rigging.slings[deepest])
+        way = _way(load, rigging.slings[deepest])
         parts.doubt(
             ("slings", deepest),
             f"sling {deepest}{more} cannot lift where this begins: {way} it goes {below[deepest]:.3g} m up; "
             "the height of a hook is that of its bearing",
         )
+
+
+def _doubt_long(parts: Parts, rigging: Rigging, load: str, loose: dict[str, tuple[float, float]]) -> None:
+    """Slings much longer than their way, both [m]."""
     if loose:
         loosest = max(loose, key=lambda name: loose[name][0])
         more = f" and {len(loose) - 1} more" if len(loose) > 1 else ""
         length, distance = loose[loosest]
-        way = f"{_way(scenario.load.name, rigging.slings[loosest])} it is {distance:.4g} m at the start"
+        way = f"{_way(load, rigging.slings[loosest])} it is {distance:.4g} m at the start"
         parts.doubt(
             ("slings", loosest, "length"),
             f"sling {loosest}{more} is {length:g} m long, and {way}; check the number and its unit",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import textwrap
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -68,12 +69,12 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
 
 def _wrong_value(path: str, problem: SweepError) -> str:
     """What a value makes wrong, a line each; the lift file has no line that says it."""
-    from gantline.scenario.errors import Problem, ScenarioError
+    from gantline.scenario.errors import ScenarioError
 
-    elsewhere = (
-        Problem(None, "" if one.path == path else one.path, one.sentence) for one in problem.problems
-    )
-    return str(ScenarioError(f"--sweep: {path}={problem.value}", list(elsewhere)))
+    elsewhere = [
+        replace(one, line=None, path="" if one.path == path else one.path) for one in problem.problems
+    ]
+    return str(ScenarioError(f"--sweep: {path}={problem.value}", elsewhere))
 
 
 def _read(text: str) -> tuple[str, str, str, int]:

@@ -110,10 +110,7 @@ def rendered(
     depth = triangles @ view.toward
     depth = (depth - depth.min()) / max(float(np.ptp(depth)), 1e-9)
     is_skin = np.array(skins, dtype=bool)[group]
-    normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
-    normals = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
-    normals = np.where((normals @ view.toward)[:, None] < 0, -normals, normals)
+    normals = _normals(triangles, view)
     face = _faces(part, normals)
     light = np.stack([view.right, view.up, view.toward], axis=1) @ _LIGHT
     shade = (0.68 + 0.32 * np.clip(normals @ light, 0.0, 1.0))[:, None] * colours[group]
@@ -136,16 +133,31 @@ def rendered(
         share = np.where(seen, _OPACITY, 1.0)[..., None]
         image = np.where(front[..., None], share * over + (1 - share) * image, image)
         seen = seen | front
+    half = np.array([width, height]) / 2 / scale
+    left, bottom = middle - half
+    right, top = middle + half
+    return _coarser(image, seen, size), (float(left), float(right), float(bottom), float(top))
+
+
+def _normals(triangles: FloatArray, view: View) -> FloatArray:
+    """Unit normals of triangles towards who looks, zero of those without area, shape (n, 3)."""
+    normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
+    towards: FloatArray = np.where((normals @ view.toward)[:, None] < 0, -normals, normals)
+    return towards
+
+
+def _coarser(image: FloatArray, seen: npt.NDArray[np.bool_], size: tuple[int, int]) -> FloatArray:
+    """An image as means of its pixels, transparent where nothing is seen; the top row first."""
     both = np.concatenate([image, seen[..., None].astype(float)], axis=2)
     both[..., :3] *= both[..., 3:]
     small = both.reshape(size[1], _FINER, size[0], _FINER, 4).mean(axis=(1, 3))
     small[..., :3] = np.divide(
         small[..., :3], small[..., 3:], out=np.ones_like(small[..., :3]), where=small[..., 3:] > 0
     )
-    half = np.array([width, height]) / 2 / scale
-    left, bottom = middle - half
-    right, top = middle + half
-    return np.clip(small[::-1], 0.0, 1.0), (float(left), float(right), float(bottom), float(top))
+    clipped: FloatArray = np.clip(small[::-1], 0.0, 1.0)
+    return clipped
 
 
 def _peeled(spans: Iterable[_Spans], shape: tuple[int, int], part: Whole, count: int) -> list[_Layer]:

@@ -17,8 +17,11 @@ from gantline.results.rig import Load
 from gantline.units import length_digits, telling_digits
 
 
-def attitude(subject: Subject) -> list[tuple[str, str]]:
-    """Wind, lift-off, tilt, yaw, drift, swing and tightest clearance, in words."""
+def attitude(subject: Subject, told: str = "") -> list[tuple[str, str]]:
+    """Wind, lift-off, tilt, yaw, drift, swing and tightest clearance, in words.
+
+    The tightest clearance is left out where it is that of a pair of which all is `told` elsewhere.
+    """
     recording = subject.recording
     rows = _wind(subject)
     if subject.rig.current is not None:
@@ -32,7 +35,9 @@ def attitude(subject: Subject) -> list[tuple[str, str]]:
     rows += _hinges(subject)
     rows += _tag_lines(subject)
     rows += _guides(subject)
-    rows += _clearance(subject)
+    tightest = tightest_clearance(subject)
+    if tightest is not None and tightest[0] != told:
+        rows.append(("tightest clearance", " ".join(tightest)))
     return rows
 
 
@@ -144,12 +149,12 @@ def _swing_after_travel(subject: Subject, load: Load) -> tuple[str, float] | Non
     return (kind, float(recording.column("load_swing", load.name)[after].max())) if after.any() else None
 
 
-def _clearance(subject: Subject) -> list[tuple[str, str]]:
-    """The watched pair that comes nearest to what it has to keep, as the checks have it, and when."""
+def tightest_clearance(subject: Subject) -> tuple[str, str] | None:
+    """The watched pair nearest to what it has to keep, as the checks have it; how near it is, and when."""
     recording = subject.recording
     pairs = recording.coordinates.get("pair", ())
     if "clearance" not in recording or not pairs:
-        return []
+        return None
     watches = {watch.name: watch for watch in subject.rig.watches}
     watched = {name: watched_during(recording, watch) for name, watch in watches.items()}
     keeps = np.array([watches[name].smallest if name in watches else 0.0 for name in pairs])
@@ -157,7 +162,7 @@ def _clearance(subject: Subject) -> list[tuple[str, str]]:
     during &= subject.counts[:, np.newaxis]
     distance = np.where(during, recording["clearance"].values, np.inf)
     if not np.isfinite(distance).any():
-        return []
+        return None
     at, pair = np.unravel_index(int(np.argmin(distance - keeps)), distance.shape)
     time = float(recording.time[at])
     step = subject.step_at(time)
@@ -168,4 +173,4 @@ def _clearance(subject: Subject) -> list[tuple[str, str]]:
         apart, "m", telling_digits(apart, keeps[pair], "m", digits) if apart < keeps[pair] else digits
     )
     least = f", at least {keeps[pair]:g} m," if keeps[pair] > 0.0 else ""
-    return [("tightest clearance", f"{pairs[pair]} {found}{least}{place}")]
+    return pairs[pair], f"{found}{least}{place}"

@@ -20,7 +20,7 @@ from gantline.checks import (
 from gantline.checks.check import ALL_KNOWN, HANGS_STILL, LOAD_LIFTED, PLAN_FINISHED
 from gantline.checks.forces import hook_force
 from gantline.report.afloat import afloat_facts, vessel_tables
-from gantline.report.attitude import attitude
+from gantline.report.attitude import attitude, tightest_clearance
 from gantline.report.booms import boom_rows
 from gantline.report.carried import READ_OVER, READINGS, equalizer_row, hook_row, sling_rows
 from gantline.report.rest import unsound_cases, what_if
@@ -73,6 +73,9 @@ class FirstPage(Section):
         """What the template is given."""
         is_afloat = bool(subject.rig.vessels)
         most_slings = _MOST_SLINGS_AFLOAT if is_afloat else _MOST_SLINGS
+        failed = _failed(subject)[:_MOST_FAILED]
+        # What failed stands at the top with its distance, and is not told again.
+        too_near = next((check.element for check in failed if _is_distance(check)), "")
         return {
             "rig": subject.rig,
             "is_lift": subject.is_lift,
@@ -91,7 +94,7 @@ class FirstPage(Section):
             "slings_left_out": max(0, len(subject.rig.slings) - most_slings),
             "equalizers": [equalizer_row(subject, one) for one in subject.rig.equalizers],
             "turnings": turnings(subject),
-            "attitude": attitude(subject),
+            "attitude": attitude(subject, too_near),
             "vessels": vessel_tables(subject),
             "afloat": afloat_facts(subject),
             "booms": boom_rows(subject),
@@ -118,7 +121,7 @@ def _verdict(subject: Subject) -> dict[str, Any]:
     warned = [check for check in checks if check.verdict is Verdict.WARNING]
     if tone == "good" and warned:
         tone = "warn"
-    failed = foremost([check for check in checks if check.verdict is Verdict.FAILED])
+    failed = _failed(subject)
     compared = [
         one for one in checks if one.utilisation is not None and one.verdict is not Verdict.NOT_CHECKED
     ]
@@ -149,6 +152,16 @@ def _verdict(subject: Subject) -> dict[str, Any]:
         "without": _listed(without) if without else "",
         "beyond": beyond(subject.rig),
     }
+
+
+def _failed(subject: Subject) -> list[Check]:
+    """What failed, the foremost first."""
+    return foremost([check for check in subject.checks if check.verdict is Verdict.FAILED])
+
+
+def _is_distance(check: Check) -> bool:
+    """Whether a check is of the distance that a watched pair has to keep, and of no margin beyond."""
+    return check.name == "clearance_margin" and check.limit == 0.0
 
 
 def _broke_off(subject: Subject) -> bool:
@@ -184,6 +197,9 @@ def _failure(subject: Subject, check: Check) -> dict[str, str]:
     found = ", ".join(
         part for part in (typeset(check.shown(check.value)), bound, _when(subject, check)) if part
     )
+    tightest = tightest_clearance(subject) if _is_distance(check) else None
+    if tightest is not None and tightest[0] == check.element:
+        found = tightest[1]  # how near, and not by how much it is too near
     name = check.name.replace("_", " ")
     about = ", ".join(part for part in (name, check.element) if part)
     return {"about": about, "text": "; ".join(part for part in (found, check.remark) if part)}

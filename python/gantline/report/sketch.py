@@ -391,7 +391,7 @@ def _numbers(
             tries = [*(lug + np.array([0.0, down]) for down in _BESIDE_LUG), *tries]
             # Of lugs in a row from top to bottom those between the others have room at their sides.
             tries += [lug + np.array([side * beside_dot(name), 0.0]) for side in (1.0, -1.0)]
-        boxes = [text_box(on_paper(float(x), name, WIDTH), float(y), name) for x, y in tries]
+        boxes = [text_box(on_paper(float(x), name, WIDTH), float(y), name, is_bold=True) for x, y in tries]
         free = [box for box in boxes if has_room(box, taken) and (not plan or hides_none(box, lugs))]
         if not free:  # too many beside each other: those that have room stand for them
             continue

@@ -48,9 +48,9 @@ def beside_dot(text: str) -> float:
     return _DOT + _APART + _BOLD * len(text) / 2
 
 
-def text_box(x: float, y: float, text: str, anchor: str = "middle") -> Box:
+def text_box(x: float, y: float, text: str, anchor: str = "middle", *, is_bold: bool = False) -> Box:
     """What a text takes that has its `start`, `middle` or `end` at a place [mm]."""
-    wide = _LETTER * len(text)
+    wide = (_BOLD if is_bold else _LETTER) * len(text)
     left = x - {"start": 0.0, "middle": wide / 2, "end": wide}[anchor]
     return left, left + wide, y
 

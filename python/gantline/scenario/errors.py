@@ -31,16 +31,33 @@ PathPart = str | int
 
 @dataclass(frozen=True)
 class Problem:
-    """One thing that is wrong: line (from 1; None for the file as a whole), path and sentence."""
+    """One thing that is wrong.
+
+    Attributes:
+        line: its line, from 1; None for the file as a whole.
+        path: its path in the file, empty where it has none.
+        sentence: what is wrong, and what would be right.
+        step: name of the step of the plan that it is in, empty where it is in none that has a name.
+    """
 
     line: int | None
     path: str
     sentence: str
+    step: str = ""
+
+    @property
+    def message(self) -> str:
+        """Path and sentence, the step's name before its place in the plan, which nobody has counted."""
+        if not self.path:
+            return self.sentence
+        named = f"step '{shorten(self.step)}'"
+        is_named = not self.step or named in self.sentence
+        return f"{self.path}: {self.sentence}" if is_named else f"{named}, {self.path}: {self.sentence}"
 
     def of(self, source: str) -> str:
         """The problem as one line of a message, behind the name of its file."""
         place = source if self.line is None else f"{source}:{self.line}"
-        return f"{place}: {self.path}: {self.sentence}" if self.path else f"{place}: {self.sentence}"
+        return f"{place}: {self.message}"
 
 
 class Doubt(NamedTuple):

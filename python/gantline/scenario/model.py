@@ -21,10 +21,10 @@ from gantline.scenario.cranes.crane_types import Crane
 from gantline.scenario.cranes.hook_group import HookGroup
 from gantline.scenario.cranes.hook_parts import HookType
 from gantline.scenario.cranes.hooks import Hook, booms_of, hooks_of
-from gantline.scenario.errors import PathPart, Problem, ScenarioError, StartError, join_path
+from gantline.scenario.errors import PathPart, Problem, ScenarioError, StartError
 from gantline.scenario.extension import ExtensionSheave
 from gantline.scenario.file.case import Case
-from gantline.scenario.file.tree import MapNode, line_of
+from gantline.scenario.file.tree import MapNode, problem_at
 from gantline.scenario.gear import RopeMaterial, Shackle, Sling, SlingDefaults
 from gantline.scenario.ground import Axes, Ground, LiftHead, SimulationSettings
 from gantline.scenario.limits import Limits, Rules
@@ -203,7 +203,7 @@ class Scenario(Element):
 
     def problem(self, path: tuple[PathPart, ...], sentence: str) -> Problem:
         """A problem at a path of this file, with its line."""
-        return Problem(line_of(self._tree, path), join_path(path), sentence)
+        return problem_at(self._tree, path, sentence)
 
     def error(self, path: tuple[PathPart, ...], sentence: str) -> ScenarioError:
         """An error with one problem at a path of this file."""

@@ -223,10 +223,8 @@ def _of_case(
     except StartError as error:
         return _known(unstartable(state, scenario.duration if time is None else time, error))
     except ScenarioError as error:
-        problem = error.problems[0]
-        sentence = f"{problem.path}: {problem.sentence}"
         where = f"{state.variant}: " if state.variant else ""
-        raise scenario.error(("cases", state.case), f"{where}{sentence}") from None
+        raise scenario.error(("cases", state.case), f"{where}{error.problems[0].message}") from None
 
 
 def _with_bounds(pool: SideBySide, scenario: Scenario, time: float | None, state: State) -> _Pending:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -101,14 +101,7 @@ def adjust_lengths(
     slung = resolve(scenario).slings
     known = {name: one.length for name, one in slung.items()}
     chosen = list(known) if slings is None else names_of("slings", slings)
-    for names, error in ((chosen, AdjustError), (shares or {}, ValueError)):
-        for name in names:
-            if name not in known:
-                raise error(f"'{name}' is not a sling; {nearest(name, known)}")
-    for name, share in (shares or {}).items():
-        if not 0.0 <= share <= 1.0:
-            sentence = f"{name}: {100.0 * share:g} % is no share of what all slings carry"
-            raise ValueError(f"{sentence}; one is written like '30 %' or '0.3'")
+    _refuse(chosen, shares or {}, known)
     if slopes is None and heading is None and not shares:
         raise ValueError("nothing is wanted of the load: slopes, a heading or shares are")
     limit = {name: _MOST * known[name] if most is None else most for name in chosen}
@@ -150,6 +143,23 @@ def adjust_lengths(
         steps=search.steps,
         scenario=search.now.scenario,
     )
+
+
+def _refuse(chosen: Sequence[str], shares: Mapping[str, float], known: Collection[str]) -> None:
+    """Refuse names that are no slings, and shares that are none.
+
+    Raises:
+        AdjustError: If what may change is no sling.
+        ValueError: If a share is none, or that of no sling.
+    """
+    for names, error in ((chosen, AdjustError), (shares, ValueError)):
+        for name in names:
+            if name not in known:
+                raise error(f"'{name}' is not a sling; {nearest(name, known)}")
+    for name, share in shares.items():
+        if not 0.0 <= share <= 1.0:
+            sentence = f"{name}: {100.0 * share:g} % is no share of what all slings carry"
+            raise ValueError(f"{sentence}; one is written like '30 %' or '0.3'")
 
 
 def _mean_strain(sling: SlingRigging, before: Equilibrium, after: Equilibrium) -> float:

@@ -130,9 +130,10 @@ class Search:
             changes = self._step(changes, target)
         return changes
 
-    def stay(self) -> None:
-        """Take the lift as it is given for the answer."""
+    def stay(self) -> Floats:
+        """Take the lift as it is given for the answer: no changes [m]."""
         self.now, self.steps = self.first, 0
+        return np.zeros(len(self._unknowns))
 
     def _target(self, changes: Floats) -> Floats | None:
         """Of all changes that do it to first order the least; None where nothing more can be done."""

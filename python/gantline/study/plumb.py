@@ -6,7 +6,7 @@ import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -122,42 +122,15 @@ def plumb_hooks(
     unknowns = [
         Unknown(one.path, (f"place_{'xy'[one.axis]}", one.body), one.given, math.inf) for one in moving
     ]
-    # What nothing here bears is not pulled aside either: a boom's hook that may not move, along both axes.
-    pulled = [(one.name, one.hooks, one.axis) for one in bearers]
-    pulled += [(name, (name,), axis) for name in used if name not in borne for axis in (0, 1)]
-    turns = len({scenario.hooks[name].crane for name in used}) > 1
-
-    def drift_of(hanging: Hanging) -> list[Row] | None:
-        return None if placed else _drift(hanging, bearers)
-
-    def rows(hanging: Hanging) -> list[Row]:
-        found = [hanging.side_pull(name, those, axis) for name, those, axis in pulled]
-        drift = drift_of(hanging)
-        if drift is not None:
-            found += [replace(row, value=row.value / _HEIGHT, change=row.change / _HEIGHT) for row in drift]
-            if turns:
-                row = hanging.heading()
-                stood = _heading_at_the_start(hanging)
-                found.append(replace(row, value=math.remainder(row.value - stood, math.tau)))
-        return found
-
-    search = Search(question, unknowns, rows, time, "places of hooks")
-    try:
-        changes = [float(change) for change in search.run()]
-    except CannotBeError as problem:
-        if not placed or search.first.residual > _PLUMB:
-            why = _where_the_plan_says(placed) + _what_pulls(scenario, search.first.hanging)
-            raise CannotBeError(f"{problem}{why}") from None
-        # What the plan has made plumb no place at the start makes plumber.
-        search.stay()
-        changes = [0.0] * len(unknowns)
+    wanted = _Wanted.of(scenario, used, bearers, drifts=not placed)
+    search = Search(question, unknowns, wanted.rows, time, "places of hooks")
+    changes = _found(search, placed)
     search.refuse_unsound()
-    given = {
-        name: _place_of(search.first.hanging, scenario.hooks[name]) for one in moving for name in one.hooks
-    }
     first, now = search.first.hanging, search.now.hanging
+    given = {name: _place_of(first, scenario.hooks[name]) for one in moving for name in one.hooks}
     before, after = (
-        math.hypot(*(row.value for row in drift)) if drift else None for drift in map(drift_of, (first, now))
+        math.hypot(*(row.value for row in drift)) if drift else None
+        for drift in map(wanted.drift, (first, now))
     )
     return HookAnswer(
         values={one.path: one.given + change for one, change in zip(moving, changes, strict=True)},
@@ -171,6 +144,64 @@ def plumb_hooks(
         steps=search.steps,
         scenario=search.now.scenario,
     )
+
+
+@dataclass(frozen=True)
+class _Wanted:
+    """What shall be nothing of a lift that hangs.
+
+    Attributes:
+        pulled: What is not pulled aside: its name, its hooks and the axis.
+        bearers: What bears the hooks.
+        drifts: Whether the load shall come off without drift where that can be asked.
+        turns: Whether it shall keep its heading then.
+    """
+
+    pulled: Sequence[tuple[str, Sequence[str], int]]
+    bearers: Sequence[Bearer]
+    drifts: bool
+    turns: bool
+
+    @classmethod
+    def of(cls, scenario: Scenario, used: Sequence[str], bearers: Sequence[Bearer], *, drifts: bool) -> Self:
+        """What is wanted of the hooks in which slings hang."""
+        borne = {hook for one in bearers for hook in one.hooks}
+        # What nothing here bears is not pulled aside either: a boom's hook that may not move, on both axes.
+        free = [(name, (name,), axis) for name in used if name not in borne for axis in (0, 1)]
+        turns = len({scenario.hooks[name].crane for name in used}) > 1
+        return cls([*((one.name, one.hooks, one.axis) for one in bearers), *free], bearers, drifts, turns)
+
+    def drift(self, hanging: Hanging) -> list[Row] | None:
+        """How far the load has drifted [m], if that is asked."""
+        return _drift(hanging, self.bearers) if self.drifts else None
+
+    def rows(self, hanging: Hanging) -> list[Row]:
+        """All that shall be nothing."""
+        found = [hanging.side_pull(name, those, axis) for name, those, axis in self.pulled]
+        drift = self.drift(hanging)
+        if drift is not None:
+            found += [replace(row, value=row.value / _HEIGHT, change=row.change / _HEIGHT) for row in drift]
+            if self.turns:
+                row = hanging.heading()
+                stood = _heading_at_the_start(hanging)
+                found.append(replace(row, value=math.remainder(row.value - stood, math.tau)))
+        return found
+
+
+def _found(search: Search, placed: Sequence[Bearer]) -> list[float]:
+    """Changes of the places [m]; none where what the plan places is plumb as it is given.
+
+    Raises:
+        CannotBeError: If it cannot be had, with the reason.
+    """
+    try:
+        return [float(change) for change in search.run()]
+    except CannotBeError as problem:
+        if not placed or search.first.residual > _PLUMB:
+            why = _where_the_plan_says(placed) + _what_pulls(search.first.scenario, search.first.hanging)
+            raise CannotBeError(f"{problem}{why}") from None
+    # What the plan has made plumb no place at the start makes plumber.
+    return [float(change) for change in search.stay()]
 
 
 def _may_move(

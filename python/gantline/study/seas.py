@@ -406,8 +406,7 @@ def _submit(
             simulation = Simulation(scenario.changed(changes), **overrides)
             recording = simulation.run(on_progress=lambda _: pool.goes_on())
         except ScenarioError as error:
-            problem = error.problems[0]
-            return SeaRecord(number, cause=f"{problem.path}: {problem.sentence}", starts=False)
+            return SeaRecord(number, cause=error.problems[0].message, starts=False)
         except SimulationError as stop:
             return SeaRecord(number, stop.time, check_recording(stop.recording), cause=str(stop))
         warnings = tuple(str(one) for one in recording.attributes.get("warnings") or ())

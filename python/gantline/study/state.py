@@ -175,9 +175,7 @@ def settled(question: Statics, time: float | None, state: State, ending: Sequenc
 
 def unstartable(state: State, time: float, error: StartError) -> State:
     """A state of a lift whose start cannot be put together, at a time [s]."""
-    problem = error.problems[0]
-    cause = f"{problem.path}: {problem.sentence}" if problem.path else problem.sentence
-    return replace(state, time=time, starts=False, cause=cause)
+    return replace(state, time=time, starts=False, cause=error.problems[0].message)
 
 
 def stands(state: State, given: State) -> tuple[str, ...]:

@@ -30,7 +30,8 @@ use crate::rope::guide::Guide;
 use crate::spec::SystemSpec;
 use crate::state::State;
 use crate::stepper::spots::find;
-use crate::system::{DriveJoint, Rows, SheavePlace, System};
+use crate::system::{DriveJoint, LightSheaves, Rows, SheavePlace, System};
+use crate::tree::Tree;
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
 use adjusters::build_adjusters;
@@ -70,17 +71,9 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let sea = build_trains("sea", spec.sea.as_ref())?;
     let gusts = build_trains("gusts", spec.gusts.as_ref())?;
     tree.forces = build_forces(spec, &tree, [&sea, &gusts])?;
-    let mut q = vec![0.0; tree.positions];
-    let mut v = vec![0.0; tree.velocities];
-    for (body, given) in tree.bodies.iter().zip(&spec.bodies) {
-        start_of_joint(&given.joint, &mut q[body.first_position..], &mut v[body.first_velocity..]);
-    }
     let drives = build_drives(spec, &tree)?;
-    let mut driven = vec![None; tree.velocities];
-    for (index, drive) in drives.iter().enumerate().filter(|(_, drive)| !drive.is_limited) {
-        driven[drive.dof] = Some(index);
-        v[drive.dof] = 0.0;
-    }
+    let driven = driven_by(&drives, &tree);
+    let (mut q, v) = start_of_joints(spec, &tree, &driven);
     let mut start = Kinematics::new(&tree);
     start.update(&tree, &q, 0.0);
     let shapes = build_shapes(spec, &tree)?;
@@ -91,55 +84,42 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let rows = Rows::new(&constraints);
     let coils = places_of_coils(spec, &tree, &constraints, &rows);
     let light = rows_of_light(&tree, &constraints, &rows);
-    let mut is_light_dof = vec![false; tree.velocities];
-    light.iter().flat_map(|light| &light.dofs).for_each(|&dof| is_light_dof[dof] = true);
-    let is_light = |row: &usize| light.iter().any(|light| light.brakes.contains(row));
+    // What drums have let go and marks of mooring lines stand at the end of q.
     tree.supplies = coils.len();
     tree.positions += coils.len();
     place_moorings(spec, &mut tree, &start)?;
     q.resize(tree.positions, 0.0);
-    let rigid: Vec<usize> =
-        (0..rows.count()).filter(|row| rows.laws[*row].compliance() == 0.0 && !is_light(row)).collect();
-    let is_rope_row = |row: &usize| matches!(rows.laws[*row], Law::Unilateral { .. });
-    let inextensible = rigid.iter().copied().filter(is_rope_row).collect();
     let adjusters = build_adjusters(spec, &constraints, &rows)?;
     let plan = build_plan(spec, &tree, &drives, &groups, (&constraints, &rows))?;
     let (fragile, cuts) = (build_fragile(spec)?, build_cuts(spec)?);
     let slings = build_slings(spec, &constraints)?;
     let pins = build_pinnings(spec, &constraints)?;
-    let fed = (0..constraints.len()).filter(|&index| is_fed(&constraints[index])).collect();
     let is_brake = |constraint: &AnyConstraint| matches!(constraint, AnyConstraint::Brake(_));
     let first_brake = constraints.iter().position(is_brake).unwrap_or(constraints.len());
     let light_brakes = light.iter().map(|light| light.brakes.len()).sum::<usize>();
-    let first_light = constraints.len() - light_brakes;
-    let motors = motors_of(&constraints[first_brake..], rows.first[first_brake], &drives);
-    let flows = (0..tree.velocities)
-        .filter(|&dof| matches!(tree.bodies[tree.owner[dof]].joint, Joint::Flow(_)))
-        .collect();
-    let rope_count = spec.ropes.len();
-    let sheaves = places_of_sheaves(&constraints);
-    let friction = (0..rows.count()).filter(|&row| matches!(rows.laws[row], Law::Friction { .. })).collect();
+    let rigid = rigid_rows(&rows, &light);
+    let is_rope_row = |row: &usize| matches!(rows.laws[*row], Law::Unilateral { .. });
     let mut system = System {
+        rope_count: spec.ropes.len(),
+        sheaves: places_of_sheaves(&constraints),
+        inextensible: rigid.iter().copied().filter(is_rope_row).collect(),
+        rigid,
+        friction: rows_with(&rows, |law| matches!(law, Law::Friction { .. })),
+        fed: (0..constraints.len()).filter(|&index| is_fed(&constraints[index])).collect(),
+        first_brake,
+        first_light: constraints.len() - light_brakes,
+        motors: motors_of(&constraints[first_brake..], rows.first[first_brake], &drives),
+        flows: flows_of(&tree),
+        is_light: dofs_of_light(&light, &tree),
         tree,
         constraints,
-        rope_count,
         rows,
-        sheaves,
-        inextensible,
         fragile,
         cuts,
         slings,
         pins,
-        rigid,
-        friction,
-        fed,
-        first_brake,
-        first_light,
-        motors,
-        flows,
         coils,
         light,
-        is_light: is_light_dof,
         adjusters,
         drives,
         driven,
@@ -158,6 +138,52 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     find(&system, &start, &mut spots, |_| false, |_, _, _| {});
     let state = first_state(spec, &mut system, (q, v), (seats, spots))?;
     Ok((system, state))
+}
+
+/// For each degree of freedom the drive that says its motion; motors of some capacity leave theirs free.
+fn driven_by(drives: &[DriveJoint], tree: &Tree) -> Vec<Option<usize>> {
+    let mut driven = vec![None; tree.velocities];
+    for (index, drive) in drives.iter().enumerate().filter(|(_, drive)| !drive.is_limited) {
+        driven[drive.dof] = Some(index);
+    }
+    driven
+}
+
+/// Coordinates and velocities as the document has them; what is driven starts at rest.
+fn start_of_joints(spec: &SystemSpec, tree: &Tree, driven: &[Option<usize>]) -> (Vec<f64>, Vec<f64>) {
+    let (mut q, mut v) = (vec![0.0; tree.positions], vec![0.0; tree.velocities]);
+    for (body, given) in tree.bodies.iter().zip(&spec.bodies) {
+        start_of_joint(&given.joint, &mut q[body.first_position..], &mut v[body.first_velocity..]);
+    }
+    for (speed, _) in v.iter_mut().zip(driven).filter(|(_, drive)| drive.is_some()) {
+        *speed = 0.0;
+    }
+    (q, v)
+}
+
+/// Rows whose law is of a kind.
+fn rows_with(rows: &Rows, is_of_kind: impl Fn(&Law) -> bool) -> Vec<usize> {
+    (0..rows.count()).filter(|&row| is_of_kind(&rows.laws[row])).collect()
+}
+
+/// Rows without compliance, but those of light sheaves' brakes.
+fn rigid_rows(rows: &Rows, light: &[LightSheaves]) -> Vec<usize> {
+    let mut rigid = rows_with(rows, |law| law.compliance() == 0.0);
+    rigid.retain(|row| !light.iter().any(|light| light.brakes.contains(row)));
+    rigid
+}
+
+/// Degrees of freedom of flows, in order.
+fn flows_of(tree: &Tree) -> Vec<usize> {
+    let is_flow = |dof: &usize| matches!(tree.bodies[tree.owner[*dof]].joint, Joint::Flow(_));
+    (0..tree.velocities).filter(is_flow).collect()
+}
+
+/// For each degree of freedom whether it is the flow of a light sheave.
+fn dofs_of_light(light: &[LightSheaves], tree: &Tree) -> Vec<bool> {
+    let mut is_light = vec![false; tree.velocities];
+    light.iter().flat_map(|light| &light.dofs).for_each(|&dof| is_light[dof] = true);
+    is_light
 }
 
 /// True where a constraint acts on degrees of freedom by themselves, see [`System::fed`].

@@ -7,9 +7,9 @@ use crate::force::AnyForce;
 use crate::force::mooring::catenary::Catenary;
 use crate::force::mooring::{Mooring, Winch};
 use crate::spec::{ForceSpec, MooringSpec, SystemSpec};
-use crate::tree::Tree;
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
+use crate::tree::{Body, Tree};
 
 /// How far the lower end may be from the bed that it lies on [m].
 const ON_BED: f64 = 1e-3;
@@ -20,6 +20,32 @@ const HALVINGS: usize = 200;
 
 /// A line whose length is set by [`place_moorings`].
 pub(super) fn build_mooring(given: &MooringSpec, body: usize, tree: &Tree) -> Result<Mooring, BuildError> {
+    check_line(given, tree)?;
+    let winch = match &given.winch {
+        Some(wanted) => Some(find_winch(&given.name, wanted, body, tree)?),
+        None => None,
+    };
+    Ok(Mooring {
+        name: given.name.clone(),
+        body,
+        at: DVec3::from_array(given.at),
+        to: DVec3::from_array(given.to),
+        line: Catenary {
+            weight: given.weight,
+            stiffness: given.axial_stiffness,
+            on_bed: given.sea_bed.is_some(),
+        },
+        length: given.length.unwrap_or(0.0),
+        damping_time: given.damping_time,
+        winch,
+        breaking_force: given.breaking_force,
+        lowest: 0.0,
+        mark: 0,
+    })
+}
+
+/// Whether a line can be as the document has it, wherever what it holds is.
+fn check_line(given: &MooringSpec, tree: &Tree) -> Result<(), BuildError> {
     let name = &given.name;
     finite(name, "a place", &[given.at, given.to].concat())?;
     positive(name, "its weight", given.weight)?;
@@ -42,11 +68,10 @@ pub(super) fn build_mooring(given: &MooringSpec, body: usize, tree: &Tree) -> Re
     if let Some(time) = given.cut_at {
         at_least_zero(name, "the time at which it is cut", time)?;
     }
-    let to = DVec3::from_array(given.to);
     let up = -tree.gravity / tree.gravity.length();
     if let Some(bed) = given.sea_bed {
         finite(name, "the sea bed", &[bed])?;
-        let above = to.dot(up) - bed;
+        let above = DVec3::from_array(given.to).dot(up) - bed;
         if above.abs() > ON_BED {
             let side = if above > 0.0 { "below" } else { "above" };
             let apart = above.abs();
@@ -58,36 +83,19 @@ pub(super) fn build_mooring(given: &MooringSpec, body: usize, tree: &Tree) -> Re
             );
         }
     }
-    let winch = match &given.winch {
-        None => None,
-        Some(wanted) => {
-            let flow = tree.bodies.iter().find(|other| {
-                &other.name == wanted && other.parent == Some(body) && matches!(other.joint, Joint::Flow(_))
-            });
-            let Some(flow) = flow else {
-                return error(name, format!("`{wanted}` is no flow on the body that it holds"));
-            };
-            let (dof, position) = (flow.first_velocity, flow.first_position);
-            Some(Winch { dof, position, unstretched: 1.0, held: 0.0 })
-        }
+    Ok(())
+}
+
+/// The winch of the line `name`: the flow of the name `wanted` on the body that the line holds.
+fn find_winch(name: &str, wanted: &str, body: usize, tree: &Tree) -> Result<Winch, BuildError> {
+    let is_its = |other: &&Body| {
+        other.name == wanted && other.parent == Some(body) && matches!(other.joint, Joint::Flow(_))
     };
-    Ok(Mooring {
-        name: name.clone(),
-        body,
-        at: DVec3::from_array(given.at),
-        to,
-        line: Catenary {
-            weight: given.weight,
-            stiffness: given.axial_stiffness,
-            on_bed: given.sea_bed.is_some(),
-        },
-        length: given.length.unwrap_or(0.0),
-        damping_time: given.damping_time,
-        winch,
-        breaking_force: given.breaking_force,
-        lowest: 0.0,
-        mark: 0,
-    })
+    let Some(flow) = tree.bodies.iter().find(is_its) else {
+        return error(name, format!("`{wanted}` is no flow on the body that it holds"));
+    };
+    let (dof, position) = (flow.first_velocity, flow.first_position);
+    Ok(Winch { dof, position, unstretched: 1.0, held: 0.0 })
 }
 
 /// Gives all lines their lengths and their marks, with everything where it is at the start.

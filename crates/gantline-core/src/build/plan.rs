@@ -13,8 +13,8 @@ use crate::plan::{
     Switching, Until,
 };
 use crate::spec::{
-    AxisJointSpec, BodySpec, EmergencySpec, ForceSpec, JointSpec, ReelSpec, StepSpec, StopAtSpec, SystemSpec,
-    UntilSpec,
+    AxisJointSpec, BodySpec, EmergencySpec, ForceSpec, JointSpec, MoveSpec, ReelSpec, StepSpec, StopAtSpec,
+    SystemSpec, UntilSpec,
 };
 use crate::system::{ContactGroup, DriveJoint, Rows};
 use crate::tree::Tree;
@@ -150,30 +150,46 @@ fn build_step(
     groups: &[ContactGroup],
     ropes: (&[AnyConstraint], &Rows),
 ) -> Result<Step, BuildError> {
-    let name = &given.name;
-    let mut moves = Vec::with_capacity(given.moves.len());
-    for motion in &given.moves {
-        let drive = find_drive(name, &motion.drive, drives)?;
-        positive(name, "the acceleration", motion.acceleration)?;
-        positive(name, "the speed", motion.velocity.abs())?;
-        let (velocity, acceleration, shape) = (motion.velocity, motion.acceleration, motion.shape);
-        let emergency = match &motion.emergency {
-            Some(stop) => Some(build_emergency(name, stop, &drives[drive])?),
-            None => None,
-        };
-        if let Some(range) = motion.range {
-            finite(name, "the range of a drive", &range)?;
-        }
-        let reel = match &motion.reel {
-            Some(reel) => Some(build_reel(name, reel)?),
-            None => None,
-        };
-        let range = motion.range;
-        let moved = &drives[drive];
-        let slips = moved.is_limited.then(|| tree.bodies[moved.body].first_position);
-        moves.push(Move { drive, velocity, acceleration, shape, range, emergency, reel, slips });
+    let build_each = given.moves.iter().map(|motion| build_move(&given.name, motion, tree, drives));
+    let moves = build_each.collect::<Result<Vec<_>, _>>()?;
+    let until = build_until(given, &moves, tree, drives, groups, ropes)?;
+    let (start_at, with_previous) = (given.start_at, given.with_previous);
+    Ok(Step { name: given.name.clone(), moves, start_at, with_previous, until, compensates: Vec::new() })
+}
+
+/// What the step `name` does with one drive.
+fn build_move(name: &str, motion: &MoveSpec, tree: &Tree, drives: &[DriveJoint]) -> Result<Move, BuildError> {
+    let drive = find_drive(name, &motion.drive, drives)?;
+    positive(name, "the acceleration", motion.acceleration)?;
+    positive(name, "the speed", motion.velocity.abs())?;
+    let moved = &drives[drive];
+    let emergency = match &motion.emergency {
+        Some(stop) => Some(build_emergency(name, stop, moved)?),
+        None => None,
+    };
+    if let Some(range) = motion.range {
+        finite(name, "the range of a drive", &range)?;
     }
-    let until = match &given.until {
+    let reel = match &motion.reel {
+        Some(reel) => Some(build_reel(name, reel)?),
+        None => None,
+    };
+    let slips = moved.is_limited.then(|| tree.bodies[moved.body].first_position);
+    let MoveSpec { velocity, acceleration, shape, range, .. } = *motion;
+    Ok(Move { drive, velocity, acceleration, shape, range, emergency, reel, slips })
+}
+
+/// When a step ends.
+fn build_until(
+    given: &StepSpec,
+    moves: &[Move],
+    tree: &Tree,
+    drives: &[DriveJoint],
+    groups: &[ContactGroup],
+    ropes: (&[AnyConstraint], &Rows),
+) -> Result<Until, BuildError> {
+    let name = &given.name;
+    Ok(match &given.until {
         UntilSpec::BrakeFrom { time } => Until::BrakeFrom(*time),
         UntilSpec::Distance { distance } => {
             positive(name, "the distance", distance.abs())?;
@@ -193,7 +209,7 @@ fn build_step(
             Until::Duration(*duration)
         }
         UntilSpec::EndOfRun {} => Until::EndOfRun,
-        UntilSpec::Follow { way, every, glances, own, others } => match moves[..] {
+        UntilSpec::Follow { way, every, glances, own, others } => match *moves {
             [Move { drive, .. }, ..] => {
                 positive(name, "the time between looks", *every)?;
                 positive(name, "the number of glances", f64::from(*glances))?;
@@ -214,9 +230,7 @@ fn build_step(
         }
         UntilSpec::Leading { .. } => return error(name, "each drive that moves needs one series"),
         condition => Until::Condition(build_condition(name, condition, tree, groups, ropes)?),
-    };
-    let (start_at, with_previous) = (given.start_at, given.with_previous);
-    Ok(Step { name: name.clone(), moves, start_at, with_previous, until, compensates: Vec::new() })
+    })
 }
 
 /// Ropes that break, with the tension at which they do [N].

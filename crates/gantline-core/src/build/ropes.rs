@@ -211,13 +211,13 @@ fn take_seats(route: &Route, start: &Kinematics, seats: &mut [Seat]) {
     }
 }
 
-/// A rope; `seats` grows by those of its sheaves, as they lie at the start, and `coils` by its ends on drums.
-pub(super) fn build_rope(
-    given: &RopeSpec,
+/// What the rope runs over, as it lies at the start, and what each of its guides feeds.
+fn build_route<'a>(
+    given: &'a RopeSpec,
     tree: &Tree,
     start: &Kinematics,
     (seats, coils): (&mut Vec<Seat>, &mut usize),
-) -> Result<Rope, BuildError> {
+) -> Result<(Route, Vec<Option<FeedSpec<'a>>>), BuildError> {
     let name = &given.name;
     let (mut guides, mut feeds) = (Vec::new(), Vec::new());
     for guide in &given.route {
@@ -241,6 +241,53 @@ pub(super) fn build_rope(
         return error(name, format!("its part {} at the start: {reason}", index + 1));
     }
     mark_sheaves(name, &mut route, &feeds, start, seats)?;
+    Ok((route, feeds))
+}
+
+/// What the rope is made of, with its curve if it has one.
+fn build_material(
+    given: &RopeSpec,
+    route: &Route,
+    is_fed: bool,
+) -> Result<(Material, Option<Arc<Curve>>), BuildError> {
+    let name = &given.name;
+    match &given.material {
+        MaterialSpec::Inextensible {} if is_fed || route.parts.iter().any(|part| !part.is_plain()) => error(
+            name,
+            "an inextensible rope runs over eyes and half turns without losses only; \
+             give it an axial stiffness",
+        ),
+        MaterialSpec::Inextensible {} => Ok((Material::INEXTENSIBLE, None)),
+        MaterialSpec::Elastic { axial_stiffness, damping_time } => {
+            positive(name, "its axial stiffness", *axial_stiffness)?;
+            at_least_zero(name, "its damping time", *damping_time)?;
+            Ok((Material::elastic(*axial_stiffness, *damping_time), None))
+        }
+        MaterialSpec::Curved { points, damping_time } => {
+            at_least_zero(name, "its damping time", *damping_time)?;
+            if route.guides.len() > 2 || is_fed {
+                let problem = "a rope with a curve runs straight from end to end, without sheave or drum";
+                return error(name, problem);
+            }
+            let Some(curve) = Curve::through(points) else {
+                let problem = "strains and tensions of its curve rise from nothing, both at every point";
+                return error(name, problem);
+            };
+            let material = Material::elastic(curve.axial_stiffness, *damping_time);
+            Ok((material, Some(Arc::new(curve))))
+        }
+    }
+}
+
+/// A rope; `seats` grows by those of its sheaves, as they lie at the start, and `coils` by its ends on drums.
+pub(super) fn build_rope(
+    given: &RopeSpec,
+    tree: &Tree,
+    start: &Kinematics,
+    (seats, coils): (&mut Vec<Seat>, &mut usize),
+) -> Result<Rope, BuildError> {
+    let name = &given.name;
+    let (route, feeds) = build_route(given, tree, start, (&mut *seats, coils))?;
     let routed = route.length(start, seats, |_, _| {});
     let length = given.length.unwrap_or(routed);
     positive(name, "its length", length)?;
@@ -252,37 +299,7 @@ pub(super) fn build_rope(
         );
     }
     let is_fed = feeds.iter().any(Option::is_some);
-    let mut curve = None;
-    let material = match &given.material {
-        MaterialSpec::Inextensible {} if is_fed || route.parts.iter().any(|part| !part.is_plain()) => {
-            let problem = "an inextensible rope runs over eyes and half turns without losses only; give it an axial stiffness";
-            return error(name, problem);
-        }
-        MaterialSpec::Inextensible {} => Material::INEXTENSIBLE,
-        MaterialSpec::Elastic { axial_stiffness, damping_time } => {
-            positive(name, "its axial stiffness", *axial_stiffness)?;
-            at_least_zero(name, "its damping time", *damping_time)?;
-            Material::elastic(*axial_stiffness, *damping_time)
-        }
-        MaterialSpec::Curved { points, damping_time } => {
-            at_least_zero(name, "its damping time", *damping_time)?;
-            if route.guides.len() > 2 || is_fed {
-                return error(
-                    name,
-                    "a rope with a curve runs straight from end to end, without sheave or drum",
-                );
-            }
-            let Some(through) = Curve::through(points) else {
-                return error(
-                    name,
-                    "strains and tensions of its curve rise from nothing, both at every point",
-                );
-            };
-            let material = Material::elastic(through.axial_stiffness, *damping_time);
-            curve = Some(Arc::new(through));
-            material
-        }
-    };
+    let (material, curve) = build_material(given, &route, is_fed)?;
     let spans = if is_fed {
         build_spans(name, &route, &feeds, length / routed, (tree, start, seats))?
     } else {

@@ -348,40 +348,14 @@ impl PlanState {
         if let Until::Follow(follow) = &step.until {
             return Phase::Following(Following::from(begin, follow));
         }
-        if let Until::Leading(Leading { rate, acceleration, series }) = &step.until {
-            let mut last = begin;
-            for (motion, series) in step.moves.iter().zip(series) {
-                let timeline = &mut self.timelines[motion.drive];
-                if timeline.commanded().is_none() {
-                    last = timeline.lead(begin, series, (*rate, *acceleration)).max(last);
-                }
+        match &step.until {
+            Until::Leading(leading) => return Phase::UntilTime(self.lead(step, leading, begin)),
+            Until::Distance(distance) => {
+                let by = std::slice::from_ref(distance);
+                return Phase::UntilTime(self.travel(plan, step, (by, false), begin));
             }
-            return Phase::UntilTime(last);
-        }
-        let distances: Option<&[f64]> = match &step.until {
-            Until::Distance(distance) => Some(std::slice::from_ref(distance)),
-            Until::Positions(positions) => Some(positions),
-            _ => None,
-        };
-        if let Some(given) = distances {
-            let is_position = matches!(step.until, Until::Positions(_));
-            let mut last = begin;
-            for (motion, given) in step.moves.iter().zip(given.iter().cycle()) {
-                let Move { drive, velocity, acceleration, shape, reel, .. } = *motion;
-                let here = self.place(plan, drive, begin);
-                let timeline = &mut self.timelines[drive];
-                if timeline.commanded().is_some() {
-                    continue;
-                }
-                let by = match (reel, is_position) {
-                    (None, true) => given - here,
-                    (None, false) => *given,
-                    (Some(reel), true) => reel.position(*given) - here,
-                    (Some(reel), false) => reel.position(reel.gone(here) + given) - here,
-                };
-                last = timeline.travel(begin, by, velocity, acceleration, shape).max(last);
-            }
-            return Phase::UntilTime(last);
+            Until::Positions(to) => return Phase::UntilTime(self.travel(plan, step, (to, true), begin)),
+            _ => {}
         }
         let room = self.room(step, begin);
         let most = match step.until {
@@ -414,6 +388,40 @@ impl PlanState {
             Until::Condition(_) => Phase::UntilCondition(f64::MAX),
             _ => Phase::Open,
         }
+    }
+
+    /// Leads the drives of a step along their series; when the last is there.
+    fn lead(&mut self, step: &Step, leading: &Leading, begin: f64) -> f64 {
+        let Leading { rate, acceleration, series } = leading;
+        let mut last = begin;
+        for (motion, series) in step.moves.iter().zip(series) {
+            let timeline = &mut self.timelines[motion.drive];
+            if timeline.commanded().is_none() {
+                last = timeline.lead(begin, series, (*rate, *acceleration)).max(last);
+            }
+        }
+        last
+    }
+
+    /// Lets drives go by what is `given`, or to there, one number for all or each; when the last is there.
+    fn travel(&mut self, plan: &Plan, step: &Step, (given, is_position): (&[f64], bool), begin: f64) -> f64 {
+        let mut last = begin;
+        for (motion, given) in step.moves.iter().zip(given.iter().cycle()) {
+            let Move { drive, velocity, acceleration, shape, reel, .. } = *motion;
+            let here = self.place(plan, drive, begin);
+            let timeline = &mut self.timelines[drive];
+            if timeline.commanded().is_some() {
+                continue;
+            }
+            let by = match (reel, is_position) {
+                (None, true) => given - here,
+                (None, false) => *given,
+                (Some(reel), true) => reel.position(*given) - here,
+                (Some(reel), false) => reel.position(reel.gone(here) + given) - here,
+            };
+            last = timeline.travel(begin, by, velocity, acceleration, shape).max(last);
+        }
+        last
     }
 
     /// How far the drives of a step can go until the first is at the end of its range [kg].

@@ -110,6 +110,12 @@ impl Matrix {
             }
         }
         self.fast.copy_from_slice(&self.mass);
+        self.add_curvature(system, here, by);
+        self.climb(system, here);
+    }
+
+    /// Adds what turns gradients as bodies move, times the force.
+    fn add_curvature(&mut self, system: &System, here: &Potential, by: &Remembered) {
         let mut cursor = 0;
         let (kinematics, feeding) = (&here.frame.kinematics, here.frame.feeding.as_slice());
         let Remembered { seats, spots, .. } = *by;
@@ -146,7 +152,6 @@ impl Matrix {
                 }
             }
         }
-        self.climb(system, here);
     }
 
     /// Adds what the radius of a drum does where its rope climbs onto the next layer: the same tension turns it with more

@@ -26,6 +26,7 @@ use super::standing::Friction;
 use super::{NoEquilibrium, Statics};
 use crate::constraint::AnyConstraint;
 use crate::constraint::brake::At;
+use crate::constraint::rope::Rope;
 use crate::constraint::rope::span::Span;
 use crate::state::State;
 use crate::stepper::frame::Remembered;
@@ -282,46 +283,53 @@ impl Statics {
         }
     }
 
+    /// A rope that pulls, with its row and its tension [N].
+    fn pulling<'a>(&self, system: &'a System, rope: usize) -> Option<(&'a Rope, usize, f64)> {
+        let AnyConstraint::Rope(constraint) = &system.constraints[rope] else { return None };
+        let (row, here) = (system.rows.first[rope], &self.search.here);
+        here.follows[row].then(|| (constraint, row, here.tension[row]))
+    }
+
+    /// e − ε T with e = ℓ − L and ε = L/EA, over L.
+    fn of_length(&self, system: &System, rope: usize, force: &mut [f64], right: &mut [f64]) {
+        let Some((rope, row, tension)) = self.pulling(system, rope) else { return };
+        let (span, here) = (&rope.spans[0], &self.search.here);
+        let stiffness = rope.material.axial_stiffness;
+        let pull = if let Some(curve) = &span.curve {
+            // g − ε λ with both L f and ε of the length, and the pull w λ with w = f′.
+            let still = curve.under(tension);
+            let long = 1.0 + still.strain;
+            right[row] = still.scale * long;
+            tension * curve.at(still.strain).bend * long / (still.scale * rope.length)
+        } else if !span.feeds.is_empty() {
+            // g − ε λ with L in g alone, ∂g/∂L = −w (1 + ε/2), and the pull w λ with ∂w/∂L = −w/2L.
+            let scale = span.scale(&here.q);
+            right[row] = scale * (1.0 + 0.5 * scale * tension / stiffness);
+            0.5 * tension / span.unstretched(&here.q)
+        } else {
+            right[row] = 1.0 + tension / stiffness;
+            return;
+        };
+        for (dof, entry) in system.rows.entries(&here.frame.gradient, row) {
+            force[dof] += pull * entry;
+        }
+    }
+
+    /// The same over EA.
+    fn of_stiffness(&self, system: &System, rope: usize, right: &mut [f64]) {
+        let Some((rope, row, tension)) = self.pulling(system, rope) else { return };
+        let stiffness = rope.material.axial_stiffness;
+        right[row] = match rope.material.is_inextensible() {
+            true => 0.0,
+            false => -tension * rope.length / (stiffness * stiffness),
+        };
+    }
+
     fn right_side(&self, system: &System, parameter: Parameter, force: &mut [f64], right: &mut [f64]) {
         let kinematics = &self.search.here.frame.kinematics;
         match parameter {
-            Parameter::Length(rope) | Parameter::Stiffness(rope) => {
-                let AnyConstraint::Rope(constraint) = &system.constraints[rope] else { return };
-                let row = system.rows.first[rope];
-                if self.search.here.follows[row] {
-                    // e − ε T with e = ℓ − L and ε = L/EA.
-                    let (tension, stiffness) =
-                        (self.search.here.tension[row], constraint.material.axial_stiffness);
-                    if let (Parameter::Length(_), Some(curve)) = (parameter, &constraint.spans[0].curve) {
-                        // g − ε λ with both L f and ε of the length, and the pull w λ with w = f′.
-                        let still = curve.under(tension);
-                        let long = 1.0 + still.strain;
-                        right[row] = still.scale * long;
-                        let share =
-                            tension * curve.at(still.strain).bend * long / (still.scale * constraint.length);
-                        for (dof, entry) in system.rows.entries(&self.search.here.frame.gradient, row) {
-                            force[dof] += share * entry;
-                        }
-                        return;
-                    }
-                    let (span, q) = (&constraint.spans[0], &self.search.here.q);
-                    if matches!(parameter, Parameter::Length(_)) && !span.feeds.is_empty() {
-                        // g − ε λ with L in g alone, ∂g/∂L = −w (1 + ε/2), and the pull w λ with ∂w/∂L = −w/2L.
-                        let scale = span.scale(q);
-                        right[row] = scale * (1.0 + 0.5 * scale * tension / stiffness);
-                        let share = 0.5 * tension / span.unstretched(q);
-                        for (dof, entry) in system.rows.entries(&self.search.here.frame.gradient, row) {
-                            force[dof] += share * entry;
-                        }
-                        return;
-                    }
-                    right[row] = match parameter {
-                        Parameter::Length(_) => 1.0 + tension / stiffness,
-                        _ if constraint.material.is_inextensible() => 0.0,
-                        _ => -tension * constraint.length / (stiffness * stiffness),
-                    };
-                }
-            }
+            Parameter::Length(rope) => self.of_length(system, rope, force, right),
+            Parameter::Stiffness(rope) => self.of_stiffness(system, rope, right),
             Parameter::Centre(body, axis) => {
                 let mass = system.tree.bodies[body].mass;
                 let shift = kinematics.pose[body].rotation * DVec3::AXES[axis];

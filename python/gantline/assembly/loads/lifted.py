@@ -169,32 +169,40 @@ def add_load(
     if not scenario.load_has_settled:
         corners = position + lifted.corners @ rotation_matrix(orientation).T
         _doubt_depth(parts, scenario, load, corners[int(np.argmin(corners[:, 2]))])
+    _doubt_free_lugs(parts, load, rigging)
+    ground = scenario.ground
+    if ground is None or dock_of(scenario) is not None:
+        return  # around a dock the ground is a body like others
+    if load.shape.cylinder is not None:
+        parts.rims += _on_rims(load, load.shape.cylinder, lifted, ground)
+    else:
+        parts.contacts += _on_corners(load, lifted, ground)
+
+
+def _doubt_free_lugs(parts: Parts, load: Load, rigging: Rigging) -> None:
+    """Lugs to which no sling leads, where slings lead to others."""
     used = {lug for sling in rigging.slings.values() for lug in sling.lugs}
     free = [name for name in load.lugs if name not in used]
     if used and free:
         more = f" and {len(free) - _MOST_NAMED} more" if len(free) > _MOST_NAMED else ""
         sentence = f"no sling leads to lug {', '.join(free[:_MOST_NAMED])}{more}"
         parts.doubt(("load", "lugs", free[0]), sentence)
-    ground = scenario.ground
-    if ground is None or dock_of(scenario) is not None:
-        return  # around a dock the ground is a body like others
-    if load.shape.cylinder is not None:
-        parts.rims += _on_rims(load, load.shape.cylinder, lifted, ground)
-        return
+
+
+def _on_corners(load: Load, lifted: LiftedLoad, ground: Ground) -> Iterator[Json]:
+    """Contacts of the corners of a load with the ground."""
     for place, corner in enumerate(lifted.corners, start=1):
-        parts.contacts.append(
-            {
-                "name": f"{load.name}.corner_{place}",
-                "group": load.name,
-                "body": load.name,
-                "at": [float(part) for part in corner],
-                "plane_point": [0.0, 0.0, ground.level],
-                "plane_normal": [0.0, 0.0, 1.0],
-                "stiffness": ground.stiffness,
-                "damping_time": ground.damping / ground.stiffness,
-                "friction": ground.friction,
-            }
-        )
+        yield {
+            "name": f"{load.name}.corner_{place}",
+            "group": load.name,
+            "body": load.name,
+            "at": [float(part) for part in corner],
+            "plane_point": [0.0, 0.0, ground.level],
+            "plane_normal": [0.0, 0.0, 1.0],
+            "stiffness": ground.stiffness,
+            "damping_time": ground.damping / ground.stiffness,
+            "friction": ground.friction,
+        }
 
 
 def _on_rims(load: Load, given: Cylinder, lifted: LiftedLoad, ground: Ground) -> Iterator[Json]:

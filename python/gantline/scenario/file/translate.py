@@ -7,8 +7,8 @@ from typing import Any
 
 from pydantic_core import ErrorDetails
 
-from gantline.scenario.errors import PathPart, Problem, closest, is_or_are, join_path, nearest, shorten
-from gantline.scenario.file.tree import ListNode, MapNode, line_of
+from gantline.scenario.errors import PathPart, Problem, closest, is_or_are, nearest, shorten
+from gantline.scenario.file.tree import ListNode, MapNode, problem_at
 from gantline.scenario.plan.plan import VERBS
 from gantline.scenario.plan.steps import HoistStep, HoldStep
 from gantline.scenario.quantities import found
@@ -224,7 +224,7 @@ def _problem(error: ErrorDetails, tree: MapNode) -> Problem:
     if "key" in (error.get("ctx") or {}):
         loc = (*loc, error["ctx"]["key"])
     path, node, around = _locate(loc, tree)
-    return Problem(line_of(tree, path), join_path(path), _sentence(error, node, around))
+    return problem_at(tree, path, _sentence(error, node, around))
 
 
 def _locate(loc: Sequence[PathPart], tree: MapNode) -> tuple[tuple[PathPart, ...], Any, list[Any]]:

@@ -39,6 +39,7 @@ __all__ = [
     "TextNode",
     "line_of",
     "parse_text",
+    "problem_at",
     "read_text",
     "texts",
 ]
@@ -185,6 +186,18 @@ def line_of(tree: MapNode, path: tuple[PathPart, ...]) -> int:
     return line
 
 
+def problem_at(tree: MapNode, path: tuple[PathPart, ...], sentence: str, line: int | None = None) -> Problem:
+    """A problem at a path of a tree, in the line of what is there if no other is given."""
+    step = ""
+    match path:
+        case "plan", int(place), *rest if rest != ["step"]:
+            plan = tree.get("plan")
+            given = plan[place] if isinstance(plan, ListNode) and place < len(plan) else None
+            name = given.get("step") if isinstance(given, MapNode) else None
+            step = str(name) if isinstance(name, TextNode) else ""
+    return Problem(line_of(tree, path) if line is None else line, join_path(path), sentence, step)
+
+
 def texts(node: Node) -> Iterator[str]:
     """Every text in a tree that is no key."""
     if isinstance(node, str):
@@ -305,7 +318,7 @@ class _Builder:
         if key in mapping:
             first = mapping.key_lines[key]
             sentence = f"'{shorten(key)}' is given twice (first in line {first}); each name stands once"
-            self.problems.append(Problem(key.line, self._path(), sentence))
+            self._note(key.line, sentence)
         mapping.key_lines.setdefault(key, key.line)
         self.keys[-1] = key
 
@@ -333,11 +346,9 @@ class _Builder:
                     *([f"is a ':' missing behind '{key.split()[0]}'?"] if _KEY_AND_VALUE.match(key) else []),
                 ]
                 sentence += f" ({'; '.join(hints)})" if hints else ""
-            self.problems.append(Problem(key.line, self._path(key), sentence))
+            self._note(key.line, sentence, key)
         else:
-            self.problems.append(
-                Problem(line, self._path(), "an item of the list is empty; write a value or remove it")
-            )
+            self._note(line, "an item of the list is empty; write a value or remove it")
 
     def _numbered(self, text: TextNode, comment: str) -> None:
         key = self.keys[-1]
@@ -346,7 +357,7 @@ class _Builder:
             f"'{comment}' behind a blank is a comment to YAML, and no part of '{shorten(text)}'; "
             f"put the text into quotes, {quoted}, or a blank behind the '#' of a comment"
         )
-        self.problems.append(Problem(text.line, self._path(*([key] if key is not None else [])), sentence))
+        self._note(text.line, sentence, *([key] if key is not None else []))
 
     def _before_the_comma(self, key: TextNode) -> str:
         """The text of the key that stands before this one in its line; empty where none does."""
@@ -371,11 +382,13 @@ class _Builder:
         if isinstance(node, TextNode):
             self.keys[-1] = None  # that of a collection stays until its end, for paths
 
-    def _path(self, *last: str) -> str:
+    def _note(self, line: int, sentence: str, *last: str) -> None:
+        """A problem of what is built, or of a part of it."""
         parts: list[PathPart] = []
         for node, key in zip(self.stack[:-1], self.keys[:-1], strict=True):
             parts.append(len(node) - 1 if isinstance(node, ListNode) else str(key))
-        return join_path([*parts, *last])
+        root = self.root if isinstance(self.root, MapNode) else MapNode()
+        self.problems.append(problem_at(root, (*parts, *last), sentence, line))
 
     def _stop(self, line: int, sentence: str) -> ScenarioError:
         return ScenarioError(self.source, [*self.problems, Problem(line, "", sentence)])

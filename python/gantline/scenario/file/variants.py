@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from gantline.scenario.afloat.mooring import line_rope
-from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path, nearest
+from gantline.scenario.errors import PathPart, Problem, ScenarioError, nearest
 from gantline.scenario.file.case import ENVELOPE, TOLERANCE, Case
 from gantline.scenario.file.from_tree import from_tree
 from gantline.scenario.file.tree import MapNode, Node, TextNode, line_of
@@ -254,11 +254,7 @@ def _changed(scenario: Scenario, changes: Mapping[str, Node], path: tuple[PathPa
     try:
         return from_tree(tree, scenario.source, scenario.text).counted_from(scenario)
     except ScenarioError as error:
-        line = line_of(scenario.tree, path)
-        problems = [
-            Problem(line, join_path(path), f"{one.path}: {one.sentence}" if one.path else one.sentence)
-            for one in error.problems
-        ]
+        problems = [scenario.problem(path, one.message) for one in error.problems]
         raise ScenarioError(scenario.source, problems) from None
 
 

@@ -6,6 +6,7 @@
 //! √(k m) δv.
 
 use super::Tolerance;
+use super::course::Increment;
 use super::rodas::Rodas;
 use crate::constraint::Law;
 use crate::force::memory::memories;
@@ -43,17 +44,30 @@ impl Weights {
 
     /// Error in tolerances; at most 1 is good.
     pub fn norm(&mut self, system: &System, state: &State, rodas: &Rodas, tolerance: &Tolerance) -> f64 {
-        let (error, here) = (&rodas.course.error, &rodas.here);
-        let free = |dof: &usize| system.driven[*dof].is_none() && !system.is_light[*dof];
-        let mut position = 0.0_f64;
-        for dof in (0..error.v.len()).filter(free) {
-            position = position.max((error.phi[dof] * self.arm[dof]).abs() / tolerance.position);
+        let position = self.of_places(system, state, &rodas.course.error) / tolerance.position;
+        let (tension, largest) = self.of_tensions(system, state, rodas);
+        let force = tolerance.tension.max(ROUNDING * largest);
+        let tension = tension / force;
+        let velocity = self.of_swinging(system, &rodas.course.error) / force;
+        if position.is_nan() || tension.is_nan() || velocity.is_nan() {
+            return f64::INFINITY;
+        }
+        position.max(tension).max(velocity)
+    }
+
+    /// Largest error of a place [m].
+    fn of_places(&self, system: &System, state: &State, error: &Increment) -> f64 {
+        let mut largest = 0.0_f64;
+        for dof in free_dofs(system) {
+            largest = largest.max((error.phi[dof] * self.arm[dof]).abs());
+            // Nothing holds it: what it does to positions within a second counts.
+            largest = largest.max(0.1 * error.v[dof].abs() * self.arm[dof]);
         }
         // A rope that carries nothing yet is wound all the same, and how much of it is as good as a place.
         let idle = |row: usize| state.modes[row] == Mode::Slack;
         let supplies = system.coils.iter().zip(&error.phi[error.v.len()..]);
         for (_, supply) in supplies.filter(|(place, _)| idle(place.row)) {
-            position = position.max(supply.abs() / tolerance.position);
+            largest = largest.max(supply.abs());
         }
         // What water remembers counts as the way of its body that it is made of.
         for memory in memories(&system.tree) {
@@ -61,9 +75,15 @@ impl Weights {
             let arm = turns.fold(1.0, f64::max);
             let arms = [1.0, 1.0, 1.0, arm, arm, arm];
             for (error, arm) in error.past[memory.states()].iter().zip(arms.iter().cycle()) {
-                position = position.max((error * arm).abs() / tolerance.position);
+                largest = largest.max((error * arm).abs());
             }
         }
+        largest
+    }
+
+    /// Root mean square of the errors of tensions, and the largest force [N]; notes how stiff rows are.
+    fn of_tensions(&mut self, system: &System, state: &State, rodas: &Rodas) -> (f64, f64) {
+        let (error, here) = (&rodas.course.error, &rodas.here);
         self.stiffness.fill(0.0);
         let (mut sum, mut count, mut largest) = (0.0, 0.0, 0.0_f64);
         for (row, law) in system.rows.laws.iter().enumerate() {
@@ -97,22 +117,19 @@ impl Weights {
                 count += 1.0;
             }
         }
-        let force = tolerance.tension.max(ROUNDING * largest);
-        let tension = if count > 0.0 { f64::sqrt(sum / count) / force } else { 0.0 };
+        (root_mean(sum, count), largest)
+    }
+
+    /// Root mean square of the tensions to which errors of velocities lead [N], by how stiff rows are.
+    fn of_swinging(&self, system: &System, error: &Increment) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
-        for dof in (0..error.v.len()).filter(free) {
+        for dof in free_dofs(system) {
             let impedance = (self.stiffness[dof] * system.tree.inertia_scale[dof]).sqrt() / self.arm[dof];
             let swing = error.v[dof] * impedance;
             sum += swing * swing;
             count += 1.0;
-            // Nothing holds it: what it does to positions within a second counts.
-            position = position.max(0.1 * error.v[dof].abs() * self.arm[dof] / tolerance.position);
         }
-        let velocity = if count > 0.0 { f64::sqrt(sum / count) / force } else { 0.0 };
-        if position.is_nan() || tension.is_nan() || velocity.is_nan() {
-            return f64::INFINITY;
-        }
-        position.max(tension).max(velocity)
+        root_mean(sum, count)
     }
 
     /// What the errors of supplies do to a row beside those of the drums' flows.
@@ -133,4 +150,14 @@ impl Weights {
         let worst = (0..error.v.len()).max_by(|&a, &b| size(a).total_cmp(&size(b)));
         worst.map_or_else(String::new, |dof| system.tree.bodies[system.tree.owner[dof]].name.clone())
     }
+}
+
+/// Degrees of freedom that are neither driven nor flows of light sheaves.
+fn free_dofs(system: &System) -> impl Iterator<Item = usize> + '_ {
+    (0..system.tree.velocities).filter(|&dof| system.driven[dof].is_none() && !system.is_light[dof])
+}
+
+/// Root of the mean of squares, 0 of none.
+fn root_mean(sum: f64, count: f64) -> f64 {
+    if count > 0.0 { f64::sqrt(sum / count) } else { 0.0 }
 }

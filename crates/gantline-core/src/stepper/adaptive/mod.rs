@@ -286,17 +286,8 @@ impl Adaptive {
         self.looked = self.flows;
         self.book_springs(system, state, -1.0);
         let (start, length) = (state.time, self.made * self.rodas.course.h);
-        state.v.copy_from_slice(&self.end.v);
-        state.acceleration.copy_from_slice(&self.end.a);
-        state.past.copy_from_slice(&self.end.past);
+        self.take_end(system, state);
         state.time = stop.unwrap_or(start + length);
-        state.steps += 1;
-        for (tension, &row) in self.end.rigid.iter().zip(&system.rigid) {
-            state.tension[row] = *tension;
-        }
-        for (anchor, &row) in self.end.anchor.iter().zip(&system.friction) {
-            state.memory[row] += anchor;
-        }
         // The last look was at the end of the step: it is the start of the next.
         std::mem::swap(&mut self.next, &mut self.rodas.here);
         let method = self.flows.method;
@@ -335,20 +326,46 @@ impl Adaptive {
             let lost = frame.mass.quadratic(&self.rate.v) - frame.mass.quadratic(&state.v);
             state.ledger.flows.friction += 0.5 * lost;
         }
-        let were_taut = system.inextensible.iter().zip(&self.taut);
-        let hit = were_taut.into_iter().any(|(&row, &taut)| !taut && state.modes[row] == Mode::Acting);
         if system.inextensible.iter().any(|&row| state.modes[row] == Mode::Acting) {
-            let before = flows::stored(system, state, frame).sum();
-            let work = self.project(system, state, frame, log, hit)?;
-            self.rodas.evaluate(system, state);
-            self.refresh(system, frame);
-            self.hand_over(system, state);
-            let lost = before + work.put_in() - flows::stored(system, state, frame).sum();
-            let flows = &mut state.ledger.flows;
-            *flows += work;
-            *(if hit { &mut flows.impact } else { &mut flows.method }) += lost;
+            self.keep_lengths(system, state, frame, log)?;
         }
         flows::store(system, state, frame);
+        Ok(())
+    }
+
+    /// Velocities, forces and anchors as at the end of the step; places follow with their springs.
+    fn take_end(&self, system: &System, state: &mut State) {
+        state.v.copy_from_slice(&self.end.v);
+        state.acceleration.copy_from_slice(&self.end.a);
+        state.past.copy_from_slice(&self.end.past);
+        state.steps += 1;
+        for (tension, &row) in self.end.rigid.iter().zip(&system.rigid) {
+            state.tension[row] = *tension;
+        }
+        for (anchor, &row) in self.end.anchor.iter().zip(&system.friction) {
+            state.memory[row] += anchor;
+        }
+    }
+
+    /// Puts inextensible ropes that act to their length: an impact if one was slack, else the method's loss.
+    fn keep_lengths(
+        &mut self,
+        system: &System,
+        state: &mut State,
+        frame: &mut Frame,
+        log: &mut EventLog,
+    ) -> Result<(), ZeroPivot> {
+        let mut were_taut = system.inextensible.iter().zip(&self.taut);
+        let hit = were_taut.any(|(&row, &taut)| !taut && state.modes[row] == Mode::Acting);
+        let before = flows::stored(system, state, frame).sum();
+        let work = self.project(system, state, frame, log, hit)?;
+        self.rodas.evaluate(system, state);
+        self.refresh(system, frame);
+        self.hand_over(system, state);
+        let lost = before + work.put_in() - flows::stored(system, state, frame).sum();
+        let flows = &mut state.ledger.flows;
+        *flows += work;
+        *(if hit { &mut flows.impact } else { &mut flows.method }) += lost;
         Ok(())
     }
 

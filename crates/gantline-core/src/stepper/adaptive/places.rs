@@ -128,22 +128,7 @@ impl Places {
                 row_triples.extend(rotating(system, &joints, dof).map(|joint| (entry, joint)));
             }
         }
-        let mut blocks = Vec::with_capacity(layout.groups.len());
-        for group in &layout.groups {
-            let entries = system.rows.start[group.row]..system.rows.start[group.row + 1];
-            let dofs = &system.rows.dofs[entries.clone()];
-            let entry = |dof: &usize| (entries.start + dofs.partition_point(|other| other < dof)) as u32;
-            let mut places = Vec::with_capacity(group.dofs.len() * group.dofs.len());
-            for &j in &group.dofs {
-                places.extend(group.dofs.iter().map(|&k| finder.of_dof(unknown[j], k)));
-                pairs.extend(group.dofs.iter().map(|&k| (j, k)));
-            }
-            blocks.push(Block {
-                places,
-                entries: group.dofs.iter().map(entry).collect(),
-                group: group.clone(),
-            });
-        }
+        let blocks = places_of_blocks(system, &mut finder, &mut pairs);
         let light = places_of_light(system, &mut finder, &blocks);
         let mut friction = Vec::new();
         for (row, law) in system.rows.laws.iter().enumerate() {
@@ -168,6 +153,24 @@ impl Places {
             row_triples,
         }
     }
+}
+
+/// Places of what curvature adds, a group of degrees of freedom each; `pairs` grows by all pairs of them.
+fn places_of_blocks(system: &System, finder: &mut Finder, pairs: &mut Vec<(usize, usize)>) -> Vec<Block> {
+    let layout = finder.layout;
+    let mut blocks = Vec::with_capacity(layout.groups.len());
+    for group in &layout.groups {
+        let entries = system.rows.start[group.row]..system.rows.start[group.row + 1];
+        let dofs = &system.rows.dofs[entries.clone()];
+        let entry = |dof: &usize| (entries.start + dofs.partition_point(|other| other < dof)) as u32;
+        let mut places = Vec::with_capacity(group.dofs.len() * group.dofs.len());
+        for &j in &group.dofs {
+            places.extend(group.dofs.iter().map(|&k| finder.of_dof(layout.unknown[j], k)));
+            pairs.extend(group.dofs.iter().map(|&k| (j, k)));
+        }
+        blocks.push(Block { places, entries: group.dofs.iter().map(entry).collect(), group: group.clone() });
+    }
+    blocks
 }
 
 /// Places of the rows of light sheaves' flows.

@@ -83,7 +83,6 @@ impl TangentMatrix {
         let range = system.rows.start[row]..system.rows.start[row + 1];
         let (tau, compliance) = (law.damping_time(), law.compliance());
         let gradient = &here.frame.gradient;
-        let at = At { q: &state.q, kinematics: &here.frame.kinematics, seats: &state.seats };
         let diagonal = self.places.diagonal[row] as usize;
         self.values[diagonal] = match state.modes[row] {
             Mode::Acting if compliance == 0.0 => 0.0,
@@ -101,33 +100,9 @@ impl TangentMatrix {
         match state.modes[row] {
             Mode::Slack | Mode::Parted | Mode::Off => {}
             Mode::Slipping if matches!(law, Law::Brake { .. }) => {
-                for place in in_row {
-                    self.values[place] = 0.0;
-                }
-                let square = kappa * kappa * state.memory[row];
-                if let Some(brake) = brake_of(system, row) {
-                    let driven = -state.memory[row] * state.v[brake.dof];
-                    let own = self.places.in_row[range.start + brake.own] as usize;
-                    // d(bound · direction)/dv, the direction's square being 1.
-                    if here.held[row].is_none() {
-                        self.values[own] -= kappa * brake.slope(driven);
-                    }
-                    brake.add_slopes(at, &here.frame.feeding, &here.tension, |entry, slope| {
-                        self.values[self.places.in_row[range.start + entry] as usize] += square * slope;
-                    });
-                }
+                self.place_slipping_brake(system, here, state, kappa, row);
             }
-            Mode::Slipping => {
-                let [first, second] = slip_weights(law, here, kappa, row);
-                let partner = partner_of(system, law, row);
-                let others = gradient[partner.clone()].iter().zip(&self.turned[partner]);
-                for (((place, entry), turned), (other, other_turned)) in
-                    in_row.zip(own).zip(turned).zip(others)
-                {
-                    self.values[place] = first * (kappa * turned + tau * entry)
-                        + second * (kappa * other_turned + tau * other);
-                }
-            }
+            Mode::Slipping => self.place_sliding(system, here, kappa, (row, law)),
             Mode::Acting if compliance == 0.0 => {
                 let pull = self.pull_velocity[range].iter();
                 for (((place, entry), pull), turned) in in_row.zip(own).zip(pull).zip(turned) {
@@ -142,19 +117,67 @@ impl TangentMatrix {
             }
         }
         if state.modes[row] == Mode::Slipping {
-            let brake = brake_of(system, row);
-            let friction = &self.places.friction;
-            let first = friction.partition_point(|&(other, ..)| other < row);
-            for &(_, to, place) in friction[first..].iter().take_while(|&&(other, ..)| other == row) {
-                self.values[place as usize] = match *law {
-                    Law::Friction { coefficient, normal, .. } => {
-                        coefficient * here.slip_direction(normal)[row - normal - 1]
-                    }
-                    _ => brake.map_or(0.0, |brake| brake.weight(at, to) * state.memory[row]),
-                };
-            }
+            self.place_bounds(system, here, state, (row, law));
         }
     }
+
+    /// A brake that slips: no row of its gradient, but how its bound follows speed and places.
+    fn place_slipping_brake(
+        &mut self,
+        system: &System,
+        here: &Evaluation,
+        state: &State,
+        kappa: f64,
+        row: usize,
+    ) {
+        let range = system.rows.start[row]..system.rows.start[row + 1];
+        let in_row = &self.places.in_row[range];
+        for place in in_row {
+            self.values[*place as usize] = 0.0;
+        }
+        let Some(brake) = brake_of(system, row) else { return };
+        let driven = -state.memory[row] * state.v[brake.dof];
+        // d(bound · direction)/dv, the direction's square being 1.
+        if here.held[row].is_none() {
+            self.values[in_row[brake.own] as usize] -= kappa * brake.slope(driven);
+        }
+        let square = kappa * kappa * state.memory[row];
+        brake.add_slopes(at(here, state), &here.frame.feeding, &here.tension, |entry, slope| {
+            self.values[in_row[entry] as usize] += square * slope;
+        });
+    }
+
+    /// A contact that slides: its own spring and that of its partner, which turn the force together.
+    fn place_sliding(&mut self, system: &System, here: &Evaluation, kappa: f64, (row, law): (usize, &Law)) {
+        let gradient = &here.frame.gradient;
+        let [first, second] = slip_weights(law, here, kappa, row);
+        let deflection = |entry: usize| kappa * self.turned[entry] + law.damping_time() * gradient[entry];
+        let range = system.rows.start[row]..system.rows.start[row + 1];
+        for (entry, other) in range.zip(partner_of(system, law, row)) {
+            self.values[self.places.in_row[entry] as usize] =
+                first * deflection(entry) + second * deflection(other);
+        }
+    }
+
+    /// How the bound of a row that slips follows the forces that press.
+    fn place_bounds(&mut self, system: &System, here: &Evaluation, state: &State, (row, law): (usize, &Law)) {
+        let brake = brake_of(system, row);
+        let friction = &self.places.friction;
+        let first = friction.partition_point(|&(other, ..)| other < row);
+        for &(_, to, place) in friction[first..].iter().take_while(|&&(other, ..)| other == row) {
+            self.values[place as usize] = match *law {
+                Law::Friction { coefficient, normal, .. } => {
+                    coefficient * here.slip_direction(normal)[row - normal - 1]
+                }
+                _ => brake.map_or(0.0, |brake| brake.weight(at(here, state), to) * state.memory[row]),
+            };
+        }
+    }
+}
+
+/// Where brakes find what presses on them.
+fn at<'a>(here: &'a Evaluation, state: &'a State) -> At<'a> {
+    At { q: &state.q, kinematics: &here.frame.kinematics, seats: &state.seats }
 }
 
 /// The brake whose row it is.
