@@ -1,4 +1,4 @@
-"""A block was still being turned over as its run ended, and the mean over the turn stood for a force at rest.
+"""A ship block was still being turned as its run ended, and the mean over that stood for a force at rest.
 
 The sling that took the load over carried 158 kN `static` and 8.5 % of the working load limit of its shackle,
 with a peak of 1244 kN in steady motion: the quiet window went back to where a sling had been taken off, half an

@@ -1,6 +1,6 @@
-"""In the plan of a block half of the number of a sling was under the scale bar.
+"""In the plan of a ship block half of the number of a sling was under the scale bar.
 
-Lugs stood in pairs at the edges of the block, with their hook between them. The number of the lowest had no
+Lugs stood in pairs at the edges of the load, with their hook between them. The number of the lowest had no
 room above its lug and came below it, where the plate of title and scale bar covers what is drawn.
 """
 
