@@ -1,9 +1,9 @@
 """A ship block was still being turned as its run ended, and the mean over that stood for a force at rest.
 
-The sling that took the load over carried 158 kN `static` and 8.5 % of the working load limit of its shackle,
-with a peak of 1244 kN in steady motion: the quiet window went back to where a sling had been taken off, half an
-hour and 86 degrees before. `sling_dynamic_factor` had 7.9, of a lift without dynamics. The window of a run that
-ends in motion begins where its load is turned by 10 degrees less than at the end, or a sling has been put on.
+The sling that took the load over had 158 kN `static`, 8.5 % of the working load limit of its shackle, and a
+peak of 1244 kN in steady motion: the quiet window went back to where a sling had been taken off, half an hour
+and 86 degrees before. `sling_dynamic_factor` had 7.9, of a lift without dynamics. The window of a run that ends
+in motion begins where its load is turned by 10 degrees less than at the end, or a sling has been put on.
 """
 
 from __future__ import annotations
@@ -53,20 +53,25 @@ plan:
 
 
 def test_the_window_of_a_turn_holds_no_more_of_it_than_ten_degrees() -> None:
-    """Lugs lie over the centre of gravity: the higher one bears W/2 (1 + OVER/HALF tan(tilt)), of small slopes.
+    """Lugs lie over the centre of gravity: the higher one bears W/2 (1 + OVER/HALF tan(tilt)).
 
     At the end that grows with the tilt; the mean lies between what it is there and 10 degrees before.
     """
     text = changed(
         between_trolleys(upended(16.5)),
-        ("a: {at: [-9.5 m, 0 m, 1.5 m]}, b: {at: [9.5 m, 0 m, 1.5 m]}", "a: {at: [-9.5 m, 0 m, 3 m]}, b: {at: [9.5 m, 0 m, 3 m]}"),
+        (
+            "a: {at: [-9.5 m, 0 m, 1.5 m]}, b: {at: [9.5 m, 0 m, 1.5 m]}",
+            "a: {at: [-9.5 m, 0 m, 3 m]}, b: {at: [9.5 m, 0 m, 3 m]}",
+        ),
     )
     recording = simulate(parse_scenario(text), duration=230.0)
     tilt = recording.column("load_tilt", "column")
     window = series.quiet_window(recording)
     assert np.ptp(tilt[window]) <= math.radians(10.0) < np.ptp(tilt)
     static, _ = series.greatest_static(recording, recording.column("rope_tension", "sling.S1"))
-    low, high = (WEIGHT / 2 * (1.0 + OVER / HALF * math.tan(angle)) for angle in (tilt[-1] - 0.1745, tilt[-1]))
+    low, high = (
+        WEIGHT / 2 * (1.0 + OVER / HALF * math.tan(angle)) for angle in (tilt[-1] - 0.1745, tilt[-1])
+    )
     assert static is not None
     assert low < static < high
 
