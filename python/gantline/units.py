@@ -128,6 +128,8 @@ _ELSEWHERE: Final[dict[str, dict[str, tuple[float, str]]]] = {
         "mph": (0.44704, "m/s"),
         "kn": (1852 / 3600, "m/s"),
         "knots": (1852 / 3600, "m/s"),
+        "kt": (1852 / 3600, "m/s"),
+        "kts": (1852 / 3600, "m/s"),
         "m/h": (1 / 60, "m/min"),
         "fpm": (0.3048, "m/min"),
     },
@@ -140,11 +142,14 @@ _ELSEWHERE: Final[dict[str, dict[str, tuple[float, str]]]] = {
 }
 #: Those that are metric: speeds of strand jacks are given in m/h, and miles per hour look like it.
 _METRIC_ELSEWHERE: Final = frozenset({"m/h"})
-#: Units that are smaller than any of a yard, in units of here. One of them may stand for a unit whose letters
-#: differ by their case alone, which is a thousand million times as large.
-_TINY: Final[dict[str, dict[str, tuple[float, str]]]] = {
+#: Units that are smaller or larger than any of here, in units of here. A small one may stand for a unit whose
+#: letters differ by their case alone, which is a thousand million times as large.
+_OTHER_SIZES: Final[dict[str, dict[str, tuple[float, str]]]] = {
     "length": {"um": (1e-3, "mm"), "µm": (1e-3, "mm"), "nm": (1e-6, "mm")},
-    "mass": {"mg": (1e-6, "kg")},
+    "mass": {"mg": (1e-6, "kg"), "kt": (1e3, "t")},
+    "stiffness": {"GN/m": (1e3, "MN/m")},
+    "rotational_stiffness": {"GN m/rad": (1e3, "MN m/rad")},
+    "torque": {"GN m": (1e3, "MN m")},
     "force": {"mN": (1e-3, "N"), "uN": (1e-6, "N"), "µN": (1e-6, "N")},
 }
 #: Units in other spellings, which are not near to their symbols.
@@ -391,8 +396,8 @@ def _wrong_unit(shown: str, number: float, unit: str, dimension: str) -> str:
         factor, here = elsewhere[powers]
         why = "" if powers in _METRIC_ELSEWHERE else "units are metric: "
         return f"'{shown}' is {number * factor:.7g} {here}; {why}{example(dimension)}"
-    if unit in (tiny := _TINY.get(dimension, {})):
-        factor, here = tiny[unit]
+    if unit in (others := _OTHER_SIZES.get(dimension, {})):
+        factor, here = others[unit]
         alike = [other for other in DIMENSIONS[dimension] if other.lower() == unit.lower()]
         asked = f"; or is '{alike[0]}' meant?" if alike else ""
         return f"'{unit}' in '{shown}' is no unit here; it is written '{number * factor:.7g} {here}'{asked}"

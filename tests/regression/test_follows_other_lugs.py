@@ -40,13 +40,14 @@ def warned(first: float, second: float) -> list[str]:
 
 
 def test_lugs_are_those_of_slings_that_are_on() -> None:
-    """From A the line goes down to b and to c by atan(1.5/19) more and less: 83.5 deg and 92.5 deg at 88 deg.
+    """From A the line goes down to b by atan(1.5/19) less and to c by as much more: 83.5 deg at 88 deg, and
+    94.5 deg at 90 deg, at which it hangs from A alone, whose lug is as high as the centre of gravity.
 
     Past plumb it is least steep at the end: what follows over is too slow at first.
     """
     off = math.atan2(ASIDE, LONG)
     first = math.radians(88.0) - off
-    second = math.pi - (math.radians(88.0) + off)
+    second = math.pi - (math.radians(90.0) + off)
     assert not warned(1.01 * math.tan(first), 1.01 * 0.2 * math.tan(second))
     told = warned(0.99 * math.tan(first), 0.99 * 0.2 * math.tan(second))
     assert [one.partition(" falls")[0] for one in told] == ["step 'follow'", "step 'follow over'"]

@@ -241,3 +241,19 @@ def test_waits_leave_out_slings_that_have_been_cut() -> None:
     plan += "  - {step: wait, hold: until_met, until: {slings: taut}}\n"
     document = assemble(parse_scenario(hanging(plan=plan))).document
     assert document["plan"][2]["until"]["groups"] == [["sling.S1"]]
+
+
+def test_a_moving_sheave_carries_one_sling_over_the_whole_plan() -> None:
+    """Taking one off and putting another on is no way round it: what is right is said."""
+    text = changed(
+        BASE,
+        (
+            "  S2: {from: e1.2",
+            "  S3: {from: e1.1, to: block.L3, length: 13 m, rope: sling}\n  S2: {from: e1.2",
+        ),
+        ("hold: until_end}", "hold: until_end, detach: sling.S1, attach: sling.S3}"),
+    )
+    with pytest.raises(
+        ScenarioError, match=r"'e1\.1' already carries .* one that a step puts on may hang from"
+    ):
+        parse_scenario(text)

@@ -20,7 +20,7 @@ from gantline.checks.measure import Missing
 from gantline.report import render_report, write_report
 from gantline.report.first_page import FirstPage, beyond, stop_if
 from gantline.report.sketch import sketches
-from gantline.report.sketch_paper import HEIGHT, WIDTH
+from gantline.report.sketch_paper import HEIGHT, PLATE, WIDTH
 from gantline.report.steps import StepsContinued, first_steps
 from gantline.report.subject import Subject, typeset
 from gantline.report.tables import Energy, LiftFile
@@ -215,11 +215,12 @@ def test_sketches_are_to_scale() -> None:
 
 
 def test_title_and_scale_of_a_sketch_lie_on_one_plate() -> None:
-    """Water and moorings end in one line above both; between two plates a stump of water was left."""
+    """Water and moorings end in one line above both; between two plates, and below, stumps were left."""
     drawn = re.findall(
-        r'<rect class="sk-plate" x="1" y="([\d.]+)" width="([\d.]+)"', render_report(ringing_lift())
+        r'<rect class="sk-plate" x="0" y="([\d.]+)" width="([\d.]+)" height="([\d.]+)"',
+        render_report(ringing_lift()),
     )
-    assert [tuple(map(float, one)) for one in drawn] == [(HEIGHT - 7.0, WIDTH - 2.0)] * 2
+    assert [tuple(map(float, one)) for one in drawn] == [(HEIGHT - PLATE, WIDTH, PLATE)] * 2
 
 
 @pytest.mark.parametrize(("way", "right"), [((40.0, 0.0), "x to the right"), ((0.0, 40.0), "y to the right")])

@@ -117,6 +117,10 @@ def test_zero_needs_no_unit(zero: str) -> None:
         ("300 T", "mass", "'T' in '300 T' is not a unit of mass; did you mean 't'?"),
         ("1 mN", "force", "'mN' in '1 mN' is no unit here; it is written '0.001 N'; or is 'MN' meant?"),
         ("10 µN", "force", "'µN' in '10 µN' is no unit here; it is written '1e-05 N'"),
+        ("1.5 GN/m", "stiffness", "'GN/m' in '1.5 GN/m' is no unit here; it is written '1500 MN/m'"),
+        ("2 GN m", "torque", "'GN m' in '2 GN m' is no unit here; it is written '2000 MN m'"),
+        ("1.2 kt", "mass", "'kt' in '1.2 kt' is no unit here; it is written '1200 t'"),
+        ("20 kt", "speed", "'20 kt' is 10.28889 m/s; units are metric: " + example("speed")),
         ("5 nm", "length", "'nm' in '5 nm' is no unit here; it is written '5e-06 mm'"),
         (
             "3 stone",

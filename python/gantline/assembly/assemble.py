@@ -279,7 +279,7 @@ def _doubts(
         *doubtful_drums(scenario),
         *doubtful_strength(scenario, rigging),
         *doubtful_ratings(scenario, rigging),
-        *doubtful_following(scenario, rigging),
+        *doubtful_following(scenario, rigging, lifted),
         *doubtful_hinges(parts, scenario, rigging, lifted),
         *doubtful_beside(parts, scenario, rigging, lifted),
     )

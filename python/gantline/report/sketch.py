@@ -13,6 +13,7 @@ from gantline.report.sketch_names import (
     Box,
     around_dot,
     beside_dot,
+    fits_above,
     has_room,
     hides_none,
     names_beside,
@@ -20,7 +21,7 @@ from gantline.report.sketch_names import (
     on_paper,
     text_box,
 )
-from gantline.report.sketch_paper import HEIGHT, MARGIN, WIDTH, Mark, Paper, drawn_path, outline
+from gantline.report.sketch_paper import HEIGHT, MARGIN, PLATE, WIDTH, Mark, Paper, drawn_path, outline
 from gantline.report.subject import Subject
 from gantline.results.loads.hinges import is_shut
 from gantline.results.loads.upending import is_turned
@@ -93,6 +94,11 @@ class Sketch:
     def bar_width(self) -> float:
         """The scale bar on paper [mm]."""
         return self.bar / self.scale
+
+    @property
+    def plate(self) -> float:
+        """What lies under title and scale bar, from the lower end of the paper [mm]."""
+        return PLATE
 
 
 @dataclass(frozen=True)
@@ -392,6 +398,7 @@ def _numbers(
             # Of lugs in a row from top to bottom those between the others have room at their sides.
             tries += [lug + np.array([side * beside_dot(name), 0.0]) for side in (1.0, -1.0)]
         boxes = [text_box(on_paper(float(x), name, WIDTH), float(y), name, is_bold=True) for x, y in tries]
+        boxes = [box for box in boxes if fits_above(box, HEIGHT - PLATE)]
         free = [box for box in boxes if has_room(box, taken) and (not plan or hides_none(box, lugs))]
         if not free:  # too many beside each other: those that have room stand for them
             continue

@@ -13,6 +13,7 @@ __all__ = [
     "Box",
     "around_dot",
     "beside_dot",
+    "fits_above",
     "has_room",
     "hides_none",
     "names_beside",
@@ -122,6 +123,11 @@ def on_paper(x: float, text: str, right: float) -> float:
 def has_room(box: Box, taken: Sequence[Box]) -> bool:
     """Whether nothing that is taken lies under a text."""
     return all(_apart(box, other) for other in taken)
+
+
+def fits_above(box: Box, end: float) -> bool:
+    """Whether a text lies between the upper end of the paper and a lower one [mm]."""
+    return _LINE / 2 <= box[2] <= end - _LINE / 2
 
 
 def hides_none(box: Box, dots: Sequence[FloatArray]) -> bool:

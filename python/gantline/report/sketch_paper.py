@@ -13,6 +13,8 @@ from gantline.results.variable import FloatArray
 WIDTH, HEIGHT, MARGIN = 92.0, 62.0, 2.0
 #: Room for the scale bar below what is drawn [mm].
 _BELOW = 6.0
+#: Of the lower end of the paper, under the title and the scale bar [mm]: what lies there is not seen.
+PLATE = 7.0
 
 
 @dataclass(frozen=True)

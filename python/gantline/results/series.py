@@ -5,7 +5,8 @@
 - *carrying*: samples at which a sling has more than 1 % of its largest tension; only then has it an angle.
 - *yaw* of a load: change of its heading from the start, about plumb, counter-clockwise from above positive.
 - *quiet window*: the end of the recording over which static values are means. It begins when the last
-  drive has come to rest (if that leaves at least 5 s, else when the loads came clear) and lasts to the
+  drive has come to rest (if that leaves at least 5 s, else when the loads came clear, or since when no sling
+  has been put on and no load turned by more than 10 degrees from where it is at the end) and lasts to the
   end. Where the loads do not end clear it is the last earlier time that they hung still: clear, all drives
   but tuggers and winches that slip at rest, for 5 s or more. In waves it takes three of their longest
   periods in place of 5 s, if that is more, in gusts 20 s. The mean is weighted by sin^2, zero at both
@@ -29,7 +30,7 @@ from gantline.results.loads.hinges import HINGE_OPENED
 from gantline.results.loads.standing import all_stands
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
-from gantline.results.ropes.parting import DETACHED, PARTING, while_there
+from gantline.results.ropes.parting import ATTACHED, DETACHED, PARTING, while_there
 from gantline.results.ropes.pinned import PIN_PULLED
 from gantline.results.rotation import axes, heading, tilt
 from gantline.results.variable import BoolArray, FloatArray
@@ -39,6 +40,7 @@ _CARRIED_MORE = 1.001  # from which share of the last static value an earlier on
 _CARRYING_FROM = 0.01  # of the largest tension
 _LOADED = 0.05  # of the most that the slings of an equalizer carry together
 _STEEPEST = math.radians(80.0)  # x axis of a load over level; beyond it no heading means anything
+_TURNED = math.radians(10.0)  # from where a load hung still, from which on hooks carry other shares
 
 
 def support_force(recording: Recording, load: Load) -> FloatArray:
@@ -202,7 +204,29 @@ def _hung_still(recording: Recording, clear: BoolArray) -> list[BoolArray]:
         earlier = [one for one in stretches(still) if _lasts(recording, one)]
         if earlier and earlier[-1][-1]:
             return earlier
-    return [*earlier, last] if last.any() else earlier
+    if not last.any():
+        return earlier
+    so = trailing(clear & _hangs_as_at_the_end(recording))
+    if _lasts(recording, so):
+        return [*earlier, so]
+    # A mean over a turn, or over slings that were not on yet, tells less than an earlier time at rest.
+    return earlier if earlier and (so < last).any() else [*earlier, last]
+
+
+def turned_as_at(recording: Recording, sample: int) -> BoolArray:
+    """Samples at which no load is turned by more than 10 degrees from where it is at one, shape (time,)."""
+    alike = np.ones(len(recording.time), dtype=np.bool_)
+    for load in recording.rig.loads:
+        upright = axes(recording.column("body_orientation", load.body))[:, :, 2]
+        alike &= upright @ upright[sample] >= math.cos(_TURNED)
+    return alike
+
+
+def _hangs_as_at_the_end(recording: Recording) -> BoolArray:
+    """Samples with loads turned as they are at the end, and no sling put on since, shape (time,)."""
+    put_on = [time for time, kind, _ in recording.events() if kind == ATTACHED]
+    since: BoolArray = recording.time > max(put_on, default=-np.inf)
+    return since & turned_as_at(recording, -1)
 
 
 def stretches(mask: BoolArray) -> list[BoolArray]:

@@ -171,7 +171,10 @@ def resolve(scenario: Scenario) -> Rigging:
             sentence = (
                 f"moving sheave '{sling.upper_body}' already carries sling '{holders[sling.upper_body]}'"
             )
-            findings.add(("slings", name, "from"), f"{sentence}; each moving sheave carries one sling")
+            right = "each moving sheave carries one sling"
+            if name in off:
+                right += " over the whole plan; one that a step puts on may hang from a hook or spreader"
+            findings.add(("slings", name, "from"), f"{sentence}; {right}")
         holders.setdefault(sling.upper_body, name)
     extensions = extensions_of(findings, scenario.slings or {}, slings)
     findings.raise_any()

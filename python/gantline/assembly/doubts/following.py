@@ -14,6 +14,8 @@ from itertools import takewhile
 
 import numpy as np
 
+from gantline.assembly.doubts.tilts import balance, lugs_under
+from gantline.assembly.loads.lifted import LiftedLoad
 from gantline.assembly.plan.followed_ways import STEEPEST, Along, Luffing, Slewing, first_angle, way_of
 from gantline.assembly.spatial import Array
 from gantline.scenario import Rigging, Scenario
@@ -37,7 +39,7 @@ _MOST_ASKEW = math.radians(30.0)
 _SHORT = 0.2
 
 
-def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
+def doubtful_following(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> Iterator[Doubt]:
     """Each step that would have to follow faster than it may, from which angle on, or askew.
 
     Of loads whose hooks have taken up their slings evenly as the lift begins, and as far as the plan says to
@@ -46,8 +48,10 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
     Args:
         scenario: The lift.
         rigging: Who carries whom.
+        lifted: The load.
     """
-    if not any(isinstance(step, AlongStep) and step.keep_plumb for step in scenario.plan):
+    is_followed = any(isinstance(step, AlongStep) and step.keep_plumb for step in scenario.plan)
+    if lifted is None or not is_followed:
         return
     heights: dict[str, float | None] = {name: hook.height for name, hook in scenario.hooks.items()}
     turned, before = _Turned(), frozenset[str]()
@@ -63,7 +67,10 @@ def doubtful_following(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
             for name in full_names(hoist.moved, scenario.hooks):
                 heights[name] = _after(hoist, heights[name])
         lugs = {hook: _lugs(scenario, rigging, [hook], on) for hook in scenario.hooks}
-        after = turned.after(hoists, speeds, {hook: at for hook, at in lugs.items() if at is not None})
+        held = {hook: at for hook, at in lugs.items() if at is not None}
+        alone = _hung_alone(scenario, rigging, lifted, hoists, on)
+        is_let_go = alone is not None and turned.up.any()  # a level load has been set down
+        after = alone if alone is not None and is_let_go else turned.after(hoists, speeds, held)
         now = _Stage(scenario, rigging, tuple(stage), on, speeds, heights, turned, after)
         for step in stage:
             if isinstance(step, AlongStep) and step.keep_plumb:
@@ -136,7 +143,7 @@ class _Turned:
     """How far a load is turned, as far as the plan tells.
 
     Attributes:
-        tilt: Angle [rad].
+        tilt: Angle [rad]; NaN since a step that turns it by an angle of which the plan says nothing.
         up: Way, level and in axes of the load, towards the end that is higher by that (2,).
         is_known: Whether the step before said so.
     """
@@ -152,7 +159,8 @@ class _Turned:
         tilts = [one.until.load_tilt for one in hoists if one.until is not None and one.until.load_tilt]
         ends = [end for tilt in tilts for end in (tilt.above, tilt.below) if end is not None]
         if not ends or not lugs:
-            return replace(self, is_known=False)
+            is_even = len({speeds.get(hook, 0.0) for hook in lugs}) < 2
+            return replace(self, tilt=self.tilt if is_even else math.nan, is_known=False)
         mean = _mean(speeds, lugs)
         way = np.sum([(speeds.get(hook, 0.0) - mean) * at[:2] for hook, at in lugs.items()], axis=0)
         size = float(np.linalg.norm(way))
@@ -164,6 +172,30 @@ class _Turned:
         along, high = float(level[:2] @ self.up), float(level[2])
         cosine, sine = math.cos(self.tilt), math.sin(self.tilt)
         return along * cosine - high * sine, along * sine + high * cosine
+
+
+def _hung_alone(
+    scenario: Scenario,
+    rigging: Rigging,
+    lifted: LiftedLoad,
+    hoists: Sequence[HookStep],
+    on: frozenset[str],
+) -> _Turned | None:
+    """How a load is turned that hangs from one end alone, as the slings of the other end hang slack; or None.
+
+    So does a step end that lets go of those slings: `until` they are slack.
+    """
+    waits = [one.until for one in hoists if one.until is not None and one.until.slings == "slack"]
+    slack = {rope.removeprefix("sling.") for until in waits for rope in until.of}
+    if not slack:
+        return None
+    lugs = lugs_under(scenario, rigging, scenario.hooks, on - slack)
+    tilt = balance(lugs, lifted.body.centre) if lugs else None
+    if tilt is None:
+        return None
+    up = (np.mean(lugs, axis=0) - lifted.body.centre)[:2]
+    size = float(np.linalg.norm(up))
+    return _Turned(tilt, up / size, is_known=True) if size > 0.0 else None
 
 
 def _steepest(

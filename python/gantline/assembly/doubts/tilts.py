@@ -24,7 +24,7 @@ from gantline.scenario.plan.slinging import slings_on
 from gantline.scenario.plan.steps import AlongStep, HookStep
 from gantline.units import format_quantity
 
-__all__ = ["doubtful_tilts"]
+__all__ = ["balance", "doubtful_tilts", "lugs_under"]
 
 #: How far beyond its balance a step has to wait before that is told [rad]: lines of lugs are not quite level.
 _BEYOND = math.radians(0.5)
@@ -52,7 +52,7 @@ def doubtful_tilts(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | No
     for place, step in enumerate(scenario.plan):
         if (isinstance(step, AlongStep) and not step.keep_plumb) or stages[place] != stages[0]:
             return
-        holding = {hook for hook in scenario.hooks if _lugs(scenario, rigging, [hook], stages[place])}
+        holding = {hook for hook in scenario.hooks if lugs_under(scenario, rigging, [hook], stages[place])}
         if isinstance(step, LeadStep) and holding - set(full_names(step.lead, scenario.hooks)):
             return  # hooks that lead together keep their distances
         if not isinstance(step, HookStep) or step.until is None or step.until.load_tilt is None:
@@ -61,7 +61,7 @@ def doubtful_tilts(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | No
         higher = holding & moved if step.sign > 0 else holding - moved
         if asked is None or not higher or higher == holding:
             continue
-        most = _balance(_lugs(scenario, rigging, higher, stages[place]), lifted.body.centre)
+        most = balance(lugs_under(scenario, rigging, higher, stages[place]), lifted.body.centre)
         if most is not None and asked > most + _BEYOND:
             waits = f"step '{step.step}' waits for a tilt above {format_quantity(asked, 'deg', 1)}"
             alone = f"from {' and '.join(sorted(higher))} alone"
@@ -70,7 +70,7 @@ def doubtful_tilts(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | No
             yield Doubt(("plan", place, "until"), f"{waits}, and {hangs}: {slack}")
 
 
-def _lugs(
+def lugs_under(
     scenario: Scenario, rigging: Rigging, hooks: Iterable[str], on: frozenset[str]
 ) -> list[tuple[float, float, float]]:
     """Lugs of the load to which slings that are on lead from some hooks, in its axes [m]."""
@@ -79,8 +79,13 @@ def _lugs(
     return [scenario.load.lugs[lug].at for sling in slings for lug in sling.lugs]
 
 
-def _balance(lugs: list[tuple[float, float, float]], centre: Array) -> float | None:
-    """Tilt with which a load hangs from lugs on one line alone [rad]; None where they do not say it."""
+def balance(lugs: list[tuple[float, float, float]], centre: Array) -> float | None:
+    """Tilt with which a load hangs from lugs on one line alone [rad]; None where they do not say it.
+
+    Args:
+        lugs: Where they are, axes of the load [m].
+        centre: Its centre of gravity, the same (3,) [m].
+    """
     places = np.array(lugs)
     middle = places.mean(axis=0)
     _, sizes, axes = np.linalg.svd(places - middle)

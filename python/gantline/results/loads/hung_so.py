@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from gantline.results import series
@@ -12,13 +10,10 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.ropes.parting import DETACHED, PARTING, while_there
 from gantline.results.ropes.pinned import pinned_as_at
-from gantline.results.rotation import axes
 from gantline.results.variable import BoolArray, FloatArray
 
 __all__ = ["has_hung_as_heavy", "has_hung_so", "left_by_water", "tells_dynamics"]
 
-#: To or from where a load hung still, from which on hooks carry other shares [rad].
-_TURNED = math.radians(10.0)
 #: By what share of a load more is left to bear than while it hung still, which is no dynamics then [1].
 _HEAVIER = 0.02
 
@@ -52,9 +47,7 @@ def has_hung_so(recording: Recording, time: float, *, of_slings: bool = False) -
     # Between two samples either may be right: what comes or goes is slack.
     last = len(recording.time) - 1
     after = min(int(np.searchsorted(recording.time, time, side="right")), last)
-    for load in recording.rig.loads:
-        upright = axes(recording.column("body_orientation", load.body))[:, :, 2]
-        still &= upright @ upright[after] >= math.cos(_TURNED)
+    still &= series.turned_as_at(recording, after)
     around = (on[:, place, np.newaxis] for place in (max(after - 1, 0), after))
     return any(bool(((on == then).all(axis=0) & still).any()) for then in around)
 

@@ -107,7 +107,10 @@ class Case(Element):
         for key, right in (("corners", ENVELOPE), ("pattern", TOLERANCE)):
             stands = getattr(self, key) is not None
             if stands and self.vary != right:
-                raise refuse(f"'{key}' belongs to 'vary: {right}'", key)
+                own = {ENVELOPE: "'corners'", TOLERANCE: "'pattern'"}
+                meant = own.get(self.vary) if isinstance(self.vary, str) else None
+                here = "" if meant is None else f"; beside 'vary: {self.vary}' stands {meant}"
+                raise refuse(f"'{key}' belongs to 'vary: {right}'{here}", key)
             if not stands and self.vary == right:
                 words = "'all'" if key == "corners" else "'each', 'worst' or 'worst_pair'"
                 raise refuse(f"'{key}' is missing; beside 'vary: {right}' it says {words}", "vary")
