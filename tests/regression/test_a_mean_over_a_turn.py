@@ -2,7 +2,7 @@
 
 The sling that took the load over had 158 kN `static`, 8.5 % of the working load limit of its shackle, and a
 peak of 1244 kN in steady motion: the quiet window went back to where a sling had been taken off, half an hour
-and 86 degrees before. `sling_dynamic_factor` had 7.9, of a lift without dynamics. The window of a run that ends
+and 86 degrees before. `sling_dynamic_factor` had 7.9, without any dynamics. The window of a run that ends
 in motion begins where its load is turned by 10 degrees less than at the end, or a sling has been put on.
 """
 
