@@ -220,7 +220,7 @@ def test_title_and_scale_of_a_sketch_lie_on_one_plate() -> None:
         r'<rect class="sk-plate" x="0" y="([\d.]+)" width="([\d.]+)" height="([\d.]+)"',
         render_report(ringing_lift()),
     )
-    assert [tuple(map(float, one)) for one in drawn] == [(HEIGHT - PLATE, WIDTH, PLATE)] * 2
+    assert [tuple(map(float, one)) for one in drawn] == [(HEIGHT - PLATE, WIDTH, PLATE + 1.0)] * 2
 
 
 @pytest.mark.parametrize(("way", "right"), [((40.0, 0.0), "x to the right"), ((0.0, 40.0), "y to the right")])
