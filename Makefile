@@ -54,7 +54,8 @@ further: setup
 	npm --prefix viewer run lint --silent
 	npm --prefix viewer run check --silent
 
-core:
+# In its turn: what is compiled for use takes longest, and begins first.
+core: environment
 	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
 
 bench: setup ## race with other codes on the benchmark lifts, growth, stages, time of every scenario
