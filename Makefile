@@ -30,15 +30,15 @@ environment:
 demo: setup ## simulate the lift of scenarios/equalizer; table, numerical error, pictures and report in build/demo
 	@gantline run scenarios/equalizer --refine -o build/demo
 
-# Compiling, for use and for tests, and looking at types keep one processor busy each, for minutes: they go side by
-# side. Files of tests in their order: the browser has one long test, which begins first.
+# Compiling tests and looking at types go side by side; what is compiled for use takes twice as long beside others.
+# Files of tests in their order: the browser has one long test, which begins first.
 test: environment ## all tests and lints
-	@$(MAKE) --jobs=2 checks further core
+	@$(MAKE) --jobs=2 checks core
+	@$(MAKE) further
 	npm --prefix viewer test --silent
 	pytest --numprocesses auto --maxprocesses 8 --dist loadfile --no-loadscope-reorder --hypothesis-seed=$(SEED)
 
-lint: environment ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
-	@$(MAKE) --jobs=2 checks further
+lint: checks further ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
 
 # Lints that need neither the compiled core nor the player.
 checks: environment
@@ -54,9 +54,9 @@ further: setup
 	npm --prefix viewer run lint --silent
 	npm --prefix viewer run check --silent
 
-# In its turn: what is compiled for use takes longest, and begins first.
-core: environment
-	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
+# Its compilers are not make's to count.
+core:
+	unset MAKEFLAGS; PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
 
 bench: setup ## race with other codes on the benchmark lifts, growth, stages, time of every scenario
 	@.venv-tools/bin/python -m pip --python $(BIN)/python install --quiet --disable-pip-version-check --no-user \

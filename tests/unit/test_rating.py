@@ -42,10 +42,13 @@ def check(of: Recording, key: str = "hoist_load_of_rating") -> Check:
 
 
 def hung_clear(of: Recording) -> Recording:
-    """The same with a load that nothing supports, of the design weight."""
+    """The same with an upright load that nothing supports, of the design weight."""
     load = {"name": "load", "body": "load", "weight": 1.0, "contacts": []}
     rig = {**of.attributes["rig"], "loads": [load]}
-    return Recording(of.variables, of.coordinates, {**of.attributes, "rig": rig})
+    upright = np.tile([1.0, 0.0, 0.0, 0.0], (len(of.time), 1, 1))
+    turned = Variable(("time", "body", "quaternion"), upright, "1", "orientation of a body")
+    variables = {**of.variables, "body_orientation": turned}
+    return Recording(variables, {**of.coordinates, "body": ("load",)}, {**of.attributes, "rig": rig})
 
 
 def rated(of: Recording) -> dict[str, float]:

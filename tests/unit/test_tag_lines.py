@@ -162,7 +162,9 @@ def test_steps_haul_lines_with_a_winch() -> None:
     made_fast = WEST.replace("pull: 1 kN", "length: as_routed")
     step = "  - {step: turn, haul: west, by: 1 m, speed: 1 m/min}\n  - {step: take up slack"
     text = held(made_fast).replace("  - {step: take up slack", step, 1)
-    with pytest.raises(ScenarioError, match=r":\d+: plan\[1\]\.haul: .*'tag\.west'.* no 'winch'"):
+    with pytest.raises(
+        ScenarioError, match=r":\d+: step 'turn', plan\[1\]\.haul: .*'tag\.west'.* no 'winch'"
+    ):
         parse_scenario(text)
     with pytest.raises(ScenarioError, match=r"haul: 'tag\.west' hauls and gives way by itself, to keep its"):
         parse_scenario(text.replace("length: as_routed", "pull: 1 kN", 1))
