@@ -15,48 +15,40 @@ unexport PYTHONPATH PYTHONHOME
 # Tests start the program some hundred times, which compiles its modules anew each time where this is set.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help setup demo test lint environment checks core further bench docs packages pictures lock clean
+.PHONY: help setup demo test lint environment checks bench docs packages pictures lock clean
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## (.*)/  make \1\t\2/' | expand -t 16
 
-setup: environment ## make .venv: locked packages, gantline, its compiled core and its player
+setup: ## make .venv: locked packages, gantline, its compiled core and its player
 	@tools/setup.sh
 
-# First, since what needs the packages alone would wait for a set-up that compiles.
 environment:
 	@tools/setup.sh packages
 
 demo: setup ## simulate the lift of scenarios/equalizer; table, numerical error, pictures and report in build/demo
 	@gantline run scenarios/equalizer --refine -o build/demo
 
-# Compiling tests and looking at types go side by side; what is compiled for use takes twice as long beside others.
 # Files of tests in their order: the browser has one long test, which begins first.
-test: environment ## all tests and lints
-	@$(MAKE) --jobs=2 checks core
-	@$(MAKE) further
+test: lint ## all tests and lints
+	PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
 	npm --prefix viewer test --silent
 	pytest --numprocesses auto --maxprocesses 8 --dist loadfile --no-loadscope-reorder --hypothesis-seed=$(SEED)
 
-lint: checks further ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
+# Compiling the core and looking at types keep one processor busy each, for minutes: they go side by side.
+lint: environment ## formatting, clippy, ruff, mypy, import-linter, biome, tsc
+	@$(MAKE) --jobs=2 setup checks
+	lint-imports --no-cache
+	npm --prefix viewer run lint --silent
+	npm --prefix viewer run check --silent
 
-# Lints that need neither the compiled core nor the player.
+# Those that need neither the compiled core nor the player.
 checks: environment
 	cargo fmt --all --check
 	ruff check --quiet
 	ruff format --check --quiet
 	mypy python/gantline tests benchmarks tools docs
 	cargo clippy --workspace --all-targets --locked --quiet -- -D warnings
-
-# Those that need them.
-further: setup
-	lint-imports --no-cache
-	npm --prefix viewer run lint --silent
-	npm --prefix viewer run check --silent
-
-# Its compilers are not make's to count.
-core:
-	unset MAKEFLAGS; PROPTEST_RNG_SEED=$(SEED) cargo test --workspace --exclude gantline-py --locked --quiet
 
 bench: setup ## race with other codes on the benchmark lifts, growth, stages, time of every scenario
 	@.venv-tools/bin/python -m pip --python $(BIN)/python install --quiet --disable-pip-version-check --no-user \
