@@ -15,7 +15,9 @@ from gantline.results.variable import Variable
 def asked(count: int, label: str) -> str:
     names = [f"sling.S{k}" for k in range(1, count + 1)]
     tension = Variable(("time", "rope"), np.zeros((1, count)), "N", "")
-    recording = Recording({"time": Variable(("time",), np.zeros(1), "s", ""), "t": tension}, {"rope": names}, {})
+    recording = Recording(
+        {"time": Variable(("time",), np.zeros(1), "s", ""), "t": tension}, {"rope": names}, {}
+    )
     with pytest.raises(KeyError) as caught:
         recording.column("t", label)
     return str(caught.value.args[0])

@@ -1,8 +1,9 @@
 """`--refine` of a lift without ropes and checks said nothing, whatever the finer run came to.
 
-A double pendulum let go from 170° was 3.3 m from where the finer run had it, and all that stood under `Numerical
-error` was what the tolerances had been, below it that the energy balance closes. Now the body that is farthest
-from its place in the finer run is told, and the first page has it where no figure of a check was compared.
+A double pendulum let go from 170° was 3.3 m from where the finer run had it, and all that stood under
+`Numerical error` was what the tolerances had been, below it that the energy balance closes. Now the body that
+is farthest from its place in the finer run is told, and the first page has it where no figure of a check was
+compared.
 """
 
 from __future__ import annotations

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 
 import gantline
 
-#: A disc about a plumb axis: moment of inertia [kg m^2], stiffness of its spring [N m/rad], where it is let go.
+#: A disc about a plumb axis: moment of inertia [kg m^2], stiffness of its spring [N m/rad], where it is let
+#: go [rad].
 INERTIA, STIFFNESS, AWAY = 2.0, 200.0, math.radians(30.0)
 OMEGA = math.sqrt(STIFFNESS / INERTIA)
 LIFT = """
@@ -34,7 +36,7 @@ mechanics:
     [
         # Five tolerances each time that it goes through the middle, ten times.
         ({"position_tolerance": 1e-7, "tension_tolerance": 1e-4}, 50 * 1e-7),
-        # Of first order: each step takes h w^2/2 of the rate that the angle changes with, so h w^2 t/2 of the swing.
+        # Of first order: it damps by exp(-h w^2 t/2).
         ({"integrator": "del", "step": 1e-4}, 1e-4 * OMEGA**2 * 3.0 / 2.0 * AWAY),
         # Its velocity is half a step ahead, h w/2 of the swing, and its phase goes on by (h w)^2/24 more.
         (
@@ -43,7 +45,7 @@ mechanics:
         ),
     ],
 )
-def test_a_disc_swings_on_its_torsion_spring(settings: dict[str, object], tolerance: float) -> None:
+def test_a_disc_swings_on_its_torsion_spring(settings: dict[str, Any], tolerance: float) -> None:
     """(N3): theta = theta_0 cos(w t), w^2 = k/I, from an angle at which the spring is loaded."""
     recording = gantline.simulate(gantline.parse_scenario(LIFT), **settings)
     found = recording.column("joint_position", "disc")
@@ -53,8 +55,8 @@ def test_a_disc_swings_on_its_torsion_spring(settings: dict[str, object], tolera
 
 def test_events_where_it_goes_through_the_middle() -> None:
     """At w t = pi/2, 3 pi/2, ...: one stop is left, the other hit."""
-    settings = {"position_tolerance": 1e-7, "tension_tolerance": 1e-4}
-    recording = gantline.simulate(gantline.parse_scenario(LIFT), **settings)
+    lift = gantline.parse_scenario(LIFT)
+    recording = gantline.simulate(lift, position_tolerance=1e-7, tension_tolerance=1e-4)
     passes = (np.arange(10) + 0.5) * math.pi / OMEGA
     for kind in ("stop_hit", "stop_left"):
         times = [time for time, _, _ in recording.events(kind)]

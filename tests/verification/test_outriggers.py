@@ -34,8 +34,8 @@ def test_feet_bear_what_moments_say(slew: float) -> None:
     assert (force > 0).all()
     names = [f"c1.{corner}" for corner in ("left.front", "left.back", "right.front", "right.back")]
     found = np.array([recording.column("contact_force", name)[-1] for name in names])
-    # 14 parts of one rope pull 3 cm aside of the middle of their sheaves: of 50 t 15 kN m, a thousandth of a foot
-    # over 8.4 m; and 1 kg of sheaves at the head.
+    # 14 parts of one rope pull 3 cm aside of the middle of their sheaves: of 50 t that is 15 kN m, 0.9 kN in
+    # each foot, two over 8.4 m, 6e-4 of it; and 1 kg of sheaves at the head.
     assert found == pytest.approx(force, abs=2e-3 * force.max())
     for variable, area in (("ground_pressure", AREA), ("track_pressure", WIDTH**2)):
         pressure = np.array([recording.column(variable, name)[-1] for name in names])

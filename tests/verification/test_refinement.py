@@ -65,9 +65,9 @@ def test_three_quarters_of_the_error_of_an_explicit_one_that_damps(step: float) 
     """(1 - 1/4) e of `explicit` on a sling with a damping time: it is of first order too.
 
     With s = w^2 tau/2 and v^2 = w^2 - s^2 the stretch u has u'' = a exp(-s t) (cos v t - s/v sin v t), and
-    T = m (g + a - u''), which is largest where tan v t = -2 s v/(v^2 - s^2). The largest of steps misses the peak
-    of a swing by up to (h w)^2/8 of it: 1e-4 at 4 ms, where the error is 9e-4 of it, so 11 %, and at shorter
-    steps less as they are shorter. An error of h^2 would leave 15/16 in place of 3/4, a quarter more.
+    T = m (g + a - u''), which is largest where tan v t = -2 s v/(v^2 - s^2). The largest of steps misses the
+    peak of a swing by up to (h w)^2/8 of it: 1e-4 at 4 ms, where the error is 9e-4 of it, so 11 %, and at
+    shorter steps less as they are shorter. An error of h^2 would leave 15/16 for 3/4, a quarter more.
     """
     damping = 10e-3
     stiff, decay = 20e6 / 20.0 / MASS, 20e6 / 20.0 / MASS * damping / 2.0

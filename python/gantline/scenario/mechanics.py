@@ -107,8 +107,8 @@ class SliderStops(Element):
     damping: Damping = Field(0.0, description="Damping of each stop.")
     loaded: Flag = Field(
         False,
-        description="true: the joint may start beyond a stop, which pushes from then on; with both at one place "
-        "they are a spring.",
+        description="true: the joint may start beyond a stop, which pushes from then on; with both at one "
+        "place they are a spring.",
     )
 
 
@@ -123,8 +123,8 @@ class HingeStops(Element):
     damping: RotationalDamping = Field(0.0, description="Damping of each stop.")
     loaded: Flag = Field(
         False,
-        description="true: the joint may start beyond a stop, which pushes from then on; with both at one place "
-        "they are a spring.",
+        description="true: the joint may start beyond a stop, which pushes from then on; with both at one "
+        "place they are a spring.",
     )
 
 

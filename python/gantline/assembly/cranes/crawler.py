@@ -39,8 +39,8 @@ __all__ = ["add_crawlers", "crawler_rig", "crawler_shape", "crawlers", "track_co
 
 #: Tracks may sink into ground and mats by so much [m]: more is a unit that has slipped, and cranes go over.
 _DEEPEST = 0.25
-#: Parts of pictures that no mechanics depends on: height of tracks, thickness of mats, breadth of a carrier on
-#: outriggers, sizes of machinery and counterweight [m].
+#: Parts of pictures that no mechanics depends on: height of tracks, thickness of mats, breadth of a carrier
+#: on outriggers, sizes of machinery and counterweight [m].
 _TRACK = 1.4
 _MAT = 0.3
 _CARRIER = 2.75

@@ -147,10 +147,14 @@ class Tracks(Element):
 
     def _refuse_outriggers(self, area: float) -> None:
         if self.mats is not None:
-            raise refuse("lie under tracks, and this crane stands on outriggers; leave one of both out", "mats")
+            raise refuse(
+                "lie under tracks, and this crane stands on outriggers; leave one of both out", "mats"
+            )
         least, most = self.width**2, min(self.length, self.gauge) ** 2
         if not least <= area <= most:
-            sentence = f"a mat of {area:g} m^2 is not between the foot of an outrigger and what there is room for"
+            sentence = (
+                f"a mat of {area:g} m^2 is not between the foot of an outrigger and what there is room for"
+            )
             raise refuse(f"{sentence}, {least:.3g} m^2 and {most:.3g} m^2", "outrigger_mats")
 
 
