@@ -1,8 +1,8 @@
 """The side view of two cranes side by side looked along the line of their hooks: one boom lay over the other.
 
 It went by the direction of the first boom alone. Both booms, both falls and both hooks stood in one place,
-with the names `cc.H, mc.H` beside one dot. Of several cranes it now has that axis to the right along which their
-hooks are farther apart; of one crane it has its boom, as before.
+with the names `cc.H, mc.H` beside one dot. Of several cranes it now has that axis to the right along which
+their hooks are farther apart; of one crane it has its boom, as before.
 """
 
 from __future__ import annotations
