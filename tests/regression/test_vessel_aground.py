@@ -30,12 +30,14 @@ def test_a_keel_below_the_floor_is_told(tmp_path: Path, floor: float) -> None:
     """By draft and depth: 4 m less than 1.5 m is 2.5 m."""
     (found,) = warnings(tmp_path, floor)
     assert found.startswith(f"barge is {DRAFT + floor:.2f} m in the ground at ")
+    assert found.endswith("see position, draft and the floor of its dock")
 
 
 def test_a_side_within_the_quay_is_told(tmp_path: Path) -> None:
     """14 m of water to either side of a barge with 15 m: its bilge is 4 + 3.5 m below the top of the quay."""
     (found,) = warnings(tmp_path, -15.0, side=HALF - 1.0)
     assert found.startswith(f"barge is {DRAFT + 3.5:.2f} m in the ground at ")
+    assert found.endswith("see position, mooring lines, fenders and the edges of its dock")
 
 
 @pytest.mark.parametrize("floor", [-4.1, -15.0])

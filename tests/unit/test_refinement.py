@@ -13,7 +13,7 @@ import gantline
 from gantline.cli.app import app
 from gantline.cli.refinement import refinement_table
 from gantline.results.recording import Recording
-from gantline.results.refinement import Figure, Refinement, in_per_cent, refinement_of
+from gantline.results.refinement import Apart, Figure, Refinement, in_per_cent, refinement_of
 from gantline.study import refined
 from sample_lift import ringing_lift
 
@@ -21,7 +21,12 @@ LARGEST = Figure("load_tilt", "module", 0.010, 0.011, 0.02, "deg", 2)
 SMALLEST = Figure("clearance_margin", "a to b", 0.5, 0.4, 0.2, "m", 2, at_least=True)
 FREE = Figure("sling_dynamic_factor", "S1", 1.2, 1.25, None, "", 3)
 FOUND = Refinement(
-    {"tension_tolerance": 5.0, "position_tolerance": 1e-5}, [LARGEST, SMALLEST, FREE, FREE], [], 1e-3, -2e-3
+    {"tension_tolerance": 5.0, "position_tolerance": 1e-5},
+    [LARGEST, SMALLEST, FREE, FREE],
+    [],
+    1e-3,
+    -2e-3,
+    Apart("module", 0.0123, 7.26),
 )
 
 
@@ -58,15 +63,23 @@ def test_the_table_tells_what_moved_most_first() -> None:
         "  with tolerances a tenth (5 N, 0.01 mm) 1 other figure differs by less",
         "  loads come clear 2.0 ms earlier",
         "  tensions of ropes differ by 0.1 % rms of their largest",
+        "  places of bodies differ by up to 12.3 mm, that of module at 7.3 s",
     ]
 
 
 def test_what_is_the_same_is_said_to_be() -> None:
-    alike = replace(FOUND, figures=[replace(FREE, finer=FREE.value)], lift_off=4e-5, tension=None)
+    alike = replace(
+        FOUND,
+        figures=[replace(FREE, finer=FREE.value)],
+        lift_off=4e-5,
+        tension=None,
+        apart=Apart("module", 4e-5, 1.0),
+    )
     assert refinement_table(alike) == [
         "Numerical error",
         "  with tolerances a tenth (5 N, 0.01 mm) 1 figure is the same",
         "  loads come clear at the same time",
+        "  places of bodies differ by less than 0.1 mm",
     ]
 
 

@@ -132,12 +132,12 @@ def with_stops(stops: str, kind: str = "slider", axis: str = "[0, 0, 1]") -> str
 
 def test_stops_of_plain_joints() -> None:
     text = with_stops("lower: -0.5 m, stiffness: 1 MN/m, damping: 5 kN s/m")
-    law = {"lower": -0.5, "upper": None, "stiffness": 1e6, "damping_time": 5e-3}
+    law = {"lower": -0.5, "upper": None, "stiffness": 1e6, "damping_time": 5e-3, "loaded": False}
     assert stops_of_left(text) == law
     turned = with_stops(
         "upper: 90 deg, stiffness: 2 MN m/rad, damping: 4 kN m s", "hinge", "[0, 1, 0], position: 10 deg"
     )
-    law = {"lower": None, "upper": math.pi / 2, "stiffness": 2e6, "damping_time": 2e-3}
+    law = {"lower": None, "upper": math.pi / 2, "stiffness": 2e6, "damping_time": 2e-3, "loaded": False}
     assert stops_of_left(turned) == law
 
 
@@ -153,7 +153,8 @@ def stops_of_left(text: str) -> dict[str, Any]:
     [
         ("stiffness: 1 MN/m", "neither 'lower' nor 'upper'"),
         ("lower: 1 m, upper: -1 m, stiffness: 1 MN/m", "'lower' not below 'upper'"),
-        ("lower: 1 m, stiffness: 1 MN/m", "a joint starts between its stops"),
+        ("lower: 1 m, stiffness: 1 MN/m", "a joint starts between its stops, unless they say 'loaded: true'"),
+        ("lower: 0 m, upper: 0 m, stiffness: 1 MN/m", "'lower' not below 'upper'"),
         ("lower: -1 m", "stiffness"),
     ],
 )

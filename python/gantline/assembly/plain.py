@@ -261,6 +261,7 @@ def _stops(stops: HingeStops | SliderStops | None) -> Json | None:
         "upper": stops.upper,
         "stiffness": stops.stiffness,
         "damping_time": damping_time,
+        "loaded": stops.loaded,
     }
 
 

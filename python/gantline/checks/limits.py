@@ -180,7 +180,7 @@ LIMITS: dict[str, Measure] = {
         alarm=TIPPING,
     ),
     "ground_pressure_of_allowed": _utilisation(
-        "largest pressure on the ground under a track or its mats / what the ground bears",
+        "largest pressure on the ground under tracks, outriggers or their mats / what the ground bears",
         crawlers.ground_pressure,
     ),
     "corner_load": Measure(

@@ -492,4 +492,6 @@ def _trust(subject: Subject) -> str:
         most = finer.told[0].name.replace("_", " ") if finer.told else ""
         differ = f"differ by up to {in_per_cent(finer.moved)}, most {most}" if most else "are the same"
         rest.append(f"with {finer.how} the figures of the checks {differ}")
+    elif finer is not None and finer.apart is not None:
+        rest.append(f"with {finer.how} {finer.apart.sentence}")
     return head + "; ".join(rest)

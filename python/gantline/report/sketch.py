@@ -208,13 +208,21 @@ def _across_turn(recording: Recording, load: Load) -> str:
 
 
 def _along(moment: _Moment, shown: FloatArray) -> str:
-    """The axis of the world that a side view has to the right: of the first boom, else the longer one."""
-    for boom in moment.rig.booms:
-        if moment.has(boom.boom):
-            way = np.abs(moment.turn(boom.boom)[:, 0])
-            return "x" if way[0] >= way[1] else "y"
-    wide = np.ptp(shown, axis=0)
-    return "x" if wide[0] >= wide[1] else "y"
+    """The axis of the world that a side view has to the right.
+
+    Of the boom; of several cranes with booms that along which their hooks are farther apart, since booms side
+    by side would cover each other; without any the longer one.
+    """
+    booms = [one for one in moment.rig.booms if moment.has(one.boom)]
+    cranes = {one.name for one in booms}
+    hooks = [one for one in moment.rig.hooks if one.crane in cranes and moment.has(one.name)]
+    if len({one.crane for one in hooks}) > 1:
+        way = np.ptp([moment.place(one.name) for one in hooks], axis=0)
+    elif booms:
+        way = np.abs(moment.turn(booms[0].boom)[:, 0])
+    else:
+        way = np.ptp(shown, axis=0)
+    return "x" if way[0] >= way[1] else "y"
 
 
 def _solids(moment: _Moment, scene: Mapping[str, Any]) -> _Solids:

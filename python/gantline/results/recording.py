@@ -172,7 +172,8 @@ class Recording:
                 f"{name} has no names along it, so no {label!r}; recording[{name!r}].values has all"
             )
         likely = [one for one in known if one.endswith(f".{label}")] or known
-        raise KeyError(f"{name} has no {label!r}; it has {', '.join(likely[:_MOST_NAMED])}")
+        more = f" and {len(likely) - _MOST_NAMED} more" if len(likely) > _MOST_NAMED else ""
+        raise KeyError(f"{name} has no {label!r}; it has {', '.join(likely[:_MOST_NAMED])}{more}")
 
     def events(self, kind: str | None = None) -> list[tuple[float, str, str]]:
         """Events in order of time.

@@ -1,6 +1,6 @@
-"""How far what a lift is checked for moves where its method is ten times as fine: the method's own error.
+"""How far what a lift is checked for moves where its method is finer: the method's own error.
 
-`gantline.study.refine` simulates both and leaves in the recording what is read here.
+`gantline.study.refined` leaves in the recording what is read here.
 """
 
 from __future__ import annotations
@@ -12,12 +12,14 @@ from typing import Any
 from gantline.results.recording import Recording
 from gantline.units import format_quantity
 
-__all__ = ["Figure", "Refinement", "refinement_of"]
+__all__ = ["Apart", "Figure", "Refinement", "refinement_of"]
 
 #: Decimals beyond those with which people read a figure; what does not show in them is rounding.
 _FURTHER = 2
 #: Nobody asks for less [%].
 _LEAST_SHOWN = 1e-3
+#: A distance below which nobody asks of which body it is [m].
+_LEAST_APART = 1e-4
 #: Figures that are told one by one.
 _MOST_TOLD = 3
 
@@ -73,6 +75,30 @@ class Figure:
 
 
 @dataclass(frozen=True)
+class Apart:
+    """Where a body is farthest from where it is in the finer run.
+
+    Attributes:
+        body: Its name.
+        distance: Of its centre of gravity in both runs [m].
+        time: When that is [s].
+    """
+
+    body: str
+    distance: float
+    time: float
+
+    @property
+    def sentence(self) -> str:
+        """How far places of bodies differ, and where and when most."""
+        if self.distance < _LEAST_APART:
+            return f"places of bodies differ by less than {format_quantity(_LEAST_APART, 'mm', 1)}"
+        unit, digits = ("mm", 1) if self.distance < 1.0 else ("m", 2)
+        far, when = format_quantity(self.distance, unit, digits), format_quantity(self.time, "s", 1)
+        return f"places of bodies differ by up to {far}, that of {self.body} at {when}"
+
+
+@dataclass(frozen=True)
 class Refinement:
     """A lift as run beside the same with a finer method.
 
@@ -83,6 +109,7 @@ class Refinement:
         tension: Largest of the ropes' rms differences over the lift, of its largest tension [1]; None without
             ropes.
         lift_off: By how much later the loads came clear [s]; None where they did not in both.
+        apart: The body that is farthest from where it is in the finer run; None without bodies that move.
     """
 
     settings: Mapping[str, float]
@@ -90,6 +117,7 @@ class Refinement:
     verdicts: Sequence[str]
     tension: float | None = None
     lift_off: float | None = None
+    apart: Apart | None = None
 
     @property
     def told(self) -> list[Figure]:
@@ -124,6 +152,8 @@ class Refinement:
             yield f"loads come clear {f'{apart} {how}' if float(apart.split()[0]) else 'at the same time'}"
         if self.tension is not None:
             yield f"tensions of ropes differ by {in_per_cent(self.tension)} rms of their largest"
+        if self.apart is not None:
+            yield self.apart.sentence
 
 
 def in_per_cent(share: float) -> str:
@@ -139,4 +169,11 @@ def refinement_of(recording: Recording) -> Refinement | None:
     said: Mapping[str, Any] | None = recording.attributes.get("refinement")
     if said is None:
         return None
-    return Refinement(**{**said, "figures": [Figure(**one) for one in said["figures"]]})
+    apart = said.get("apart")
+    return Refinement(
+        **{
+            **said,
+            "figures": [Figure(**one) for one in said["figures"]],
+            "apart": None if apart is None else Apart(**apart),
+        }
+    )

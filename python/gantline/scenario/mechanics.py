@@ -105,6 +105,11 @@ class SliderStops(Element):
     upper: Length | None = Field(None, description="Largest travel; none if not given.")
     stiffness: PositiveStiffness = Field(description="Stiffness of each stop.")
     damping: Damping = Field(0.0, description="Damping of each stop.")
+    loaded: Flag = Field(
+        False,
+        description="true: the joint may start beyond a stop, which pushes from then on; with both at one "
+        "place they are a spring.",
+    )
 
 
 class HingeStops(Element):
@@ -116,6 +121,11 @@ class HingeStops(Element):
     upper: Angle | None = Field(None, description="Largest angle; none if not given.")
     stiffness: PositiveRotationalStiffness = Field(description="Stiffness of each stop.")
     damping: RotationalDamping = Field(0.0, description="Damping of each stop.")
+    loaded: Flag = Field(
+        False,
+        description="true: the joint may start beyond a stop, which pushes from then on; with both at one "
+        "place they are a spring.",
+    )
 
 
 class Fixed(Element):

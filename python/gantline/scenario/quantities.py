@@ -432,6 +432,7 @@ PositiveAngularAcceleration = Annotated[float, Quantity("angular_acceleration", 
 PositiveAcceleration = Annotated[float, Quantity("acceleration", "positive")]
 Acceleration = Annotated[float, Quantity("acceleration", "not_negative")]
 PositiveMassFlow = Annotated[float, Quantity("mass_flow", "positive")]
+PositiveArea = Annotated[float, Quantity("area", "positive")]
 PositiveStress = Annotated[float, Quantity("stress", "positive")]
 PositiveStiffness = Annotated[float, Quantity("stiffness", "positive")]
 Damping = Annotated[float, Quantity("damping", "not_negative")]

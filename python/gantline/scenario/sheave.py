@@ -191,7 +191,7 @@ def sheave_losses(
     elif words.sheave_mass is not None:
         inertia, source = words.sheave_mass / 2, "half of its mass"
     elif bearing > 1 and own_mass is not None:
-        inertia, source = own_mass / 2, f"half of {own_mass:g} kg"
+        inertia, source = own_mass / 2, f"half of {round(own_mass, 1):g} kg"
     return SheaveLosses(bearing, words.groove_friction, inertia, source, on_sheave)
 
 

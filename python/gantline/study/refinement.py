@@ -11,10 +11,10 @@ import numpy as np
 
 from gantline.checks import NO_WARNINGS, Check, Verdict, check_recording
 from gantline.results import series
-from gantline.results.comparison import compare
+from gantline.results.comparison import Comparison, compare
 from gantline.results.loads.lift_off import lift_off_time
 from gantline.results.recording import Recording
-from gantline.results.refinement import Figure, Refinement
+from gantline.results.refinement import Apart, Figure, Refinement
 from gantline.simulation import Simulation
 
 __all__ = ["finer_simulation", "refined"]
@@ -73,6 +73,7 @@ def _refinement(recording: Recording, finer: Recording) -> Refinement:
     before, after = (check_recording(one) for one in (recording, finer))
     paired = list(_pairs(before, after))
     used = finer.attributes["settings"]["integrator"]
+    compared = compare(recording, finer)
     clear = [lift_off_time(one) for one in (recording, finer)]
     return Refinement(
         settings={name: used[name] for name in _SHARES if name in used},
@@ -93,8 +94,9 @@ def _refinement(recording: Recording, finer: Recording) -> Refinement:
             if np.isfinite([one.value, other.value]).all()
         ],
         verdicts=[_otherwise(one, other) for one, other in paired if _differ(one, other)],
-        tension=_tension(recording, finer),
+        tension=_tension(recording, compared),
         lift_off=None if clear[0] is None or clear[1] is None else clear[1] - clear[0],
+        apart=_apart(compared),
     )
 
 
@@ -140,7 +142,7 @@ def _value(check: Check | None) -> str:
     return "" if check is None or check.value is None else f" with {check.shown(check.value)}"
 
 
-def _tension(recording: Recording, finer: Recording) -> float | None:
+def _tension(recording: Recording, compared: Comparison) -> float | None:
     """Largest rms difference of a rope's tension, of its own largest [1]."""
     peaks: Mapping[str, float] = {
         rope: series.rope_peak(recording, rope)[0] for rope in recording.coordinates.get("rope", ())
@@ -148,7 +150,17 @@ def _tension(recording: Recording, finer: Recording) -> float | None:
     least = _LITTLE * max(peaks.values(), default=0.0)
     shares = [
         one.deviation.rms / peaks[one.name]
-        for one in compare(recording, finer).ropes
+        for one in compared.ropes
         if one.deviation is not None and peaks[one.name] > least
     ]
     return max(shares, default=None)
+
+
+def _apart(compared: Comparison) -> Apart | None:
+    """The body that is farthest from where it is in the finer run."""
+    found = [
+        Apart(one.name, one.position.largest, one.position.time)
+        for one in compared.bodies
+        if one.position is not None and one.position.largest > 0.0
+    ]
+    return max(found, key=lambda one: one.distance, default=None)

@@ -39,10 +39,11 @@ __all__ = ["add_crawlers", "crawler_rig", "crawler_shape", "crawlers", "track_co
 
 #: Tracks may sink into ground and mats by so much [m]: more is a unit that has slipped, and cranes go over.
 _DEEPEST = 0.25
-#: Parts of pictures that no mechanics depends on: height of tracks, thickness of mats, sizes of machinery and
-#: counterweight [m].
+#: Parts of pictures that no mechanics depends on: height of tracks, thickness of mats, breadth of a carrier
+#: on outriggers, sizes of machinery and counterweight [m].
 _TRACK = 1.4
 _MAT = 0.3
+_CARRIER = 2.75
 _MACHINE = (6.0, 4.0, 3.0)
 _WEIGHT = (2.0, 6.0, 3.0)
 
@@ -213,19 +214,12 @@ def _axis(
 
 
 def crawler_shape(scenario: Scenario, body: str, *, mats: bool = True) -> Json | None:
-    """Boxes: two tracks, with their mats or without, or machinery and counterweight."""
+    """Boxes: tracks or outriggers, with their mats or without, or machinery and counterweight."""
     for name, crane in crawlers(scenario).items():
         tracks = crane.tracks
         if body == tracks_body(name):
-            sides = (tracks.gauge / 2, -tracks.gauge / 2)
-            boxes = [box_shape((tracks.length, tracks.width, _TRACK), (0.0, y, _TRACK / 2)) for y in sides]
-            across = tracks.gauge - tracks.width
-            middle = box_shape(
-                (tracks.length / 3, across, _TRACK / 2), (0.0, 0.0, tracks.height - _TRACK / 4)
-            )
-            size = (tracks.length, tracks.mats or 0.0, _MAT)
-            flat = [box_shape(size, (0.0, y, -_MAT / 2)) for y in sides if mats and tracks.mats]
-            return {"type": "boxes", "boxes": [*boxes, middle, *flat]}
+            boxes = _track_boxes(tracks, mats) if tracks.outrigger_mats is None else _outriggers(tracks, mats)
+            return {"type": "boxes", "boxes": boxes}
         if body == upper_body(name):
             behind = crane.counterweight.behind
             machine = (0.0, 0.0, tracks.height + _MACHINE[2] / 2)
@@ -237,6 +231,31 @@ def crawler_shape(scenario: Scenario, body: str, *, mats: bool = True) -> Json |
                 "boxes": [box_shape(_MACHINE, machine), box_shape(_WEIGHT, slabs), box_shape(long, frame)],
             }
     return None
+
+
+def _track_boxes(tracks: Tracks, mats: bool) -> list[Json]:
+    sides = (tracks.gauge / 2, -tracks.gauge / 2)
+    boxes = [box_shape((tracks.length, tracks.width, _TRACK), (0.0, y, _TRACK / 2)) for y in sides]
+    across = tracks.gauge - tracks.width
+    middle = box_shape((tracks.length / 3, across, _TRACK / 2), (0.0, 0.0, tracks.height - _TRACK / 4))
+    size = (tracks.length, tracks.mats or 0.0, _MAT)
+    flat = [box_shape(size, (0.0, y, -_MAT / 2)) for y in sides if mats and tracks.mats]
+    return [*boxes, middle, *flat]
+
+
+def _outriggers(tracks: Tracks, mats: bool) -> list[Json]:
+    """A carrier on two beams across, with a leg at each of their ends and a square mat under each leg."""
+    assert tracks.outrigger_mats is not None
+    thick = min(tracks.width, tracks.height)
+    beam = (thick, tracks.gauge, thick)
+    under = tracks.height - thick / 2
+    beams = [box_shape(beam, (x, 0.0, under)) for x in (tracks.length / 2, -tracks.length / 2)]
+    carrier = box_shape((tracks.length, _CARRIER, tracks.height / 2), (0.0, 0.0, 0.75 * tracks.height))
+    foot, side = (tracks.width, tracks.width, tracks.height), math.sqrt(tracks.outrigger_mats)
+    places = _corners(tracks).values()
+    legs = [box_shape(foot, (x, y, tracks.height / 2)) for x, y, _ in places]
+    flat = [box_shape((side, side, _MAT), (x, y, -_MAT / 2)) for x, y, _ in places if mats]
+    return [*beams, carrier, *legs, *flat]
 
 
 def crawler_rig(scenario: Scenario, parts: Parts) -> list[Json]:
@@ -261,6 +280,7 @@ def crawler_rig(scenario: Scenario, parts: Parts) -> list[Json]:
                 "width": tracks.width,
                 "gauge": tracks.gauge,
                 "mats": tracks.mats,
+                "outrigger_mats": tracks.outrigger_mats,
                 "allowed_pressure": tracks.allowed_pressure,
                 "centre": parts.bodies[tracks_body(name)]["centre_of_gravity"],
                 "corners": [track_contact(name, corner) for corner in TRACK_CORNERS],

@@ -63,7 +63,15 @@ def grounding_warnings(
             when = f"{deepest[worst]:.2f} m in the ground at {columns['time'][looks[worst]]:.2f} s"
             without = "which does not hold its hull here, as it would"
             see = "position, draft and the floor of its dock"
+            if ground is not None and _is_beside(ground, places[worst], vessel.level):
+                see = "position, mooring lines, fenders and the edges of its dock"
             if in_bed[worst] > in_ground[worst]:
                 see = "its draft and the 'depth' of the 'water'"
             warnings.append(f"{vessel.name} is {when}, {without}; see {see}")
     return warnings
+
+
+def _is_beside(ground: Ground, points: FloatArray, level: float) -> bool:
+    """Whether the ground that a hull is deepest in comes out of the water: a quay, and no floor."""
+    under = ground.under(points)
+    return bool(under[np.argmax(under - points[:, 2])] > level)

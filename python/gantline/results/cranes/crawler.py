@@ -34,6 +34,7 @@ class Crawler(FromJson):
         width: Of a track [m].
         gauge: Distance of the tracks, middle to middle [m].
         mats: Width of the mats under each track [m]; None without.
+        outrigger_mats: Area of the mat under each end of a crane on outriggers [m^2]; None on tracks.
         allowed_pressure: What the ground bears [Pa]; None if not said.
         centre: Centre of gravity of the tracks' body in its frame, whose origin is on the ground [m].
         corners: Contacts under the ends of the tracks, in the order of
@@ -51,6 +52,7 @@ class Crawler(FromJson):
     width: float = 0.0
     gauge: float = 0.0
     mats: float | None = None
+    outrigger_mats: float | None = None
     allowed_pressure: float | None = None
     centre: Vector = (0.0, 0.0, 0.0)
     corners: Sequence[str] = ()
@@ -72,12 +74,11 @@ def crawler_state(columns: Columns, names: Names, crawlers: Sequence[Crawler]) -
     if not crawlers:
         return {}, {}
     forces = [_corner_forces(columns, names, crane) for crane in crawlers]
-    line = [
-        line_pressures(force, crane.length, _uneven(columns, names, crane))
+    pressures = [
+        _pressures(crane, force, _uneven(columns, names, crane))
         for crane, force in zip(crawlers, forces, strict=True)
     ]
-    on_track = [one / crane.width for crane, one in zip(crawlers, line, strict=True)]
-    on_ground = [one / (crane.mats or crane.width) for crane, one in zip(crawlers, line, strict=True)]
+    on_track, on_ground = ([pair[which] for pair in pressures] for which in (0, 1))
     tipping = [_tipping(columns, names, crane, one) for crane, one in zip(crawlers, forces, strict=True)]
     at_corners, of_crawlers = ("time", "track_corner"), ("time", "crawler")
     return {
@@ -100,6 +101,14 @@ def crawler_state(columns: Columns, names: Names, crawlers: Sequence[Crawler]) -
         "track_corner": [corner for crane in crawlers for corner in crane.corners],
         "crawler": [crane.name for crane in crawlers],
     }
+
+
+def _pressures(crane: Crawler, force: FloatArray, uneven: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Pressure under the ends of tracks, or the feet of outriggers, and on the ground there [Pa]."""
+    if crane.outrigger_mats is not None:
+        return force / crane.width**2, force / crane.outrigger_mats
+    line = line_pressures(force, crane.length, uneven)
+    return line / crane.width, line / (crane.mats or crane.width)
 
 
 def _corner_forces(columns: Columns, names: Names, crane: Crawler) -> FloatArray:

@@ -184,10 +184,11 @@ def _check_stops(findings: Findings, path: Path, joint: HingeJoint | Slider) -> 
     upper = math.inf if stops.upper is None else stops.upper
     if stops.lower is None and stops.upper is None:
         findings.add((*path, "stops"), "says neither 'lower' nor 'upper'; a stop is at one of them at least")
-    elif not lower < upper:
+    elif not (lower < upper or (stops.loaded and lower == upper)):
         findings.add((*path, "stops"), "has 'lower' not below 'upper'; between them the joint moves")
-    elif not lower <= joint.position <= upper:
-        findings.add((*path, "position"), "is beyond a stop; a joint starts between its stops")
+    elif not lower <= joint.position <= upper and not stops.loaded:
+        sentence = "is beyond a stop; a joint starts between its stops, unless they say 'loaded: true'"
+        findings.add((*path, "position"), sentence)
     if joint.motion is not None:
         findings.add((*path, "stops"), "a joint with a given motion has no stops; leave one of both out")
 
@@ -218,9 +219,19 @@ def _check_mass(findings: Findings, path: Path, body: Body) -> None:
         findings.add((*path, "centre_of_gravity"), sentence)
     if inertia is None:
         if isinstance(joint, Free):
-            findings.add(path, "'inertia' is missing; a free body needs it")
+            findings.add(path, f"'inertia' is missing; a free body needs it{_of_solid_box(body)}")
         return
     check_inertia(findings, path, inertia, is_free=isinstance(joint, Free))
+
+
+def _of_solid_box(body: Body) -> str:
+    """What to write for a body of even density that fills its shape."""
+    if body.shape is None or body.mass <= 0:
+        return ""
+    x, y, z = (size * size for size in body.shape.box)
+    given = {"xx": y + z, "yy": x + z, "zz": x + y}
+    said = ", ".join(f"{key}: {body.mass / 12 * square:.4g} kg m^2" for key, square in given.items())
+    return f", such as {{{said}}} of a solid box of its shape"
 
 
 def _check_weight(findings: Findings, path: Path, rope: MechanicsRope) -> None:

@@ -26,6 +26,7 @@ from gantline.scenario.quantities import (
     Mass,
     Names,
     PositiveAngle,
+    PositiveArea,
     PositiveLength,
     PositiveMass,
     PositiveSpeed,
@@ -104,12 +105,17 @@ class Tracks(Element):
     what: ClassVar[str] = "the tracks of a crawler crane"
 
     length: PositiveLength = Field(description="Length of a track on the ground.")
-    width: PositiveLength = Field(description="Width of a track.")
+    width: PositiveLength = Field(description="Width of a track, or of the foot of an outrigger.")
     gauge: PositiveLength = Field(description="Distance of the tracks, middle to middle.")
     height: PositiveLength = Field(1.6, description="Height of the turntable; 1.6 m if not given.")
     mats: PositiveLength | None = Field(
         None,
         description="Width of the mats under each track, as long as the track; none if not given.",
+    )
+    outrigger_mats: PositiveArea | None = Field(
+        None,
+        description="Area of the mat under each end, of a crane that stands on four outriggers in place of "
+        "tracks: length and gauge are their distances, middle to middle.",
     )
     allowed_pressure: PositiveStress | None = Field(
         None, description="Pressure that the ground bears, under mats where there are any."
@@ -134,8 +140,22 @@ class Tracks(Element):
         if self.mats is not None and not self.width <= self.mats <= self.gauge:
             sentence = f"mats of {self.mats:g} m are not between the width and the gauge of the tracks"
             raise refuse(f"{sentence}, {self.width:g} m and {self.gauge:g} m", "mats")
+        if self.outrigger_mats is not None:
+            self._refuse_outriggers(self.outrigger_mats)
         _refuse_other_corners(tuple(self.levels or ()), "levels")
         return self
+
+    def _refuse_outriggers(self, area: float) -> None:
+        if self.mats is not None:
+            raise refuse(
+                "lie under tracks, and this crane stands on outriggers; leave one of both out", "mats"
+            )
+        least, most = self.width**2, min(self.length, self.gauge) ** 2
+        if not least <= area <= most:
+            sentence = (
+                f"a mat of {area:g} m^2 is not between the foot of an outrigger and what there is room for"
+            )
+            raise refuse(f"{sentence}, {least:.3g} m^2 and {most:.3g} m^2", "outrigger_mats")
 
 
 class Counterweight(Element):
@@ -228,6 +248,8 @@ class Crawler(Element):
         if self.travel is not None and not self.travel.range_[0] <= 0 <= self.travel.range_[1]:
             sentence = "travel counts from where the crane stands"
             raise refuse(f"{sentence}; a range with 0 in it is right", "travel")
+        if self.travel is not None and self.tracks.outrigger_mats is not None:
+            raise refuse("a crane on outriggers stands; leave its travel out", "travel")
         refuse_outside_of_range(self.slew, self.slewing)
         return self
 
