@@ -94,8 +94,14 @@ def test_keys_of_the_file_come_before_names_of_cranes() -> None:
 @pytest.mark.parametrize(
     ("path", "says"),
     [
-        ("goliath.L.height", "there is no 'L' in 'cranes.goliath' of this file; known here: 'travel', 'trolleys'"),
-        ("U1.height", "there is no 'U1' of this file; did you mean 'cranes.goliath.trolleys.upper.hooks.U1.height'?"),
+        (
+            "goliath.L.height",
+            "there is no 'L' in 'cranes.goliath' of this file; known here: 'travel', 'trolleys'",
+        ),
+        (
+            "U1.height",
+            "there is no 'U1' of this file; did you mean 'cranes.goliath.trolleys.upper.hooks.U1.height'?",
+        ),
     ],
 )
 def test_a_hook_that_no_crane_has_leads_nowhere(path: str, says: str) -> None:

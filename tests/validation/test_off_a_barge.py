@@ -9,7 +9,7 @@ from shown import unsaid
 
 
 def test_pages_say_how_slings_snatch_that_wait_taut() -> None:
-    """The hook waits 0.8 m higher, and nothing is hoisted: the worst peak over what that sling carries at rest."""
+    """The hook waits 0.8 m higher, nothing is hoisted: the worst peak over what that sling has at rest."""
     lift = gantline.load_scenario("off_a_barge")
     rest = gantline.Statics(lift).equilibrium(time=200.0).recording  # the load hangs
     waiting = gantline.simulate(lift.changed({"sheerleg.H1.height": "23 m"}), duration=40.0)
