@@ -16,7 +16,7 @@ SCENARIO = Path(__file__).parents[2] / "scenarios" / "onto_a_platform"
 
 
 def test_pages_say_what_happens_without_compensation(tmp_path: Path) -> None:
-    """The swell picks it up 1.3 s after it has touched, and drops it: its speed, and what stools and guides bear."""
+    """The swell picks it up 1.3 s after it has touched, and drops it: speed, and forces that then act."""
     shutil.copytree(SCENARIO, tmp_path / "lift")
     file = tmp_path / "lift" / "scenario.yaml"
     text, steps = re.subn(r", compensate_heave: H1", "", file.read_text(encoding="utf-8"))
