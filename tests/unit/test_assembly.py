@@ -325,6 +325,13 @@ def test_everything_that_is_handed_on_is_json(text: str) -> None:
         assert json.loads(json.dumps(part, allow_nan=False)) == part
 
 
+@pytest.mark.parametrize("lift", sorted(path.parent.name for path in SCENARIOS.glob("*/scenario.yaml")))
+def test_what_every_scenario_hands_to_the_core_comes_back_as_it_was(lift: str) -> None:
+    """Every number of the document keeps its bits as text, and is finite."""
+    assembly = assemble(load_scenario(SCENARIOS / lift))
+    assert json.loads(assembly.document_text()) == assembly.document
+
+
 def test_the_rig_in_si_units() -> None:
     rig = reference().rig
     assert rig["hooks"][0]["rated_capacity"] == pytest.approx(400e3 * G)

@@ -53,6 +53,73 @@ def test_a_path_that_leads_nowhere(path: str, says: str) -> None:
     assert str(caught.value) == says
 
 
+CRANES = """
+cranes:
+  hook: {at: {z: z1}}
+  goliath:
+    travel: {speed: t}
+    trolleys: {upper: {mass: m, hooks: {U1: {height: h1}}}}
+  fc: {boom: {angle: b}, hooks: {H1: {height: h2}, H1.aux: {height: h3}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("path", "found"),
+    [
+        ("goliath.U1.height", "h1"),
+        ("goliath.upper.mass", "m"),
+        ("goliath.travel.speed", "t"),
+        ("hook.at.z", "z1"),
+        ("fc.boom.angle", "b"),
+        ("fc.H1.height", "h2"),
+        ("fc.H1.aux.height", "h3"),
+        ("cranes.fc.hooks.H1.height", "h2"),
+        ("goliath.U1.across", None),
+    ],
+)
+def test_cranes_trolleys_and_hooks_go_by_the_names_that_plans_have(path: str, found: str | None) -> None:
+    """Wherever they stand in the file, the longest name first."""
+    cranes = parse_text(CRANES, "lift.yaml")
+    assert node_at(cranes, path) == found
+    if found is not None:
+        assert node_at(put(cranes, path, text_node("new", 1)), path) == "new"
+        assert node_at(cranes, path) == found
+
+
+def test_keys_of_the_file_come_before_names_of_cranes() -> None:
+    file = parse_text("load: {weight: w}\ncranes: {load: {weight: c}}\n", "lift.yaml")
+    assert node_at(file, "load.weight") == "w"
+
+
+@pytest.mark.parametrize(
+    ("path", "says"),
+    [
+        (
+            "goliath.L.height",
+            "there is no 'L' in 'cranes.goliath' of this file; known here: 'travel', 'trolleys'",
+        ),
+        (
+            "U1.height",
+            "there is no 'U1' of this file; did you mean 'cranes.goliath.trolleys.upper.hooks.U1.height'?",
+        ),
+    ],
+)
+def test_a_hook_that_no_crane_has_leads_nowhere(path: str, says: str) -> None:
+    with pytest.raises(PathError) as caught:
+        node_at(parse_text(CRANES, "lift.yaml"), path)
+    assert str(caught.value) == says
+
+
+def test_a_case_varies_a_hook_by_the_name_that_plans_have() -> None:
+    """The same equilibrium as by the whole path."""
+    short, long = (
+        run_cases(parse_scenario(plumb_lift(f"one: {{vary: {{{path}: [0.1 m]}}}}")))
+        for path in ("A.at.z", "cranes.A.at.z")
+    )
+    (by_name,), (by_path,) = short.of("one"), long.of("one")
+    assert values_of(by_name)["sling_tension"] == values_of(by_path)["sling_tension"]
+
+
 def test_an_entry_of_a_list_that_is_named_has_its_place_said() -> None:
     """The plan is a list, and people know its steps by name."""
     plan = parse_text("plan: [{step: lift off, speed: v}, {step: hold}, {step: hold}]\n", "lift.yaml")

@@ -13,6 +13,7 @@ import typer.main
 from gantline.cli import messages
 from gantline.cli.app import app
 from gantline.results import metrics
+from gantline.results.file.saved import FILES_BESIDE
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -76,6 +77,13 @@ def test_the_tables_of_keys_say_how_quantities_are_written(monkeypatch: pytest.M
     assert ("| `turbulence`", "`5 %` or a number") in written
     assert ("| `corners`", "a text or name or a list") in written
     assert ("| `seed`", "a number") in written
+
+
+def test_verbs_that_show_a_recording_name_all_that_is_shown_beside_it() -> None:
+    text = page("reference/command_line.md")
+    for verb in ("report", "view"):
+        section = text.split(f"## `gantline {verb} RECORDING`\n")[1].split("\n## ")[0]
+        assert [name for name in FILES_BESIDE if f"`{name}`" not in section] == [], verb
 
 
 def test_every_exit_code_is_documented() -> None:

@@ -95,6 +95,14 @@ def test_letters_are_of_one_page_and_the_index_says_of_which() -> None:
     assert len({its for _, its in told}) == len(told)
 
 
+def test_the_equations_of_the_paper_have_their_places() -> None:
+    """Those of its step, from the discrete action (4) on, on one page, and those of its ropes on another."""
+    for name, numbers in (("del.md", [4, 6, *range(8, 16)]), ("rope.md", range(16, 23))):
+        text = (CONCEPTS / name).read_text(encoding="utf-8")
+        told = {int(number) for number in re.findall(r"(?:\\tag\{|\()(\d+)[})]", text)}
+        assert [number for number in numbers if number not in told] == [], name
+
+
 def test_every_equation_that_a_page_names_is_its_own_or_linked() -> None:
     assert misled(pages()) == []
 

@@ -89,6 +89,7 @@ RULES = [
     Rule(r"\brigidity\b", "axial stiffness"),
     Rule(r"\belongations?\b", "stretch"),
     Rule(r"\b(anchor points?|rope anchors?|anchorages?)\b", "dead end (of a rope), lug (on a load)"),
+    Rule(r"\bhawsers?\b", "mooring line", places_allowed=r"tests/"),  # names of lines there
     Rule(
         r"\bcent(er|re)s? of mass\b|\bcenters? of gravity\b|(?-i:\bC[oO]G\b)",
         "centre of gravity",
@@ -181,6 +182,7 @@ def test_words(rule: Rule) -> None:
         "center_of_gravity",
         "utilization of the lug",
         "minimum breaking load",
+        "the hawser of a barge",
     ],
 )
 def test_a_forbidden_word_is_found(line: str) -> None:

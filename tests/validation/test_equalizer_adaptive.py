@@ -136,6 +136,31 @@ def test_the_documents_say_so(
     assert unsaid("README.md", sentence, first) == []
 
 
+def test_accuracy_over_tolerance_is_as_the_page_says(
+    default: gantline.Recording, tight: gantline.Recording, curves: Mapping[str, FloatArray]
+) -> None:
+    """Steps and differences of four tolerances, in the table of the page on the method."""
+    exact = sling_curves(curves)
+    runs = {
+        "520 N, 1 mm": with_tolerances(10.0),
+        "52 N, 0.1 mm (default)": default,
+        "5.2 N, 10 µm": with_tolerances(0.1),
+        "0.052 N, 0.1 µm": tight,
+    }
+    rows = []
+    for name, recording in runs.items():
+        metrics = recording.metrics()
+        cells = [
+            name,
+            f"{recording.attributes['counters']['steps']}",
+            f"{100 * rms(tensions(recording) - exact):.2g} %",
+            f"{100 * (metrics['peak_sling_tension'] / exact.max() - 1):+.3f} %",
+            f"{metrics['lift_off_time']:.4f} s",
+        ]
+        rows.append(f"| {' | '.join(cells)} |")
+    assert unsaid("docs/concepts/adaptive.md", *rows) == []
+
+
 def test_tight_tolerances_are_the_limit_of_looser_ones(tight: gantline.Recording) -> None:
     """Without the independent solution: 1000 times the tolerance, 1000 times the rms difference, to half a
     decade.

@@ -2,7 +2,8 @@
 
 A path such as ``slings.U1.1.length`` names keys from the top; a key with dots is found longest match first. A
 part of a list is its place from 1, ``plan.2.speed`` or as messages have it ``plan[2].speed``, of a list of
-three also ``x``, ``y`` or ``z``. The last key of a mapping need not be there yet.
+three also ``x``, ``y`` or ``z``. The last key of a mapping need not be there yet. Cranes, trolleys and hooks
+may be named as plans name them, ``goliath.L.height``, wherever they stand.
 """
 
 from __future__ import annotations
@@ -122,7 +123,7 @@ def _flow(text: str, line: int) -> Node:
 def _holder(tree: MapNode, path: str) -> tuple[MapNode | ListNode, str | int]:
     """The mapping or list that holds what a path names, and its key or index there."""
     node: Node = tree
-    rest, walked = _PLACE.sub(r".\1", path).split("."), ""
+    rest, walked = _from_the_top(tree, _PLACE.sub(r".\1", path).split(".")), ""
     while True:
         if isinstance(node, TextNode):
             raise PathError(f"'{shorten(walked)}' is a single value; it has no '{shorten('.'.join(rest))}'")
@@ -136,6 +137,39 @@ def _holder(tree: MapNode, path: str) -> tuple[MapNode | ListNode, str | int]:
             return node, step
         walked = f"{walked}.{shown}" if walked else shown
         node = node[str(step)] if isinstance(node, MapNode) else node[int(step)]
+
+
+def _from_the_top(tree: MapNode, parts: list[str]) -> list[str]:
+    """The parts of a path with the keys before a crane, trolley or hook with whose name it begins.
+
+    Names are found longest match first, and after keys of the file.
+    """
+    beginnings = {".".join(parts[:used]): used for used in range(1, len(parts))}
+    if any(beginning in tree for beginning in beginnings):
+        return parts
+    named = [(beginnings[name], place) for name, place in _movers(tree) if name in beginnings]
+    used, place = max(named, default=(0, ()))
+    return [*place, *parts[used:]]
+
+
+def _movers(tree: MapNode) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Cranes, their trolleys and their hooks: the name that plans have, and the keys that lead there."""
+    for crane, place, body in _mappings(tree, "cranes"):
+        yield crane, place
+        trolleys = [*_mappings(body, "trolleys")]
+        for trolley, inner, _ in trolleys:
+            yield f"{crane}.{trolley}", (*place, *inner)
+        for holder, node in [((), body), *((inner, trolley) for _, inner, trolley in trolleys)]:
+            for hook, inner, _ in _mappings(node, "hooks"):
+                yield f"{crane}.{hook}", (*place, *holder, *inner)
+
+
+def _mappings(node: MapNode, key: str) -> Iterator[tuple[str, tuple[str, ...], MapNode]]:
+    """Of the mappings below a key: the name of each, the two keys that lead there, and itself."""
+    below = node.get(key)
+    for name, one in below.items() if isinstance(below, MapNode) else ():
+        if isinstance(one, MapNode):
+            yield name, (key, name), one
 
 
 def _key(node: MapNode, rest: list[str], walked: str) -> tuple[str, int]:
@@ -160,7 +194,7 @@ def _key(node: MapNode, rest: list[str], walked: str) -> tuple[str, int]:
 def _only_place(tree: MapNode, parts: list[str]) -> str | None:
     """The only path that ends as a path does and has all its parts on the way, in order; None of several.
 
-    People name a hook as plans do, ``goliath.L.height``, without where it stands in the file.
+    People name a thing without where it stands in the file, ``S1.length``.
     """
     found = []
     for path in _paths(tree, ()):
