@@ -16,7 +16,7 @@ from gantline.checks.equalizers import held_upright
 from gantline.checks.held_down import held_down
 from gantline.checks.hinges import opened
 from gantline.checks.limits import LIMITS
-from gantline.checks.loads import held_by_tag_lines, on_their_tip, run_through
+from gantline.checks.loads import held_by_tag_lines, on_their_tip, run_through, run_through_structures
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, named
 from gantline.checks.overlaps import run_into
 from gantline.checks.parted import parted
@@ -478,6 +478,7 @@ _BESIDE_LIMITS: tuple[Callable[[Recording], Iterable[Check]], ...] = (
     left_behind,
     never_taut,
     run_through,
+    run_through_structures,
     run_into,
     left_ground,
     left_range,
