@@ -12,7 +12,7 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.lugs import BEARS
 from gantline.checks.measure import Caution, Finding, Missing, extreme, named
 from gantline.results import series
-from gantline.results.loads.through import Through, slings_through_loads
+from gantline.results.loads.through import Through, slings_through_loads, slings_through_structures
 from gantline.results.loads.tilting import loose_tilt
 from gantline.results.loads.upending import is_turned
 from gantline.results.loads.upright import heels_over, top_heavy, unknown_whether_upright
@@ -145,7 +145,7 @@ def run_through(recording: Recording) -> list[Check]:
     """A warning for each load that slings which carry run through, or hang from within or below."""
     ways: dict[tuple[str, bool], list[Through]] = {}
     for one in slings_through_loads(recording):
-        ways.setdefault((one.load, one.at is None), []).append(one)
+        ways.setdefault((one.thing, one.at is None), []).append(one)
     checks = []
     for (load, is_inside), found in ways.items():
         worst = max(found, key=lambda one: one.at or 0.0)
@@ -156,4 +156,22 @@ def run_through(recording: Recording) -> list[Check]:
         meaning = "slings that carry stay outside of the load as drawn"
         check = Check("sling_outside_load", Verdict.WARNING, meaning, element=worst.sling, time=worst.time)
         checks.append(replace(check, remark=remark))
+    return checks
+
+
+def run_through_structures(recording: Recording) -> list[Check]:
+    """A warning for each structure or hull that slings which carry run through."""
+    ways: dict[str, list[Through]] = {}
+    for one in slings_through_structures(recording):
+        ways.setdefault(one.thing, []).append(one)
+    checks = []
+    for thing, found in ways.items():
+        worst = max(found, key=lambda one: one.at or 0.0)
+        remark = (
+            f"{named(one.sling for one in found)} through '{thing}', up to {worst.at:.2f} m from their ends, "
+            "as if it were not there; a pair under 'watch' takes the place of this"
+        )
+        meaning = "slings that carry stay outside of structures and hulls as drawn"
+        check = Check("sling_outside_structures", Verdict.WARNING, meaning, element=worst.sling)
+        checks.append(replace(check, time=worst.time, remark=remark))
     return checks

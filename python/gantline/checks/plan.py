@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from gantline.checks.check import HANGS_STILL, LOAD_LIFTED, PLAN_FINISHED, Check, Verdict
+from gantline.checks.held_down import held_down
 from gantline.checks.measure import named
 from gantline.checks.picked_up import what_helps
 from gantline.results import progress, series
@@ -183,6 +184,7 @@ def came_down(recording: Recording) -> list[Check]:
 
     A boom that goes down lowers its hooks, and nobody may have thought of that; what follows drags the load:
     a warning. What slews, traverses or travels comes no lower, and runs into what is in its way: a failure.
+    Of one that something holds down `held_down` tells.
     """
     kinds = {step.step: step.acts_as for step in recording.rig.plan}
     loads = {load.name for load in recording.rig.loads}
@@ -198,10 +200,11 @@ def came_down(recording: Recording) -> list[Check]:
             meaning = "loads that are taken along stay clear"
             check = Check("stays_clear", verdict, meaning, element=name, time=time, remark=remark)
             first.setdefault(name, check)
-    found = list(first.values())
-    for more in (_driven_against, _caught):
+    found = held_down(recording)
+    held = len(found)
+    for more in (lambda _: first.values(), _driven_against, _caught):
         found += [one for one in more(recording) if one.element not in {other.element for other in found}]
-    return found
+    return found[held:]
 
 
 def _driven_against(recording: Recording) -> Iterator[Check]:

@@ -192,9 +192,10 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
     from gantline.cli.hinge_table import hinges_at_rest
     from gantline.cli.tilting import tilting_lines
     from gantline.cli.vessels import vessels_at_rest
-    from gantline.study.tilting import tilting_of
+    from gantline.study.tilting import tilting_of, untold
 
     rest = answer.rest
+    tilting = tilting_of(question, rest, answer.found)
     parts = [
         rest_table.heading_of(question, rest, answer.found),
         rest_table.slings_of(rest, answer.bounds),
@@ -204,7 +205,7 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
         rest_table.hooks(rest),
         vessels_at_rest(question, rest),
         rest_table.loads(rest),
-        tilting_lines(tilting_of(question, rest, answer.found), answer.margins),
+        tilting_lines(tilting, answer.margins, untold(rest, tilting)),
         contact_forces(rest) if rest.losses == "held" else [],
         answer.ranges,
         rest_table.moving_sheaves(rest),

@@ -13,12 +13,15 @@ if TYPE_CHECKING:
 _OFFSET = 0.1
 
 
-def tilting_lines(found: Sequence[Tilting], margins: Sequence[Margin]) -> list[str]:
+def tilting_lines(
+    found: Sequence[Tilting], margins: Sequence[Margin], untold: Sequence[str] = ()
+) -> list[str]:
     """Tables of tilting and of margins, with what there is to say of them.
 
     Args:
         found: Of each load that hangs clear.
         margins: Of the centre of gravity; none if they were not asked for.
+        untold: Loads that hang clear and of which nothing is known.
     """
     from gantline.cli.table import table
 
@@ -27,6 +30,10 @@ def tilting_lines(found: Sequence[Tilting], margins: Sequence[Margin]) -> list[s
     lines = table(head, rows, "llrrrrr") if rows else []
     for one in found:
         lines += _notes(one)
+    lines += [
+        f"How {name} tilts is not told: a centre of gravity that is off turns it about plumb, with no end"
+        for name in untold
+    ]
     if margins:
         from gantline.cli.table import show
 

@@ -22,16 +22,18 @@ from gantline.results.rotation import axes
 from gantline.scenario import Scenario, ScenarioError
 from gantline.scenario.afloat.tanks import load_tanks
 from gantline.scenario.file.variants import with_values
-from gantline.statics import Equilibrium, Mode, NoEquilibriumError, Statics
+from gantline.statics import Equilibrium, Mode, NoEquilibriumError, Sensitivity, Statics
 from gantline.study.hanging import Hanging
 from gantline.units import format_quantity, si_text
 
-__all__ = ["Margin", "TiltAxis", "Tilting", "margins_of", "tilting_of"]
+__all__ = ["Margin", "TiltAxis", "Tilting", "margins_of", "tilting_of", "untold"]
 
 Floats = npt.NDArray[np.float64]
 
 #: Tilt per metre of centre of gravity that is rounding [rad/m].
 _RIGID = 1e-12
+#: Part of a level shift along an axis of the load that is rounding, of one that stands plumb [1].
+_LEVEL = 1e-9
 #: Where lift files state the centre of gravity, which has to be within the load.
 _CENTRE = "load.centre_of_gravity.at"
 #: Length to which a margin is known [m].
@@ -110,23 +112,43 @@ class Margin:
 def tilting_of(question: Statics, rest: Equilibrium, modes: Sequence[Mode]) -> list[Tilting]:
     """What keeps each load upright that hangs clear.
 
+    Nothing is known of one whose centre of gravity, were it aside, would set it turning about plumb, which
+    nothing holds: `untold` names it.
+
     Args:
         question: The lift.
         rest: Its equilibrium found last.
         modes: Its slowest natural motions; where these do not tell how a load tilts, more are found.
     """
-    clear = [
-        load
-        for load in rest.recording.rig.loads
-        if series.load_is_clear(rest.recording, load)[-1]
-        and any(sling.to_load == load.name for sling in series.slings_on(rest.recording))
-    ]
-    return [_tilting(question, rest, modes, load) for load in clear]
+    found = (_tilting(question, rest, modes, load) for load in _hanging_clear(rest))
+    return [one for one in found if one is not None]
 
 
-def _tilting(question: Statics, rest: Equilibrium, modes: Sequence[Mode], load: Load) -> Tilting:
+def untold(rest: Equilibrium, found: Sequence[Tilting]) -> list[str]:
+    """Names of loads that hang clear and of which it is not known what keeps them upright.
+
+    Below one hook any wind turns a load whose centre of gravity is aside about plumb, and without end.
+
+    Args:
+        rest: The equilibrium.
+        found: What is known of the others, by `tilting_of`.
+    """
+    known = {one.load for one in found}
+    return [load.name for load in _hanging_clear(rest) if load.name not in known]
+
+
+def _hanging_clear(rest: Equilibrium) -> list[Load]:
+    """Loads that hang in slings, clear of what they stood on."""
+    on = {sling.to_load for sling in series.slings_on(rest.recording)}
+    loads = rest.recording.rig.loads
+    return [load for load in loads if load.name in on and series.load_is_clear(rest.recording, load)[-1]]
+
+
+def _tilting(question: Statics, rest: Equilibrium, modes: Sequence[Mode], load: Load) -> Tilting | None:
     own = axes(rest.recording.column("body_orientation", load.body)[-1])
     answers = question.sensitivities([(f"centre_{axis}", load.body) for axis in "xyz"])
+    if any(_turns_about_plumb(one, load, own[:2, place]) for place, one in enumerate(answers)):
+        return None
     turned = np.array([one.of_body(load.body)[3:5] for one in answers]).T
     # A level shift d of the centre of gravity brings the moment d × m g, of one along x about y, along y
     # about −x.
@@ -171,6 +193,16 @@ def _tilting(question: Statics, rest: Equilibrium, modes: Sequence[Mode], load: 
         ),
         loose=loose_tilt(rest.recording, load),
     )
+
+
+def _turns_about_plumb(answer: Sensitivity, load: Load, level: Floats) -> bool:
+    """Whether a shift along an axis of a load, with so much of it level, sets it turning about plumb.
+
+    Nothing holds that, and the answer has but the direction in which it goes. A load on its tip tilts.
+    """
+    turn = answer.of_body(load.body)[3:]
+    is_plumb = abs(turn[2]) > float(np.linalg.norm(turn[:2]))
+    return not answer.is_held and is_plumb and float(np.abs(level).max()) > _LEVEL
 
 
 @dataclass(frozen=True)

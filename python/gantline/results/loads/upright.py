@@ -89,7 +89,7 @@ def heels_over(recording: Recording) -> list[TopHeavy]:
     Such a load turns about its last corner on what it stands on as long as it is hoisted, and bounces on
     it. It is looked at where the run ends, with most of its weight in its slings; where steps lower hooks
     it may have been set down, and where the last that hoists stops short of lifting it, as to weigh it, it
-    was never meant to hang.
+    was never meant to hang. Nor does one stand on what holds it down from above.
 
     Args:
         recording: Of a run.
@@ -100,7 +100,7 @@ def heels_over(recording: Recording) -> list[TopHeavy]:
     found = []
     for load in recording.rig.loads if not series.quiet_windows(recording) else ():
         hung = recording.column("load_transferred", load.name)[-1]
-        if _stops_short(recording, load):
+        if _stops_short(recording, load) or series.borne(recording, load)[-1] < 0.0:
             continue
         if hung > _MOSTLY and not series.load_is_clear(recording, load)[-1]:
             found += [one for one in _at(recording, len(recording.time) - 1) if one.name == load.name]
