@@ -118,9 +118,13 @@ def lift(
 
     With `drift`, the mean force of waves of 1 m [N/m²], waves have that, whatever their frequency.
     """
-    _write_hull(folder / "section.obj")
-    _write_water(folder / FILE.name, drift)
-    by_file = {"database": FILE.name, "at": ["0 m", "0 m", f"{DRAFT} m"]}
+    # Files that stay as they are, for lifts of one folder, are read once.
+    hull, water = folder / "section.obj", folder / (FILE.name if drift is None else f"drift {drift!r}.nc")
+    if not hull.exists():
+        _write_hull(hull)
+    if not water.exists():
+        _write_water(water, drift)
+    by_file = {"database": water.name, "at": ["0 m", "0 m", f"{DRAFT} m"]}
     of_period = {**by_file, "period": f"{period} s"}
     # A motion is held by springs a thousand times as stiff, or by a thousand times the inertia.
     fixed = held in ("sway", "all")

@@ -13,16 +13,14 @@ import pytest
 from scipy.optimize import root
 
 from gantline.assembly import assemble
-from gantline.checks.check import Check, Verdict
+from gantline.checks.check import Verdict
 from gantline.checks.run import check_recording
 from gantline.plot.scene import snapshot
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
-from gantline.scenario import load_scenario, parse_scenario
+from gantline.scenario import load_scenario
 from gantline.simulation import Simulation
-from gantline.statics import Statics
-from lift_text import changed
 from mechanics import G
 from of_recording import check_of, step_end
 from several_cranes import (
@@ -33,7 +31,6 @@ from several_cranes import (
     HANGS,
     HOOKS,
     LOAD,
-    TEXT,
     at_rest,
     hook_loads,
     last,
@@ -237,17 +234,9 @@ def test_the_balance_closes_and_the_lift_is_in_order(recording: Recording) -> No
 def test_a_third_is_kept_back_by_the_chart() -> None:
     """150 t · 1.33 = 200 t of 231 t at 16 m; of 195 t at 18 m, where the same load fails."""
 
-    def rating(radius: int) -> Check:
-        away = f"{24 + radius - 16} m]"
-        moved = [
-            ("position: [71.4 m, 24 m]", f"position: [71.4 m, {away}"),
-            ("position: [71.4 m, -24 m]", f"position: [71.4 m, -{away}"),
-        ]
-        text = changed(TEXT, *moved).replace("radius: 16 m,", f"radius: {radius} m,")
-        found = Statics(parse_scenario(text, str(FILE))).equilibrium(HANGS)
-        return check_of(found.recording, "hoist_load_of_rating")
-
-    near, far = rating(16), rating(18)
+    moved = [(f"position: [71.4 m, {side}24 m]", f"position: [71.4 m, {side}26 m]") for side in ("", "-")]
+    farther = at_rest(HANGS, *moved, ("radius: 16 m,", "radius: 18 m,"))
+    near, far = (check_of(one, "hoist_load_of_rating") for one in (at_rest(HANGS), farther))
     assert (near.element, far.element) in [
         (f"crane {a}", f"crane {b}") for a in ("c1", "c2") for b in ("c1", "c2")
     ]

@@ -50,40 +50,77 @@ export interface Wishes {
   hash?: string;
 }
 
-/** A page by its file's address, with the network off. */
-export async function open(browser: Browser, file: string, wishes: Wishes = {}): Promise<Opened> {
-  const context = await browser.newContext({
-    viewport: { width: wishes.width ?? 1000, height: wishes.height ?? 700 },
-    colorScheme: wishes.dark ? "dark" : "light",
-    hasTouch: wishes.touch ?? false,
-    offline: true,
-  });
+/** A page with the list that its troubles go to, and the address that it may ask for: both change with each test. */
+interface Watched extends Opened {
+  address: string;
+  hasTouch: boolean;
+}
+
+/** By browser: pages with a lift, and those that are empty again. */
+const pages = new WeakMap<Browser, { open: Watched[]; empty: Watched[] }>();
+
+function pagesOf(browser: Browser): { open: Watched[]; empty: Watched[] } {
+  if (!pages.has(browser)) pages.set(browser, { open: [], empty: [] });
+  return pages.get(browser)!;
+}
+
+async function newPage(browser: Browser, hasTouch: boolean): Promise<Watched> {
+  const context = await browser.newContext({ offline: true, hasTouch });
   const page = await context.newPage();
-  const address = pathToFileURL(join(folder, file)).href;
-  const troubles: string[] = [];
-  page.on("pageerror", (problem) => troubles.push(problem.message));
+  const watched: Watched = { page, troubles: [], address: "", hasTouch };
+  page.on("pageerror", (problem) => watched.troubles.push(problem.message));
   page.on("dialog", (dialog) => {
-    troubles.push(`dialog ${dialog.message()}`);
+    watched.troubles.push(`dialog ${dialog.message()}`);
     void dialog.dismiss();
   });
   page.on("console", (message) => {
     // Reading pixels back is slow in software; Chromium says so.
-    if (message.type() === "error" || /security policy/i.test(message.text())) troubles.push(message.text());
+    if (message.type() === "error" || /security policy/i.test(message.text()))
+      watched.troubles.push(message.text());
   });
   page.on("request", (request) => {
-    if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url()))
-      troubles.push(request.url());
+    if (!request.url().startsWith(watched.address) && !/^(data|blob):/.test(request.url()))
+      watched.troubles.push(request.url());
   });
-  await page.goto(address + (wishes.hash ?? ""));
+  return watched;
+}
+
+/**
+ * A page by its file's address, with the network off.
+ *
+ * It is one that an earlier test has done with where there is one: two processes that begin for a page of its own take
+ * more time than the lift that it shows.
+ */
+export async function open(browser: Browser, file: string, wishes: Wishes = {}): Promise<Opened> {
+  const { open, empty } = pagesOf(browser);
+  const watched = (wishes.touch ? undefined : empty.pop()) ?? (await newPage(browser, wishes.touch ?? false));
+  open.push(watched);
+  const { page } = watched;
+  await page.setViewportSize({ width: wishes.width ?? 1000, height: wishes.height ?? 700 });
+  await page.emulateMedia({ media: null, colorScheme: wishes.dark ? "dark" : "light" });
+  watched.troubles = [];
+  watched.address = pathToFileURL(join(folder, file)).href;
+  await page.goto(watched.address + (wishes.hash ?? ""));
   await page.waitForSelector("html[data-ready]", { timeout: 40_000 });
   // A page is ready before it has been laid out: its drawing gets its size, and the lift its time, in a frame.
   await drawn(page);
-  return { page, troubles };
+  return { page, troubles: watched.troubles };
 }
 
 /** For after each test: pages that stay open go on drawing, and make the tests that follow slower and slower. */
 export async function closePages(browser: Browser): Promise<void> {
-  for (const context of browser.contexts()) await context.close();
+  const { open, empty } = pagesOf(browser);
+  for (const watched of open.splice(0)) {
+    const { page, hasTouch } = watched;
+    // One is enough for those that follow, but for the few that open two.
+    if (hasTouch || empty.length > 0) {
+      await page.context().close();
+      continue;
+    }
+    await page.goto("about:blank");
+    await page.mouse.move(0, 0); // where the next page has nothing that shows that the mouse is over it
+    empty.push(watched);
+  }
 }
 
 /** Two frames, so that what was to be drawn in the next one has been. */
