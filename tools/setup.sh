@@ -13,10 +13,6 @@ python=$(tools/prerequisites.sh)
 # The Python itself, not that of an environment which may be active.
 python=$("$python" -c 'import sys; print(sys._base_executable)')
 
-# Two set-ups at a time would undo each other.
-exec 9>.setup.lock
-command -v flock >/dev/null && flock 9
-
 venv=.venv
 uv=.venv-tools/bin/uv
 
@@ -111,6 +107,13 @@ build_player() {
 }
 
 packages=$(packages_digest)
+# Without the lock: lints need not wait until the core is compiled, which holds it meanwhile.
+if [ "${1:-}" = packages ] && fresh "$venv/.stamp-packages" "$packages"; then exit 0; fi
+
+# Two set-ups at a time would undo each other.
+exec 9>.setup.lock
+command -v flock >/dev/null && flock 9
+
 if ! fresh "$venv/.stamp-packages" "$packages"; then
     fresh .venv-tools/.stamp "$(tools_digest)" && [ -x "$uv" ] || install_uv
     tools_digest >.venv-tools/.stamp
