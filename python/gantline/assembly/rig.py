@@ -15,6 +15,7 @@ from gantline.assembly.cranes.boom import boom_rig
 from gantline.assembly.cranes.chain_hoists import chain_hoist_rig
 from gantline.assembly.cranes.compensators import hung_mass
 from gantline.assembly.cranes.crawler import crawler_rig
+from gantline.assembly.cranes.falls_twist import twist_of_falls
 from gantline.assembly.cranes.goliath import crane_rig
 from gantline.assembly.cranes.lifting import lifting_by_mechanics
 from gantline.assembly.cranes.reeving import falls_on_upper_sheaves, reeved_hooks
@@ -250,6 +251,7 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
             "direct_ropes": ropes,
             **({"ropes_over": over} if over else {}),
             "sheave_diameter": reeved.reeving.diameter((scenario.ropes or {})[reeved.reeving.rope].diameter),
+            **twist_of_falls(scenario, reeved),
             "drum": hoist_drum(name),
             "holds": reeved.holds,
         }

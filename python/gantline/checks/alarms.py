@@ -12,6 +12,7 @@ from gantline.results.recording import Recording
 
 __all__ = [
     "FALLS",
+    "FALLS_TWIST",
     "HEEL",
     "HOOK_DYNAMICS",
     "LUG_PLATE",
@@ -93,6 +94,9 @@ def _of_all(value: float, source: str) -> Alarm:
 
 
 FALLS = Alarm(_falls, "more than 3 % of what hangs pulls sideways; plausible, no document")
+FALLS_TWIST = _of_all(
+    0.5, "the hook block turns by 30 deg, and ropes come with torque of their own; plausible, no document"
+)
 SIDE_LEAD = Alarm(
     _side_lead, "lattice booms are made for 2 % of what is rated sideways, wind included: SAE J1093, J987"
 )

@@ -27,6 +27,7 @@ _LEVELS = ("crane", "trolley", "hook")
 _BEARS, _ASLANT = 0.25, 1.05
 #: Difference of two levels that nobody reads, who reads them in mm [m]: one that stays rings in its ropes.
 _LEVEL = 0.5e-3
+_PARTED = "its falls have parted"
 
 
 def hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -90,19 +91,57 @@ def falls_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     for hook in recording.rig.hooks:
         if not hook.falls or not hook.sheave_diameter:
             continue
-        of = [fall.rpartition("/")[0] for fall in hook.falls]
-        ropes = sorted(set(of))
-        whole = while_there(recording, ropes)[[ropes.index(rope) for rope in of]]
+        falls, whole = _falls(recording, hook)
         counts = during & whole.any(axis=0)
         if during.any() and not counts.any():
-            yield Missing(hook.name, "its falls have parted")
-        falls = np.array([recording.column("segment_length", part) for part in hook.falls])
+            yield Missing(hook.name, _PARTED)
         lengths = np.where(whole | ~whole.any(axis=0), falls, np.inf).min(axis=0)
         for found in extreme(recording, lengths - hook.sheave_diameter, counts, hook.name, smallest=True):
             shortest = found.value + hook.sheave_diameter
             yield replace(
                 found, formula=f"falls of {shortest:.2f} m - sheaves of {hook.sheave_diameter:.2f} m"
             )
+
+
+def rope_torque_of_falls(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Torque of the hoist ropes over the largest that their falls give back, (FT4); from 1 on they twist up.
+
+    Nothing of ropes whose torque nobody knows; of those that usually have one, a word where it would do.
+    """
+    for hook in recording.rig.hooks:
+        if not hook.falls_spread:
+            continue
+        falls, whole = _falls(recording, hook)
+        counts = during & whole.any(axis=0)
+        longest = np.where(whole, falls, 0.0).max(axis=0)
+        used = hook.rope_torque * longest / hook.falls_spread
+
+        def text(at: int, longest: FloatArray = longest, of: Hook = hook) -> str:
+            arm, spread = f"{1e3 * of.rope_torque:.3g} mm", f"{of.falls_spread:.3g} m2"
+            return f"torque factor x diameter = {arm} x falls of {longest[at]:.2f} m / spread of {spread}"
+
+        for found in extreme(recording, used, counts, hook.name, text):
+            if hook.is_rope_torque_known:
+                turned = "" if found.value >= 1.0 else f": it turns by {_degrees(np.arcsin(found.value))}"
+                yield replace(found, formula=f"{found.formula}{turned}")
+            elif found.value >= 1.0:
+                yield Missing(hook.name, "the torque factor of its rope is not known")
+                yield Caution(
+                    f"with what ropes of six or eight strands usually have the falls of {hook.name} twist "
+                    f"up: {found.formula}; 'torque_factor' of the rope says more"
+                )
+
+
+def _falls(recording: Recording, hook: Hook) -> tuple[FloatArray, BoolArray]:
+    """Lengths of all falls of a hook [m], and whether their rope has not parted, both (falls, time)."""
+    of = [fall.rpartition("/")[0] for fall in hook.falls]
+    ropes = sorted(set(of))
+    whole = while_there(recording, ropes)[[ropes.index(rope) for rope in of]]
+    return np.array([recording.column("segment_length", part) for part in hook.falls]), whole
+
+
+def _degrees(angle: float) -> str:
+    return format_quantity(float(angle), "deg", 0)
 
 
 def level_difference(recording: Recording, during: BoolArray) -> Iterator[Finding]:

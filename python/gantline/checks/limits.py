@@ -29,6 +29,7 @@ from gantline.checks import (
 )
 from gantline.checks.alarms import (
     FALLS,
+    FALLS_TWIST,
     HEEL,
     HOOK_DYNAMICS,
     LUG_PLATE,
@@ -142,6 +143,13 @@ LIMITS: dict[str, Measure] = {
         "m",
         2,
         hooks.falls_margin,
+    ),
+    "rope_torque_of_falls": _utilisation(
+        "torque of the hoist ropes about a hook block / largest torque that its falls give back",
+        hooks.rope_torque_of_falls,
+        digits=0,
+        definition="from there on the falls twist round each other",
+        alarm=FALLS_TWIST,
     ),
     "hook_approach_margin": _margin(
         "distance of a hook from a rail - smallest distance of its crane", "m", 2, cranes.approach_margin

@@ -48,6 +48,10 @@ class Hook(FromJson):
         bears_mechanics: Whether ropes or bodies of `mechanics` hang in it, whatever hangs on them.
         direct_weight: Weight of what slings and ropes have lumped on the hook [N]; of a hook with reeving.
         sheave_diameter: Pitch diameter of the sheaves of its hook block [m]; 0 for a hook without reeving.
+        falls_spread: Mean square of the distances of its falls from the axis about which the hook block turns
+            in them [m^2]; 0 where that is not known.
+        rope_torque: Torque of a hoist rope over its tension [m].
+        is_rope_torque_known: Whether it is that of the rope, and not what such ropes usually have.
         drum: Name of its drum; empty for a hook without reeving.
         holds: Hoist load that motor and brake of its drum both hold on the first layer [N]; None without end.
         wind_limit: Largest gust in which the crane of a fixed hook may lift [m/s]; None if not said, and of
@@ -69,6 +73,9 @@ class Hook(FromJson):
     bears_mechanics: bool = False
     direct_weight: float = 0.0
     sheave_diameter: float = 0.0
+    falls_spread: float = 0.0
+    rope_torque: float = 0.0
+    is_rope_torque_known: bool = False
     drum: str = ""
     holds: float | None = None
     wind_limit: float | None = None

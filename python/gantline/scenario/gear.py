@@ -27,6 +27,7 @@ from gantline.scenario.quantities import (
     PositiveStress,
     Quantity,
     Reader,
+    Share,
     Text,
     Time,
     Word,
@@ -45,6 +46,8 @@ _SMALLEST_DIAMETER = 1e-3
 _LARGEST_DIAMETER = 0.3
 #: Highest tensile grade of steel for ropes [Pa], EN 10264-2: no rope holds more over all of its circle.
 _STRONGEST_STEEL = 2160e6
+#: Torque factor that no rope has [1], three times that of six strands in ordinary lay; plausible.
+_LARGEST_TORQUE_FACTOR = 0.3
 #: Diameters of bows and pins of shackles [m]; those of shackles of 1550 t are 0.34 m.
 _SMALLEST_SHACKLE = 4e-3
 _LARGEST_SHACKLE = 0.5
@@ -120,6 +123,12 @@ class RopeMaterial(Element):
     )
     inextensible: Flag = Field(False, description="true: the rope does not stretch at all.")
     diameter: PositiveLength | None = Field(None, description="Nominal diameter.")
+    torque_factor: Annotated[float, Share()] | None = Field(
+        None,
+        description="Torque by which the rope under tension turns at its ends, over tension times diameter, "
+        "as its maker says: 9 % of six strands in ordinary lay, 1 % of a good rotation-resistant rope. It "
+        "decides whether falls twist.",
+    )
     mass: MassOfRope | None = Field(
         None, description="Mass per length, or 'none'; a construction has its own, any other rope none."
     )
@@ -147,6 +156,7 @@ class RopeMaterial(Element):
         else:
             self._refuse_incomplete_construction(self.construction)
         self._refuse_beyond_steel()
+        self._refuse_torque()
         if self.breaks_at == "minimum_breaking_force" and self.breaking_force is None:
             sentence = "the minimum breaking force of this rope is not known"
             raise refuse(f"{sentence}; give it, or a force here, such as '600 kN'", "breaks_at")
@@ -164,6 +174,16 @@ class RopeMaterial(Element):
                 f"{force} are {stress / 1e9:.3g} kN/mm^2 of a rope of {thick}, and solid steel holds 2.16"
             )
             raise refuse(f"{sentence}; one of both is wrong", "minimum_breaking_force")
+
+    def _refuse_torque(self) -> None:
+        if self.torque_factor is None:
+            return
+        if self.diameter is None:
+            sentence = "'torque_factor' stands without 'diameter', by which a torque comes of it"
+            raise refuse(f"{sentence}; give it, such as 'diameter: 44 mm'", "torque_factor")
+        if self.torque_factor > _LARGEST_TORQUE_FACTOR:
+            sentence = f"{100.0 * self.torque_factor:g} % is no torque factor of a rope"
+            raise refuse(f"{sentence}; 9 % is usual of six strands, 1 % of the best others", "torque_factor")
 
     def _refuse_without_construction(self) -> None:
         for key in ("grade", "modulus"):

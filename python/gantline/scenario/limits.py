@@ -176,6 +176,11 @@ class Limits(Element):
         description="Least length of the falls beyond the diameter of their sheaves, that two-blocking stays "
         "away; 0 if not given.",
     )
+    rope_torque_of_falls: _Share | None = Field(
+        None,
+        description="Torque of the hoist ropes about a hook block, of the largest that its falls give back "
+        "before they twist round each other; 100 % if not given.",
+    )
     hook_approach_margin: NotNegativeLength | None = Field(
         None, description="Least distance of a hook from a rail beyond that of the crane; 0 if not given."
     )

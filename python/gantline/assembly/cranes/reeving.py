@@ -44,7 +44,7 @@ __all__ = [
 
 #: Mass that moves with the rope of a drum whose motion is prescribed and whose inertia nobody says [kg].
 _DRIVEN = 1.0
-#: Distance of neighbouring sheaves along their axle, over their radius.
+#: Distance of neighbouring sheaves along their axle where the lift file does not say it, over their radius.
 _SPACING = 0.3
 
 
@@ -219,7 +219,7 @@ def _guides(hook: ReevedHook, rope: int, radius: float) -> list[Json]:
     """Dead end, sheaves in turn, and the place of the drum: the world, or what bears the upper sheaves."""
     count, above = hook.reeving.parts_each, upper_sheaves(hook.name)
     high = -below_pin(hook.hook)
-    spacing = _SPACING * radius
+    spacing = hook.reeving.sheave_spacing or _SPACING * radius
     # Each rope takes as many places along the axle as it has sheaves below; mirrored from one to the next.
     width = spacing * (count // 2 + 1)
     middle = width * (rope - (hook.reeving.ropes - 1) / 2)

@@ -16,6 +16,7 @@ from gantline.scenario.quantities import (
     PositiveLength,
     PositiveMass,
     Ratio,
+    Word,
     refuse,
 )
 from gantline.scenario.rope_weight import RopeWeightWord
@@ -29,6 +30,8 @@ from gantline.scenario.sheave import (
 
 __all__ = ["HoistDrum", "HookBlock", "Reeving", "hoist_drum", "hoist_ropes"]
 
+#: Lays of the ropes of a hook, one against another.
+LAYS: Final = ("alike", "left_and_right")
 #: Steel [kg/m^3], for the mass of a sheave that is not given.
 _STEEL: Final = 7850.0
 
@@ -63,6 +66,17 @@ class Reeving(Element):
     sheave_diameter_ratio: Annotated[float, Number(least=5.0, most=100.0)] | None = Field(
         None, description="The same over the diameter of the rope, D/d, in place of 'sheave_diameter'."
     )
+    sheave_spacing: PositiveLength | None = Field(
+        None,
+        description="Distance of neighbouring sheaves of the hook block along their axle; the farther falls "
+        "stand apart the less they twist. Two diameters of the rope count for that if not given, the least "
+        "that there can be.",
+    )
+    lay: Annotated[str, Word(LAYS)] = Field(
+        "alike",
+        description="'left_and_right': as many ropes of left-hand lay as of right-hand lay, which hold each "
+        "other from twisting the falls; 'alike' if not given.",
+    )
     sheave_efficiency: Ratio | None = Field(
         None, description="Efficiency of one sheave; ideal sheaves if neither this nor 'sheaves' says it."
     )
@@ -96,6 +110,9 @@ class Reeving(Element):
         if (ways[0] is None) == (ways[1] is None):
             found = "none of them" if ways[0] is None else "both"
             raise refuse(f"has one of 'sheave_diameter' and 'sheave_diameter_ratio'; found {found}")
+        if self.lay == "left_and_right" and self.ropes % 2:
+            sentence = f"'lay: left_and_right' takes an even number of 'ropes'; found {self.ropes}"
+            raise refuse(f"{sentence}, and one of them has no other against it", "lay")
         if self.sheave_efficiency is not None:
             refuse_efficiency(self.sheave_efficiency, "sheave_efficiency", "sheaves: {loss: 2 %}")
         if self.sheave_efficiency is not None and self.sheaves is not None:

@@ -1,0 +1,59 @@
+"""What turns a hook block in its falls, and what holds against it; `docs/concepts/falls_twist.md`."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from gantline.assembly.cranes.reeving import ReevedHook
+from gantline.assembly.parts import Json
+from gantline.scenario import Scenario
+from gantline.scenario.cranes.reeving import Reeving
+from gantline.scenario.gear import RopeMaterial
+
+__all__ = ["twist_of_falls"]
+
+#: Torque factor taken of ropes with one layer of strands whose maker's is not given [1]: 6x25F, ordinary lay.
+_USUAL_TORQUE_FACTOR: Final = 0.089
+#: Strands of ropes that have one layer of them.
+_ONE_LAYER: Final = ("6", "8")
+#: The least distance of sheaves on one axle, over the diameter of the rope: a groove has two flanges.
+_LEAST_SPACING: Final = 2.0
+
+
+def twist_of_falls(scenario: Scenario, hook: ReevedHook) -> Json:
+    """The arm of the ropes' torque and the spread of the falls [SI]; empty where either is not known.
+
+    Args:
+        scenario: the lift.
+        hook: the hook.
+    """
+    reeving, kind = hook.reeving, (scenario.ropes or {})[hook.reeving.rope]
+    factor = kind.torque_factor if kind.torque_factor is not None else _usual(kind)
+    if reeving.lay == "left_and_right":
+        factor = 0.0
+    # A hook on single parts has no sheaves, and hangs on swivels.
+    if factor is None or kind.diameter is None or reeving.parts_each == 1:
+        return {}
+    return {
+        "falls_spread": _spread(reeving, kind.diameter),
+        "rope_torque": factor * kind.diameter,
+        "is_rope_torque_known": kind.torque_factor is not None or reeving.lay == "left_and_right",
+    }
+
+
+def _usual(kind: RopeMaterial) -> float | None:
+    """Torque factor of most ropes like this one [1]; None of those that differ too much among each other."""
+    strands = "" if kind.catalogue is None else kind.catalogue.name.partition("x")[0]
+    return _USUAL_TORQUE_FACTOR if strands in _ONE_LAYER else None
+
+
+def _spread(reeving: Reeving, rope_diameter: float) -> float:
+    """Mean square of the distances of the falls from the middle of the hook block [m^2], (FT3).
+
+    Two falls to each sheave, all sheaves side by side; a dead end on the hook block is in its middle.
+    """
+    parts, radius = reeving.parts_each, reeving.diameter(rope_diameter) / 2
+    spacing = reeving.sheave_spacing or _LEAST_SPACING * rope_diameter
+    sheaves = reeving.ropes * (parts // 2)
+    at_sheaves = 2 * (parts // 2) / parts
+    return at_sheaves * (radius**2 + spacing**2 * (sheaves**2 - 1) / 12)
