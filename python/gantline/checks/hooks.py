@@ -127,7 +127,7 @@ def rope_torque_of_falls(recording: Recording, during: BoolArray) -> Iterator[Fi
             elif found.value >= 1.0:
                 yield Missing(hook.name, "the torque factor of its rope is not known")
                 yield Caution(
-                    f"with what ropes of six or eight strands usually have the falls of {hook.name} twist "
+                    f"with what ropes of six strands usually have the falls of {hook.name} twist "
                     f"up: {found.formula}; 'torque_factor' of the rope says more"
                 )
 

@@ -12,10 +12,8 @@ from gantline.scenario.gear import RopeMaterial
 
 __all__ = ["twist_of_falls"]
 
-#: Torque factor taken of ropes with one layer of strands whose maker's is not given [1]: 6x25F, ordinary lay.
+#: Torque factor taken of ropes of six strands whose maker's is not given [1]: that of 6x25F in ordinary lay.
 _USUAL_TORQUE_FACTOR: Final = 0.089
-#: Strands of ropes that have one layer of them.
-_ONE_LAYER: Final = ("6", "8")
 #: The least distance of sheaves on one axle, over the diameter of the rope: a groove has two flanges.
 _LEAST_SPACING: Final = 2.0
 
@@ -42,9 +40,9 @@ def twist_of_falls(scenario: Scenario, hook: ReevedHook) -> Json:
 
 
 def _usual(kind: RopeMaterial) -> float | None:
-    """Torque factor of most ropes like this one [1]; None of those that differ too much among each other."""
-    strands = "" if kind.catalogue is None else kind.catalogue.name.partition("x")[0]
-    return _USUAL_TORQUE_FACTOR if strands in _ONE_LAYER else None
+    """Torque factor of ropes like this one [1]; None of those of which no usual one is known."""
+    has_six_strands = kind.catalogue is not None and kind.catalogue.name.startswith("6x")
+    return _USUAL_TORQUE_FACTOR if has_six_strands else None
 
 
 def _spread(reeving: Reeving, rope_diameter: float) -> float:
