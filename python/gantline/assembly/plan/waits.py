@@ -72,10 +72,10 @@ def _side(reached: Any) -> str:
         return f"{side} {_given(value, 'deg')}"
     if value.mass:
         return f"{side} {format_by_size(value.mass, 'mass', _DIGITS)}"
-    return f"{side} {format_by_size(value.force, 'force', _DIGITS)}"
+    return f"{side} {_given(value.force, 'kN')}"
 
 
 def _given(value: float, unit: str) -> str:
-    """An angle or a share with the digits that somebody gave it."""
+    """An angle, a share or a force with the digits that somebody gave it."""
     digits, _, name = format_quantity(value, unit, 3).partition(" ")
     return f"{digits.rstrip('0').rstrip('.')} {name}"
