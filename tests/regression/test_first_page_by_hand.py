@@ -1,12 +1,13 @@
 """First pages that said something else than the checks below them, or than what was given.
 
-- `equalizer_yard` had "travel up 93 % of 1.40 m" under a warning of 125.9 %: the one while the load is clear, the other
-  before that, and nothing said so.
+- `equalizer_yard` had "travel up 93 % of 1.40 m" under a warning of 125.9 %: the one while the load is
+  clear, the other before that, and nothing said so.
 - `onto_a_platform` had a guide at 74 % of its capacity, and the check, with the design weight, 77 %
   (tests/unit/test_guides.py holds the row against the check).
-- `off_a_barge` and `monopile`, whose loads stand on decks, had the ground under them never looked at; a deck, which has
-  to bear them, was not named.
-- `floating_crane_and_crawlers` waits for 1602 kN and then for 446 kN; its steps said "1.602 MN" and "446 kN".
+- `off_a_barge` and `monopile`, whose loads stand on decks, had the ground under them never looked at; a
+  deck, which has to bear them, was not named.
+- `floating_crane_and_crawlers` waits for 1602 kN and then for 446 kN; its steps said "1.602 MN" and "446
+  kN".
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What a sling has at most after another was cut is the peak that its table has, and not that of the samples.
 
-The report of `equalizer_sling_cut` said "after that sling.S5 has most, 4504.0 kN, 148 % of its minimum breaking force"
-above a table with 4543 kN and 149 %: between two samples, 20 ms apart, it had 39 kN more.
+The report of `equalizer_sling_cut` said "after that sling.S5 has most, 4504.0 kN, 148 % of its minimum
+breaking force" above a table with 4543 kN and 149 %: between two samples, 20 ms apart, it had 39 kN more.
 """
 
 from __future__ import annotations
@@ -33,6 +33,8 @@ def remark_of_a_cut(at: float) -> str:
     return check.remark
 
 
-@pytest.mark.parametrize(("at", "said"), [(15.247, "sling.S3 has most, 720.0 kN"), (11.247, "sling.S1 has most, 699.8 kN")])
+@pytest.mark.parametrize(
+    ("at", "said"), [(15.247, "sling.S3 has most, 720.0 kN"), (11.247, "sling.S1 has most, 699.8 kN")]
+)
 def test_peaks_between_samples_count_once_it_is_cut(at: float, said: str) -> None:
     assert f"after that {said}" in remark_of_a_cut(at)

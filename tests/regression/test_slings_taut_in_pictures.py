@@ -1,8 +1,8 @@
 """Pictures show when the last sling came taut by the log, and not when it carries a hundredth of its peak.
 
-Stages of `goliath` had 'slings taut' at 130.60 s, forty seconds after the last sling had come taut at 90.50 s and
-the equalizers had equalised, since slings carried 2 kN of 249 kN while they settled; `heavy_lift_ship` had 165.40 s
-for 156.10 s.
+Stages of `goliath` had 'slings taut' at 130.60 s, forty seconds after the last sling had come taut at 90.50
+s and the equalizers had equalised, since slings carried 2 kN of 249 kN while they settled;
+`heavy_lift_ship` had 165.40 s for 156.10 s.
 """
 
 from __future__ import annotations
@@ -17,13 +17,15 @@ LITTLE = 2e3  # N
 
 
 def slings_taut(*log: tuple[float, str, str]) -> Moment:
-    """When pictures have slings taut that carry a little from 5 s on, and all from 10 s on; `log` has events."""
+    """When pictures have slings taut that carry a little from 5 s on, all from 10 s on; `log` has events."""
     recording = ringing_lift()
     tension = np.array(recording["rope_tension"].values[:, 1:])
     settling = (recording.time >= 5.0) & (recording.time < 10.0)
     tension[settling] = LITTLE
     events = [(9.99, "lift_off", "block"), *log]
-    (found,) = (one for one in moments(ringing_lift(tension=tension, events=events)) if one.name == "slings taut")
+    (found,) = (
+        one for one in moments(ringing_lift(tension=tension, events=events)) if one.name == "slings taut"
+    )
     return found
 
 

@@ -1,7 +1,7 @@
 """Pictures have no mark for the foot of a crane that slews: its own frame is at the stern of its vessel.
 
-Stages of `revolving_crane`, `monopile` and `heavy_lift_ship` had a black square at the after end of the keel, and
-the player a grey ball, as of any body without a shape, where nothing is.
+Stages of `revolving_crane`, `monopile` and `heavy_lift_ship` had a black square at the after end of the
+keel, and the player a grey ball, as of any body without a shape, where nothing is.
 """
 
 from __future__ import annotations
