@@ -1,7 +1,8 @@
 """Side views of a vessel along a quay show how high the quay is.
 
-They are cut where most of the lift is, over water: in stages of `revolving_crane` and `heavy_lift_ship` a load that
-stood on the quay seemed to hang before the side of the vessel, for nothing was there that it could stand on.
+They are cut where most of the lift is, over water: in stages of `revolving_crane` and `heavy_lift_ship` a
+load that stood on the quay seemed to hang before the side of the vessel, for nothing was there that it
+could stand on.
 """
 
 from __future__ import annotations
