@@ -6,8 +6,8 @@
   (tests/unit/test_guides.py holds the row against the check).
 - `off_a_barge` and `monopile`, whose loads stand on decks, had the ground under them never looked at; a
   deck, which has to bear them, was not named.
-- `floating_crane_and_crawlers` waits for 1602 kN and then for 446 kN; its steps said "1.602 MN" and "446
-  kN".
+- `floating_crane_and_crawlers` waits for 1602 kN and then for 446 kN; its steps said "1.602 MN" and "446 kN";
+  those of `monopile` said "1,095 t", which may be read as 1.095 t.
 """
 
 from __future__ import annotations
@@ -42,9 +42,15 @@ def test_a_deck_has_to_bear_a_load_too(vessels: list[Any], what: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("step", "load"), [("fc to 25 percent", "fc.H2 above 1602 kN"), ("c1 to 25 percent", "c1.H above 446 kN")]
+    ("lift", "step", "load"),
+    [
+        ("floating_crane_and_crawlers", "fc to 25 percent", "fc.H2 above 1602 kN"),
+        ("floating_crane_and_crawlers", "c1 to 25 percent", "c1.H above 446 kN"),
+        ("monopile", "to half", "H1 above 350 t"),
+        ("monopile", "take the weight", "H1 above 1095 t"),
+    ],
 )
-def test_steps_wait_for_forces_in_kn(step: str, load: str) -> None:
-    scenario = load_scenario("floating_crane_and_crawlers")
+def test_steps_wait_for_loads_in_kn_or_t(lift: str, step: str, load: str) -> None:
+    scenario = load_scenario(lift)
     [own] = [one for one in scenario.plan if one.step == step]
     assert waited_for(scenario, own)["until"] == f"hoist load of {load}"
