@@ -18,7 +18,7 @@ from gantline.simulation import simulate
 from gantline.viewer import pack
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "scenarios"
-#: What the crane is seen by, besides the block of its hook.
+#: What the crane is seen by, besides its hook.
 PARTS = {"rc.upper", "rc.boom"}
 
 
