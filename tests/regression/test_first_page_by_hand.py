@@ -8,6 +8,7 @@
   deck, which has to bear them, was not named.
 - `floating_crane_and_crawlers` waits for 1602 kN and then for 446 kN; its steps said "1.602 MN" and "446 kN";
   those of `monopile` said "1,095 t", which may be read as 1.095 t.
+- A lift afloat that is a go in no waves of 10 s had "swell up to none to 0.8 m, by period and direction".
 """
 
 from __future__ import annotations
@@ -20,6 +21,8 @@ import pytest
 from gantline.assembly.plan.waits import waited_for
 from gantline.report import render_report
 from gantline.report.first_page import beyond
+from gantline.report.seas import allowed_seas
+from gantline.results.file.saved_seas import SavedSeas
 from gantline.results.rig import Rig
 from gantline.scenario import load_scenario
 from sample_lift import WEIGHT, ringing_lift
@@ -54,3 +57,18 @@ def test_steps_wait_for_loads_in_kn_or_t(lift: str, step: str, load: str) -> Non
     scenario = load_scenario(lift)
     [own] = [one for one in scenario.plan if one.step == step]
     assert waited_for(scenario, own)["until"] == f"hoist load of {load}"
+
+
+@pytest.mark.parametrize(
+    ("heights", "told"),
+    [
+        ((None, None), "none"),
+        ((0.8, 0.8), "up to 0.8 m"),
+        ((0.8, 1.2), "up to 0.8 m to 1.2 m, by period and direction"),
+        ((None, 0.8), "none or up to 0.8 m, by period and direction"),
+    ],
+)
+def test_seas_in_which_it_is_no_go(heights: tuple[float | None, float | None], told: str) -> None:
+    allowed = dict(zip([(0.0, 7.0), (0.0, 10.0)], heights, strict=True))
+    found = SavedSeas("", "", "swell", False, 1, 0.0, [], allowed, [])
+    assert allowed_seas(found) == told
