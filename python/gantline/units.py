@@ -11,6 +11,7 @@ import difflib
 import math
 import re
 from collections.abc import Iterable
+from decimal import ROUND_HALF_UP, Context, Decimal
 from typing import Final
 
 __all__ = [
@@ -81,6 +82,8 @@ _THOUSANDS: Final = frozenset({"kN", "t"})
 _OF_A_THOUSAND: Final = 3
 #: What is less is nothing in them: half of the last of those decimals.
 _TO_TELL: Final = 0.5e-3
+#: With room for the largest number and all its decimals.
+_HALVES_UP: Final = Context(prec=400, rounding=ROUND_HALF_UP)
 
 #: How a message names a dimension and what it shows as a right example.
 _WORDS: Final[dict[str, tuple[str, str]]] = {
@@ -307,8 +310,19 @@ def format_quantity(value: float, unit: str, digits: int) -> str:
     for units in DIMENSIONS.values():
         if unit in units:
             shown = value / units[unit]
-            return f"{shown:z.{_decimals(shown, digits) if unit in _THOUSANDS else digits}f} {unit}".rstrip()
+            decimals = _decimals(shown, digits) if unit in _THOUSANDS else digits
+            return f"{_decimal_text(shown, decimals)} {unit}".rstrip()
     raise UnitError(f"'{unit}' is not a known unit")
+
+
+def _decimal_text(value: float, digits: int) -> str:
+    """A number with so many decimals, halves away from zero: as people round, and as the player does.
+
+    Python's own way has 47.25 as 47.2: a design weight of 45 t x 1.05, which people write as 47.3 t.
+    """
+    if not math.isfinite(value):
+        return f"{value:.{digits}f}"
+    return f"{Decimal(value).quantize(Decimal(1).scaleb(-digits), context=_HALVES_UP):zf}"
 
 
 def length_digits(value: float) -> int:

@@ -218,3 +218,4 @@ def test_what_is_told_of_a_run() -> None:
     rows = dict(attitude(Subject(recording)))
     assert rows["largest force of a guide"].startswith(f"g {peak / 1e3:.1f} kN at ")
     assert "of the weight, " in rows["largest force of a guide"]
+    assert rows["largest force of a guide"].endswith(f" {110 * peak / 50e3:.0f} % of capacity")

@@ -22,7 +22,8 @@ from gantline.results.metrics import ENERGY_BOUNDS, energy_bound
 from gantline.results.recording import Recording
 from gantline.scenario import load_scenario
 from gantline.units import DIMENSIONS, UnitError, quantity
-from shown import PAGES, lift_that_runs, shown_on, stale, table_of
+from scenario_figures import told_of
+from shown import PAGES, lift_that_runs, shown_on, stale, table_of, unsaid
 
 SCENARIOS = sorted(path.parent for path in (Path(__file__).parents[2] / "scenarios").glob("*/scenario.yaml"))
 SHOWN = [one for page in PAGES for one in shown_on(page) if lift_that_runs(one.command)]
@@ -79,6 +80,7 @@ def test_a_scenario_does_what_it_promises(ran: Ran) -> None:
             wrong.append(f"{key}: {metrics[key]:g}, not {entry['value']} within {entry['within']}")
     assert wrong == []
     assert stale_of(folder.name, recording) == {}
+    assert unsaid(f"scenarios/{folder.name}/README.md", *told_of(folder.name, recording)) == []
 
 
 def held_by_sheaves(recording: Recording) -> float:

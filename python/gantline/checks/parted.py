@@ -10,6 +10,7 @@ from gantline.checks.check import Check, Verdict
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.ropes.parting import PLANNED, Parting, partings
+from gantline.results.variable import FloatArray
 from gantline.units import format_quantity
 
 #: A sling that has less than this of its largest tension is slack beside those that carry [1].
@@ -43,20 +44,17 @@ def _others(recording: Recording, parting: Parting) -> Iterator[str]:
         return
     strength = {rope.name: rope.minimum_breaking_force for rope in recording.rig.ropes if rope.name in names}
     tensions = {name: series.tightest_tension(recording, name) for name in strength if name != parting.rope}
-    shares = {
-        name: np.where(after, tension, 0.0) / force
-        for name, tension in tensions.items()
-        if (force := strength[name]) is not None
-    }
+    loads = {name: _most_after(recording, name, tension, parting) for name, tension in tensions.items()}
+    shares = {name: load / force for name, load in loads.items() if (force := strength[name]) is not None}
     if not shares:
         return
-    most = max(shares, key=lambda name: float(np.max(shares[name])))
-    at = int(np.argmax(shares[most]))
-    if shares[most][at] <= 0.0:
+    most = max(shares, key=lambda name: shares[name])
+    if shares[most] <= 0.0:
         yield "no sling carries anything after that"
         return
-    share = format_quantity(float(shares[most][at]), "%", 0)
-    tension = format_quantity(float(tensions[most][at]), "kN", 1)
+    at = int(np.argmax(np.where(after, tensions[most], 0.0)))
+    share = format_quantity(shares[most], "%", 0)
+    tension = format_quantity(loads[most], "kN", 1)
     text = f"after that {most} has most, {tension}, {share} of its minimum breaking force"
     gone = {one.rope for one in partings(recording) if one.time <= recording.time[at]}
     slack = [
@@ -65,3 +63,10 @@ def _others(recording: Recording, parting: Parting) -> Iterator[str]:
         if name not in gone and series.is_on(recording, name)[at] and one[at] <= _SLACK * np.max(one)
     ]
     yield f"{text}, with {', '.join(slack)} slack" if slack else text
+
+
+def _most_after(recording: Recording, rope: str, tension: FloatArray, parting: Parting) -> float:
+    """Largest tension of a rope after another has parted [N]: that of all steps, where it is after that."""
+    peak, time = series.rope_peak(recording, rope)
+    most = float(np.max(tension, where=recording.time > parting.time, initial=0.0))
+    return max(most, peak) if time > parting.time else most

@@ -112,7 +112,7 @@ def _parted(comparison: Comparison) -> list[str]:
         for letter, parted in zip("AB", comparison.parted, strict=True)
         for one in parted
     ]
-    return table(("Parted", "", "", "at", "tension"), rows, "lllrr") if rows else []
+    return table(("Parted or off", "", "", "at", "tension"), rows, "lllrr") if rows else []
 
 
 def _headlines(comparison: Comparison) -> list[str]:

@@ -192,7 +192,11 @@ def _parted(recording: Recording) -> list[str]:
         )
         for one in partings(recording)
     ]
-    return table(("Parted", "", "at", "tension", "of minimum breaking force"), rows, "llrrr") if rows else []
+    return (
+        table(("Parted or off", "", "at", "tension", "of minimum breaking force"), rows, "llrrr")
+        if rows
+        else []
+    )
 
 
 def _put_on(recording: Recording) -> list[str]:

@@ -144,11 +144,15 @@ def _motions(recording: Recording) -> list[tuple[float, str]]:
 def _all_taut(recording: Recording, slings: set[str], peak: float) -> float | None:
     """When the last sling began to carry before the peak [s]; None if all always did or one never did."""
     tensions = [recording.column("rope_tension", rope) for rope in slings]
-    taut = np.all([series.is_carrying(tension) for tension in tensions], axis=0)
+    # However little they carry: of what the peak has a hundredth comes long after a sling is taut.
+    taut = np.all([tension > 0.0 for tension in tensions], axis=0)
     before = np.flatnonzero(~taut & (recording.time < peak))
     if not before.size or before[-1] + 1 >= len(taut) or recording.time[before[-1] + 1] >= peak:
         return None
-    return float(recording.time[before[-1] + 1])
+    # The last may have been slack once more between two samples.
+    last, found = recording.time[before[-1] : before[-1] + 2]
+    began = [time for time, _, name in recording.events("taut") if name in slings and last <= time < peak]
+    return max(began, default=float(found))
 
 
 def _moment(recording: Recording, name: str, time: float) -> Moment:

@@ -118,13 +118,21 @@ def draw_water(panel: Axes, recording: Recording, lift: FloatArray, time: float,
 
 
 def draw_ground(panel: Axes, ground: Ground, lift: FloatArray, axis: int = 0) -> None:
-    """The ground in a side view along x (0) or y (1), cut where the lift is."""
+    """The ground in a side view along x (0) or y (1), cut where the lift is.
+
+    A lift over water beside a quay is cut where the water is; the level of the quay is a line of dashes then.
+    """
     left, right = panel.get_xlim()
     low, _ = panel.get_ylim()
     line = ground.profile(axis, (left, right), lift)
     below = np.concatenate([line, [(right, low), (left, low)]])
     panel.add_artist(Polygon(below, facecolor=_EARTH, edgecolor="none", zorder=0))
     panel.plot(*line.T, color=EARTH_EDGE, linewidth=1.0, zorder=0.5)
+    if np.all(line[:, 1] < ground.level) and np.any(ground.under(lift) == ground.level):
+        level = (ground.level, ground.level)
+        panel.plot((left, right), level, color=EARTH_EDGE, linewidth=0.9, linestyle=(0, (6, 3)), zorder=3.95)
+        place = (left + 0.01 * (right - left), ground.level)
+        panel.text(*place, "ground beside", fontsize=6, color=EARTH_EDGE, va="bottom", zorder=3.95)
 
 
 def draw_holes(panel: Axes, ground: Ground, water: float | None) -> None:

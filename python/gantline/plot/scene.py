@@ -120,6 +120,7 @@ def snapshot(recording: Recording, sample: int) -> Snapshot:
     boxes = [box for name, entry in bodies.items() for box in _boxes(place, name, entry)]
     hinges = [hinge for hinge in recording.rig.hinges if hinge.name in bodies]
     plain -= {box.name for box in boxes} | {hinge.name for hinge in hinges}
+    plain -= recording.rig.seen_by_their_parts
     loads = {load.name: load.body for load in recording.rig.loads}
     frames = {e.name: e.body for e in recording.rig.equalizers if e.body in bodies}
     ropes = _ropes(recording, sample, scene)

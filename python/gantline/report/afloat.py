@@ -228,7 +228,7 @@ def _sea(subject: Subject) -> list[tuple[str, str]]:
         ends = f"{show(float(waves.min()), 'm', 2)} to {show(float(waves.max()), 'm', 2)} amidships"
         rows.append((f"waves at {vessel.name}", ", ".join([*dict.fromkeys(sides), ends])))
     seas = subject.beside.seas
-    return rows if seas is None else [*rows, (f"{seas.waves} up to", allowed_seas(seas))]
+    return rows if seas is None else [*rows, (f"{seas.waves} allowed", allowed_seas(seas))]
 
 
 def _moorings(subject: Subject) -> list[tuple[str, str]]:

@@ -126,7 +126,9 @@ def _guides(subject: Subject) -> list[tuple[str, str]]:
         return [("largest force of a guide", "none is touched")]
     text = f"{guide.name} {show(force, 'kN', 1)} at {show(time, 's', 1)}"
     shares = [f"{show(force / weights[guide.load], '%', 1)} of the weight"]
-    shares += [f"{show(used, '%', 0)} of capacity"] if (used := guide.used_by(force)) is not None else []
+    # Raised to the design weight, as the check has it.
+    used = values_of(subject.recording, "guide_force_of_capacity")
+    shares += [f"{show(used[guide.name], '%', 0)} of capacity"] if guide.name in used else []
     return [("largest force of a guide", f"{text}, {', '.join(shares)}")]
 
 

@@ -93,6 +93,7 @@ class FirstPage(Section):
             "slings": sling_rows(subject, most_slings),
             "slings_left_out": max(0, len(subject.rig.slings) - most_slings),
             "equalizers": [equalizer_row(subject, one) for one in subject.rig.equalizers],
+            "when_clear": " when clear" if subject.clear.any() else "",
             "turnings": turnings(subject),
             "attitude": attitude(subject, too_near),
             "vessels": vessel_tables(subject),
@@ -288,7 +289,9 @@ def beyond(rig: Rig) -> str:
     ]
     parts = ["local strength of the load at its lugs", "wind on cranes and ropes" if rig.wind else "wind"]
     if under:
-        parts.append(f"bearing capacity of the ground under the {' and '.join(under)}")
+        # A load that goes on or off a vessel may stand on her deck, which no recording tells from the ground.
+        ground = "ground or deck" if rig.vessels else "ground"
+        parts.append(f"bearing capacity of the {ground} under the {' and '.join(under)}")
     only = [one.name for one in rig.crawlers if one.allowed_pressure is not None]
     of = "" if len(only) == len(tracks) else f" of {', '.join(only)}"
     looked = f"; ground under the tracks{of} only against the allowed pressure given" if only else ""

@@ -42,12 +42,13 @@ class Seas(Section):
 
 
 def allowed_seas(found: SavedSeas) -> str:
-    """Heights that are allowed, from the lowest to the highest of all periods and directions."""
+    """Up to which heights it is a go, from the lowest to the highest of all periods and directions."""
     heights = [0.0 if height is None else height for height in found.allowed.values()]
     low, high = (f"{height:g} m" if height else "none" for height in (min(heights), max(heights)))
     if low == high:
-        return low
-    return f"{low} to {high}, by period and direction"
+        return low if low == "none" else f"up to {low}"
+    span = f"none or up to {high}" if low == "none" else f"up to {low} to {high}"
+    return f"{span}, by period and direction"
 
 
 def _field(found: SavedSeas, direction: float) -> dict[str, Any]:

@@ -411,6 +411,14 @@ class Rig(FromJson):
         return of_trolleys + [hook for boom in self.booms for hook in boom.hooks]
 
     @property
+    def seen_by_their_parts(self) -> frozenset[str]:
+        """Bodies of cranes with a boom: where such a crane slews, its frame is at the stern of its vessel.
+
+        All that there is to see of it is of other bodies then, and a mark for it would be of nothing.
+        """
+        return frozenset(boom.name for boom in self.booms)
+
+    @property
     def fixed_hooks(self) -> list[Hook]:
         """Hooks without a crane behind them."""
         others = {crane.name for crane in self.cranes} | {boom.name for boom in self.booms}

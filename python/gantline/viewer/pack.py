@@ -120,6 +120,8 @@ def _bodies(recording: Recording, scene: Mapping[str, Any], arrays: Arrays) -> d
     names = recording.coordinates.get("body", ())
     found: dict[str, dict[str, Any]] = {}
     for place, entry in enumerate(one for one in scene.get("bodies") or () if one["name"] in names):
+        if not entry.get("shape") and entry["name"] in recording.rig.seen_by_their_parts:
+            continue
         found[entry["name"]] = {
             "name": entry["name"],
             "kind": str(entry.get("kind", "body")),

@@ -8,12 +8,9 @@ from gantline.assembly.parts import Json
 from gantline.scenario import Scenario
 from gantline.scenario.cranes.hooks import full_name
 from gantline.scenario.plan.condition import Condition, Weighing
-from gantline.units import format_by_size, format_quantity
+from gantline.units import format_quantity
 
 __all__ = ["waited_for"]
-
-#: Significant digits of what somebody gave.
-_DIGITS = 6
 
 
 def waited_for(scenario: Scenario, step: Any) -> Json:
@@ -70,12 +67,11 @@ def _side(reached: Any) -> str:
     value = getattr(reached, side)
     if not isinstance(value, Weighing):
         return f"{side} {_given(value, 'deg')}"
-    if value.mass:
-        return f"{side} {format_by_size(value.mass, 'mass', _DIGITS)}"
-    return f"{side} {format_by_size(value.force, 'force', _DIGITS)}"
+    # Without the commas between thousands that others read as decimal ones: 1095 t, 1602 kN.
+    return f"{side} {_given(value.mass, 't') if value.mass else _given(value.force, 'kN')}"
 
 
 def _given(value: float, unit: str) -> str:
-    """An angle or a share with the digits that somebody gave it."""
+    """A quantity with the digits that somebody gave it."""
     digits, _, name = format_quantity(value, unit, 3).partition(" ")
     return f"{digits.rstrip('0').rstrip('.')} {name}"
