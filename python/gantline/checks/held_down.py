@@ -1,11 +1,13 @@
-"""Loads that are hoisted against something above them: what they hook under holds them down."""
+"""Loads that are hoisted against something above them, or tied to what is below: it holds them down."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
+from gantline.checks.measure import named
 from gantline.results import progress, series
+from gantline.results.loads.pulls import upright_pull
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.variable import BoolArray
@@ -14,6 +16,7 @@ from gantline.units import format_quantity
 #: Share of its weight with which something may hold a load down before it is told [1]: as it is hoisted
 #: along a wall or a landing guide friction does so with less.
 _HELD = 0.1
+_WORLD = "world"
 
 
 def held_down(recording: Recording) -> list[Check]:
@@ -55,6 +58,58 @@ def held_down(recording: Recording) -> list[Check]:
             Check("stays_clear", Verdict.FAILED, meaning, element=load.name, time=time, remark=remark)
         )
     return checks
+
+
+def tied_down(recording: Recording) -> list[Check]:
+    """A failure for each load that hangs while ropes to the world or a vessel hold it down.
+
+    Lashings that nobody has let go of: hooks and slings pull with more than it weighs, as far as they are
+    hoisted. What breaks on the way, as a rope does that stands for mud, holds nothing down that hangs still;
+    a rope on a drum is hauled by somebody who means it.
+
+    Args:
+        recording: Of a run, or of an equilibrium, of which the last sample counts.
+    """
+    checks = []
+    for load in recording.rig.loads:
+        pulls = {rope: -upright_pull(recording, load, rope) for rope in load.tied_to}
+        counts = _rests_clear(recording, load)
+        if not pulls or not counts.any():
+            continue
+        share = np.where(counts, sum(pulls.values()) / series.load_weight(recording, load), 0.0)
+        worst = int(np.argmax(share))
+        if share[worst] <= _HELD:
+            continue
+        ropes = [rope for rope, pull in pulls.items() if pull[worst] > 0.0]
+        to = named(load.tied_to[rope].replace(_WORLD, f"the {_WORLD}") for rope in ropes)
+        force = float(share[worst] * series.load_weight(recording, load)[worst])
+        remark = (
+            f"tied to {to} by {named(ropes)}: that holds it down with {format_quantity(force, 'kN', 1)}, "
+            f"{format_quantity(float(share[worst]), '%', 0)} of its weight, while it hangs, and its hooks pull "
+            "so much more than it weighs; 'cut' of a step lets go of a lashing, and a rope that is meant to "
+            "hold a load down ends on a drum"
+        )
+        checks.append(
+            Check(
+                "let_go_below",
+                Verdict.FAILED,
+                "nothing ties down a load that is hoisted",
+                element=load.name,
+                time=None if recording.is_equilibrium else float(recording.time[worst]),
+                remark=remark,
+            )
+        )
+    return checks
+
+
+def _rests_clear(recording: Recording, load: Load) -> BoolArray:
+    """Samples at which a load hangs still, and the last one if it hangs then."""
+    counts = series.last_sample(recording)
+    if not recording.is_equilibrium:
+        for window in series.quiet_windows(recording):
+            counts = counts | window
+    clear: BoolArray = counts & series.load_is_clear(recording, load)
+    return clear
 
 
 def _bears_what_is_loose(recording: Recording, load: Load) -> BoolArray:
