@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gantline.checks.check import ALL_KNOWN, Check, Verdict
-from gantline.checks.crawlers import left_ground
+from gantline.checks.crawlers import left_ground, out_of_level
 from gantline.checks.drums import turns_left
 from gantline.checks.ends import about_end_of_step, one_sample, second_half_of_hold
 from gantline.checks.equalizers import held_upright
@@ -481,6 +481,7 @@ _BESIDE_LIMITS: tuple[Callable[[Recording], Iterable[Check]], ...] = (
     run_through_structures,
     run_into,
     left_ground,
+    out_of_level,
     left_range,
     held_down,
     tied_down,
