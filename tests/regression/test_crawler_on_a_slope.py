@@ -1,7 +1,7 @@
 """A crawler crane that stood 2 degrees askew lifted 100 t and was a GO.
 
-Its boom leaned aside by as much, so that 3.5 % of what hung pulled across it, where lattice booms are made for
-2 % of the rated load. Falls hang plumb all the same: `side_lead`, which is their angle from plumb, was 0.1
+Its boom leaned aside by as much, so that 3.5 % of what hung pulled across it, where lattice booms are made
+for 2 % of the rated load. Falls hang plumb all the same: `side_lead`, which is their angle from plumb, was 0.1
 degrees. A chart with `heel` and `trim` was held against the lean, and most charts have neither.
 """
 
@@ -60,7 +60,8 @@ cranes:
     central_ballast: 95 t
     counterweight: {{mass: 250 t, behind: 6.5 m}}
     boom:
-      {{heel_pins: {{ahead: 1.6 m, height: 2.5 m}}, length: 63 m, radius: 16 m, mass: 60 t, centre_of_gravity: 45 %}}
+      {{heel_pins: {{ahead: 1.6 m, height: 2.5 m}}, length: 63 m, radius: 16 m, mass: 60 t,
+        centre_of_gravity: 45 %}}
     rating: {{radius: [12 m, 16 m, 20 m, 28 m], rated: [360 t, 231 t, 168 t, 104 t]{chart}}}
     hooks:
       H:

@@ -20,7 +20,7 @@ from gantline.statics import Statics
 from of_recording import checks_of
 
 WEIGHT = 60e3 * 9.81
-#: Axial stiffness of a lashing [N] and its length; how far it reaches to the side, and up while the load stands.
+#: Axial stiffness of a lashing [N], its length, how far it reaches aside, and up while the load stands [m].
 STIFFNESS, LENGTH, REACH, HEIGHT = 10e6, 2.01, 1.73, 1.0
 SLINGS = """\
   S1: {from: hook, to: box.L1, length: 12 m}
@@ -95,7 +95,7 @@ def test_a_load_that_is_tied_down_is_no_go() -> None:
 
 
 def test_so_it_is_at_rest() -> None:
-    """An equilibrium has what is by hand to a thousandth of a kilonewton, and the hook that and the weight."""
+    """An equilibrium has what is by hand to a newton, and the hook that and the weight."""
     rest = Statics(lift()).equilibrium().recording
     (found,) = checks_of(rest, "let_go_below")
     assert found.verdict is Verdict.FAILED

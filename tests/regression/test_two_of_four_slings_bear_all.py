@@ -65,7 +65,7 @@ def told(recording: Recording) -> Check:
 
 
 def test_at_rest_two_across_carry_all() -> None:
-    """EA d/4L, by which a sling that is d short has more and its neighbours less, is more than a quarter of W.
+    """EA d/4L, by which a sling that is d short has more and its neighbours less, is more than W/4.
 
     So these are slack, and each of the two has W/(2 cos).
     """

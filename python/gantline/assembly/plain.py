@@ -120,9 +120,9 @@ def ropes_tied_to(scenario: Scenario, body: str) -> dict[str, str]:
     """Ropes of `mechanics` from a body to the world or a vessel that no drum hauls, and which of these."""
     ropes = (scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}
     tied = {}
-    for name, end in ropes_ending_at(scenario, body):
+    for name, which in ropes_ending_at(scenario, body):
         own, other = ropes[name].route[0], ropes[name].route[-1]
-        if end == "last":
+        if which == "last":
             own, other = other, own
         is_hauled = any(isinstance(one, RopeEnd) and one.drum is not None for one in (own, other))
         if not is_hauled and other.body in {_WORLD, *(scenario.vessels or {})}:

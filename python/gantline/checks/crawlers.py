@@ -23,7 +23,7 @@ _ROCKS = 0.05
 #: Lean of the tracks up to which a chart without a word on that holds [rad]: 1 % of slope. Plausible, no
 #: document; makers rate cranes that stand level, and many say within how much.
 _LEVEL = math.atan(0.01)
-#: Share of the most that its hooks bear from which on a lean counts [1]: without load its counterweight leans it.
+#: Share of the most that its hooks bear from which on a lean counts [1]: without it a counterweight leans it.
 _LOADED = 0.25
 
 
@@ -77,8 +77,9 @@ def out_of_level(recording: Recording) -> list[Check]:
         slope = format_quantity(math.tan(float(lean[worst])), "%", 1)
         angle = format_quantity(float(lean[worst]), "deg", 2)
         remark = (
-            f"its tracks lean by {angle}, {slope}, under load: cranes are rated level, and as much of what hangs "
-            "pulls across a boom that leans aside; 'heel' and 'trim' of its rating say what its chart allows"
+            f"its tracks lean by {angle}, {slope}, under load: cranes are rated level, and as much of what "
+            "hangs pulls across a boom that leans aside; 'heel' and 'trim' of its rating say what its chart "
+            "allows"
         )
         meaning = "a crane whose chart has no 'heel' and 'trim' leans by at most 1 % under load"
         check = Check("stands_level", Verdict.WARNING, meaning, element=crane.name, remark=remark)

@@ -33,8 +33,8 @@ def idle(recording: Recording) -> list[Check]:
     """A warning where slings carried nothing in a lift whose load came clear: the others had their share.
 
     A load that is turned, or goes from crane to crane, leaves slings slack at times; never taut is a length,
-    or a lug, that is not as it was meant. So is one that is slack while the load hangs clear and others at the
-    same hook or bar carry it, though it carried a little for a moment as the load came off.
+    or a lug, that is not as it was meant. So is one that is slack while the load hangs clear and others at
+    the same hook or bar carry it, though it carried a little for a moment as the load came off.
     """
     clear = series.is_clear(recording)
     counts = clear & series.last_sample(recording) if recording.is_equilibrium else clear
