@@ -1,8 +1,8 @@
 """A crawler crane that stood 2 degrees askew lifted 100 t and was a GO.
 
 Its boom leaned aside by as much, so that 3.5 % of what hung pulled across it, where lattice booms are made
-for 2 % of the rated load. Falls hang plumb all the same: `side_lead`, which is their angle from plumb, was 0.1
-degrees. A chart with `heel` and `trim` was held against the lean, and most charts have neither.
+for 2 % of the rated load. Falls hang plumb all the same: `side_lead`, which is their angle from plumb, was
+0.1 degrees. A chart with `heel` and `trim` was held against the lean, and most charts have neither.
 """
 
 from __future__ import annotations

@@ -86,8 +86,8 @@ def tied_down(recording: Recording) -> list[Check]:
         remark = (
             f"tied to {to} by {named(ropes)}: that holds it down with {format_quantity(force, 'kN', 1)}, "
             f"{format_quantity(float(share[worst]), '%', 0)} of its weight, while it hangs, and its hooks "
-            "pull so much more than it weighs; 'cut' of a step lets go of a lashing, and a rope that is meant to "
-            "hold a load down ends on a drum"
+            "pull so much more than it weighs; 'cut' of a step lets go of a lashing, and a rope that is "
+            "meant to hold a load down ends on a drum"
         )
         checks.append(
             Check(
