@@ -7,6 +7,7 @@ import numpy as np
 from gantline.checks.check import Check, Verdict
 from gantline.checks.measure import named
 from gantline.results import progress, series
+from gantline.results.loads.hinges import Hinge, distance_from_axis, pulled_up
 from gantline.results.loads.pulls import upright_pull
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
@@ -100,6 +101,66 @@ def tied_down(recording: Recording) -> list[Check]:
             )
         )
     return checks
+
+
+def shut_in(recording: Recording) -> list[Check]:
+    """A failure for each load that is hoisted against a hinge that is shut.
+
+    Lifted at lugs that are nearer to the hinge than its centre of gravity a load needs to be held down there;
+    at lugs farther off none does, and what holds it down is what hooks pull too much. A jolt is over before
+    a load would hang still.
+    """
+    checks = []
+    for hinge in recording.rig.hinges:
+        load = recording.rig.load(hinge.load)
+        if load is None or not len(recording.time):
+            continue
+        weight = series.load_weight(recording, load)
+        share = np.where(_is_lifted_beyond(recording, hinge, load), pulled_up(recording, hinge) / weight, 0.0)
+        if recording.is_equilibrium:
+            share[:-1] = 0.0
+        else:
+            least = series.time_to_hang_still(recording.rig)
+            lasting = [
+                stretch
+                for stretch in series.stretches(share > _HELD)
+                if np.ptp(recording.time[stretch]) >= least
+            ]
+            share = np.where(np.any(lasting, axis=0), share, 0.0) if lasting else np.zeros_like(share)
+        worst = int(np.argmax(share))
+        if share[worst] <= _HELD:
+            continue
+        remark = (
+            f"{hinge.name} is shut and holds it down with "
+            f"{format_quantity(float(share[worst] * weight[worst]), 'kN', 1)}, "
+            f"{format_quantity(float(share[worst]), '%', 0)} of its weight, and its hooks pull so much more "
+            "than it takes: 'open_hinges' of a step lets it go, once the hinge bears next to nothing"
+        )
+        checks.append(
+            Check(
+                "let_go_below",
+                Verdict.FAILED,
+                "nothing ties down a load that is hoisted",
+                element=load.name,
+                time=None if recording.is_equilibrium else float(recording.time[worst]),
+                remark=remark,
+            )
+        )
+    return checks
+
+
+def _is_lifted_beyond(recording: Recording, hinge: Hinge, load: Load) -> BoolArray:
+    """Where slings carry a load at lugs that are all farther from a hinge than its centre of gravity."""
+    lifted: BoolArray = np.zeros(len(recording.time), dtype=bool)
+    nearer: BoolArray = np.zeros(len(recording.time), dtype=bool)
+    own = distance_from_axis(recording, hinge, (0.0, 0.0, 0.0))
+    for sling in recording.rig.slings:
+        carries = series.is_carrying(series.sling_tension(recording, sling))
+        for _, of, lug in sling.at_lugs():
+            if of == load.name:
+                lifted |= carries
+                nearer |= carries & (distance_from_axis(recording, hinge, load.lugs[lug].at) < own)
+    return lifted & ~nearer
 
 
 def _rests_clear(recording: Recording, load: Load) -> BoolArray:
