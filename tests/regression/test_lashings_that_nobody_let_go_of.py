@@ -30,15 +30,17 @@ SLINGS = """\
 """
 
 
-def lift(lashings: str = "", drums: str = "", let_go: str = "") -> Scenario:
+def lift(
+    lashings: str = "", drums: str = "", let_go: str = "", bodies: str = "", to: str = "world"
+) -> Scenario:
     ropes = f"""\
   ropes:
     A: {{rope: lashing, length: {LENGTH} m, {lashings}
         route: [{{type: end, body: box, at: [4 m, 0 m, 0 m]}},
-                {{type: end, body: world, at: [{4 + REACH} m, 0 m, 0 m]{drums and ", drum: A"}}}]}}
+                {{type: end, body: {to}, at: [{4 + REACH} m, 0 m, 0 m]{drums and ", drum: A"}}}]}}
     B: {{rope: lashing, length: {LENGTH} m, {lashings}
         route: [{{type: end, body: box, at: [-4 m, 0 m, 0 m]}},
-                {{type: end, body: world, at: [{-4 - REACH} m, 0 m, 0 m]{drums and ", drum: B"}}}]}}
+                {{type: end, body: {to}, at: [{-4 - REACH} m, 0 m, 0 m]{drums and ", drum: B"}}}]}}
 """
     return parse_scenario(f"""\
 format: 1
@@ -66,7 +68,7 @@ cranes:
 sling_defaults: {{rope: sling}}
 slings:
 {SLINGS}mechanics:
-{drums}{ropes}plan:
+{bodies}{drums}{ropes}plan:
   - {{step: lift off, hoist: hook, speed: 1 m/min, until: {{supports: clear}}}}
   - {{step: clear, hoist: hook, speed: 1 m/min, by: 50 mm}}
   - {{step: hold, hold: until_end{let_go}}}
@@ -101,6 +103,13 @@ def test_so_it_is_at_rest() -> None:
     assert found.verdict is Verdict.FAILED
     assert hangs(rest) == pytest.approx(WEIGHT + held(rest), abs=1.0)
     assert f"with {held(rest) / 1e3:.1f} kN" in found.remark
+
+
+def test_lashings_to_what_is_fixed_on_a_deck_are_told_too() -> None:
+    """A grillage, a plain body that is fixed to the world here."""
+    grillage = "  bodies:\n    grillage: {joint: {type: fixed}, mass: 1 t}\n"
+    (found,) = checks_of(simulate(lift(bodies=grillage, to="grillage")), "let_go_below")
+    assert found.remark.startswith("tied to grillage by A, B: that holds it down with ")
 
 
 def test_what_pulls_down_is_not_said_to_carry() -> None:

@@ -117,7 +117,10 @@ def ropes_ending_at(scenario: Scenario, body: str) -> list[list[str]]:
 
 
 def ropes_tied_to(scenario: Scenario, body: str) -> dict[str, str]:
-    """Ropes of `mechanics` from a body to the world or a vessel that no drum hauls, and which of these."""
+    """Ropes of `mechanics` that no drum hauls from a body to what stands, and to what of it.
+
+    That is the world, a vessel, or a body that is fixed to one of these, as a grillage on a deck.
+    """
     ropes = (scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}
     tied = {}
     for name, which in ropes_ending_at(scenario, body):
@@ -125,9 +128,17 @@ def ropes_tied_to(scenario: Scenario, body: str) -> dict[str, str]:
         if which == "last":
             own, other = other, own
         is_hauled = any(isinstance(one, RopeEnd) and one.drum is not None for one in (own, other))
-        if not is_hauled and other.body in {_WORLD, *(scenario.vessels or {})}:
+        if not is_hauled and _stands(scenario, other.body):
             tied[name] = other.body
     return tied
+
+
+def _stands(scenario: Scenario, body: str) -> bool:
+    """Whether a body is the world or a vessel, or fixed to one of these."""
+    bodies = (scenario.mechanics.bodies if scenario.mechanics is not None else None) or {}
+    while body in bodies and isinstance(bodies[body].joint, Fixed):
+        body = bodies[body].parent or _WORLD
+    return body == _WORLD or body in (scenario.vessels or {})
 
 
 def ropes_over(scenario: Scenario, body: str) -> list[Json]:

@@ -75,7 +75,8 @@ class Load(HasLugs):
         lugs: Lugs by name.
         other_ropes: Ropes that are no slings and end at it or run over it.
         ends_of_ropes: Which end of those that end at it does so, `first` or `last`.
-        tied_to: What holds the other end of those that no drum hauls: the world, or a vessel.
+        tied_to: What holds the other end of those that no drum hauls, where that is the world, a vessel, or
+            fixed to one of these.
         centre_envelope: How far its centre of gravity may be elsewhere, plus and minus along its axes [m].
         in_water: Name of what it displaces among the hulls; None where no water acts on it.
         water_density: Of the water that it displaces [kg/m^3].
