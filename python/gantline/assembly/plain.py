@@ -39,7 +39,7 @@ from gantline.scenario.rope_weight import rope_weight
 from gantline.scenario.sheave import sheave_losses
 from gantline.units import format_by_size, format_quantity
 
-__all__ = ["add_mechanics", "bodies_in_hook", "drum_drive", "ropes_ending_at", "ropes_over"]
+__all__ = ["add_mechanics", "bodies_in_hook", "drum_drive", "ropes_ending_at", "ropes_over", "ropes_tied_to"]
 
 _WORLD = "world"
 _ROUNDING = 1e-9
@@ -114,6 +114,31 @@ def ropes_ending_at(scenario: Scenario, body: str) -> list[list[str]]:
         for end, guide in (("first", rope.route[0]), ("last", rope.route[-1]))
         if guide.body == body
     ]
+
+
+def ropes_tied_to(scenario: Scenario, body: str) -> dict[str, str]:
+    """Ropes of `mechanics` that no drum hauls from a body to what stands, and to what of it.
+
+    That is the world, a vessel, or a body that is fixed to one of these, as a grillage on a deck.
+    """
+    ropes = (scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}
+    tied = {}
+    for name, which in ropes_ending_at(scenario, body):
+        own, other = ropes[name].route[0], ropes[name].route[-1]
+        if which == "last":
+            own, other = other, own
+        is_hauled = any(isinstance(one, RopeEnd) and one.drum is not None for one in (own, other))
+        if not is_hauled and _stands(scenario, other.body):
+            tied[name] = other.body
+    return tied
+
+
+def _stands(scenario: Scenario, body: str) -> bool:
+    """Whether a body is the world or a vessel, or fixed to one of these."""
+    bodies = (scenario.mechanics.bodies if scenario.mechanics is not None else None) or {}
+    while body in bodies and isinstance(bodies[body].joint, Fixed):
+        body = bodies[body].parent or _WORLD
+    return body == _WORLD or body in (scenario.vessels or {})
 
 
 def ropes_over(scenario: Scenario, body: str) -> list[Json]:

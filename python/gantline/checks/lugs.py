@@ -11,6 +11,7 @@ from gantline.checks.forces import Force, Raised, factor, force_together, over, 
 from gantline.checks.measure import Caution, Finding, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
+from gantline.results.loads.pulls import upright_pull
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes
@@ -66,10 +67,13 @@ def _assumed(recording: Recording, during: BoolArray) -> Iterator[Caution]:
 
 
 def ropes_that_bear(recording: Recording, load: Load, lack: str) -> Iterator[Missing]:
-    """Ropes of `mechanics` that carry a load, with what they lack for a check."""
+    """Ropes of `mechanics` that carry a load, or hang from it, with what they lack for a check."""
     for rope in load.other_ropes:
-        if series.rope_peak(recording, rope)[0] > BEARS * load.weight:
-            yield Missing(rope, f"carries {load.name} as a rope of 'mechanics', which {lack}")
+        peak, time = series.rope_peak(recording, rope)
+        if peak > BEARS * load.weight:
+            upright = np.interp(time, recording.time, upright_pull(recording, load, rope))
+            does = f"pulls {load.name} down" if upright < 0.0 else f"carries {load.name}"
+            yield Missing(rope, f"{does} as a rope of 'mechanics', which {lack}")
 
 
 @dataclass(frozen=True)

@@ -9,11 +9,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gantline.checks.check import ALL_KNOWN, Check, Verdict
-from gantline.checks.crawlers import left_ground
+from gantline.checks.crawlers import left_ground, out_of_level
 from gantline.checks.drums import turns_left
 from gantline.checks.ends import about_end_of_step, one_sample, second_half_of_hold
 from gantline.checks.equalizers import held_upright
-from gantline.checks.held_down import held_down
+from gantline.checks.held_down import held_down, shut_in, tied_down
 from gantline.checks.hinges import opened
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import held_by_tag_lines, on_their_tip, run_through, run_through_structures
@@ -481,8 +481,11 @@ _BESIDE_LIMITS: tuple[Callable[[Recording], Iterable[Check]], ...] = (
     run_through_structures,
     run_into,
     left_ground,
+    out_of_level,
     left_range,
     held_down,
+    tied_down,
+    shut_in,
     held_upright,
     _told,
     _unknown,

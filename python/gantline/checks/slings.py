@@ -33,18 +33,41 @@ def idle(recording: Recording) -> list[Check]:
     """A warning where slings carried nothing in a lift whose load came clear: the others had their share.
 
     A load that is turned, or goes from crane to crane, leaves slings slack at times; never taut is a length,
-    or a lug, that is not as it was meant.
+    or a lug, that is not as it was meant. So is one that is slack while the load hangs clear and others at
+    the same hook or bar carry it, though it carried a little for a moment as the load came off.
     """
-    peaks = {
-        sling.name: series.rope_peak(recording, sling.rope)[0]
-        for sling in recording.rig.slings
-        if series.is_on(recording, sling.rope).any()
-    }
-    slack = [name for name, peak in peaks.items() if peak < _NOTHING * max(peaks.values(), default=0.0)]
-    if not slack or not series.is_clear(recording).any() or recording.is_equilibrium:
+    clear = series.is_clear(recording)
+    counts = clear & series.last_sample(recording) if recording.is_equilibrium else clear
+    if not counts.any():
         return []
-    remark = f"slack over the whole lift: {named(slack)}"
+    slings = [one for one in recording.rig.slings if series.is_on(recording, one.rope).any()]
+    peaks = {one.name: series.rope_peak(recording, one.rope)[0] for one in slings}
+    nothing = _NOTHING * max(peaks.values(), default=0.0)
+    never = [] if recording.is_equilibrium else [name for name, peak in peaks.items() if peak < nothing]
+    means = {one.name: _mean_when_clear(recording, one, counts) for one in slings}
+    bear = {one.from_body for one in slings if (means[one.name] or 0.0) >= nothing}
+    idly = [
+        one.name
+        for one in slings
+        if one.from_body in bear and one.name not in never and _is_below(means[one.name], nothing)
+    ]
+    remarks = [f"slack over the whole lift: {named(never)}"] if never else []
+    if idly:
+        remarks.append(f"slack while the load hangs clear, beside others that carry it: {named(idly)}")
+    if not remarks:
+        return []
+    remark = "; ".join(remarks)
     return [Check("slings_carry", Verdict.WARNING, "every sling carries at some time", remark=remark)]
+
+
+def _mean_when_clear(recording: Recording, sling: Sling, counts: BoolArray) -> float | None:
+    """Mean tension of a sling over those of some samples at which it is whole [N]; None where it never is."""
+    on = counts & series.are_whole(recording, [sling.rope])[0]
+    return float(series.sling_tension(recording, sling)[on].mean()) if on.any() else None
+
+
+def _is_below(mean: float | None, bound: float) -> bool:
+    return mean is not None and mean < bound
 
 
 def taken_off(recording: Recording) -> list[Check]:

@@ -11,20 +11,13 @@ import typer
 from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE
 
 if TYPE_CHECKING:
-    from gantline.results import Recording
-    from gantline.results.rig import Load
     from gantline.statics import Statics
     from gantline.study.steps import StepAtRest
 
 #: Columns that the name of a step may have.
 _LONGEST = 36
-#: Share of a load's weight that a crane carries, above rounding [1].
-_CARRIED = 1e-3
 #: What is added to the heading where there are such moments.
 _WITHIN = ", and where one pumps that leaves less GM in between"
-_HOLDS = "holds its crane to what it stands on"
-#: What bears a load and does not move.
-_ASHORE = "what does not move"
 
 
 def steps(question: Statics, *, held: bool, as_json: bool) -> NoReturn:
@@ -58,8 +51,10 @@ def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[s
     from gantline.cli.friction import fails_as_it_slides, slid_loads, stands_loosely
     from gantline.cli.rest_table import friction_of
     from gantline.cli.summary import heading
+    from gantline.cli.vessels import held_elsewhere
 
     states = [one.state for one in found]
+    afloat = [(one.state.rest, one.heights) for one in found if one.state.rest is not None]
     rest = next((state.rest for state in states if state.rest is not None), None)
     slides = [] if rest is None else slid_loads(question, rest)
     loose = [] if slides else stands_loosely([state.rest for state in states if state.rest is not None])
@@ -74,7 +69,7 @@ def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[s
         ],
         *_loads(question, found, width),
         *_vessels(question, found, width),
-        _held_elsewhere(question, found),
+        held_elsewhere(question, afloat),
         [
             *notes(states, lambda places: ", ".join(found[place].name for place in places), width),
             *loose,
@@ -149,40 +144,6 @@ def _vessels(question: Statics, found: Sequence[StepAtRest], width: int) -> Iter
                 ["GM trim", *_shown((longitudinal for _, longitudinal in gm), "m", 2)],
             ]
         yield from tables([name, *_names(found)[1:]], columns, width=width)
-
-
-def _held_elsewhere(question: Statics, found: Sequence[StepAtRest]) -> list[str]:
-    """That GM is more than the vessel's own where a load on her hangs or stands elsewhere, too."""
-    from gantline.results import series
-
-    known: set[str] = set()
-    for one in found:
-        rest = one.state.rest
-        if rest is None or not one.heights:
-            continue
-        for load in rest.recording.rig.loads:
-            carried = float(rest.recording.column("load_transferred", load.name)[-1])
-            if series.load_is_clear(rest.recording, load)[-1]:
-                continue
-            on = _stood_on(question, rest.recording, load)
-            if carried > _CARRIED:
-                known.add(f"{load.name}, partly lifted, {_HOLDS}")
-            elif len(on) > 1 and not on.isdisjoint(one.heights):
-                known.add(f"{load.name} stands on {' and '.join(sorted(on))}, and holds one to the other")
-    return [f"  GM as an inclining experiment finds it: {sentence}" for sentence in sorted(known)]
-
-
-def _stood_on(question: Statics, recording: Recording, load: Load) -> set[str]:
-    """Vessels and other bodies that bear a load, and in one name what bears it and does not move."""
-    parents = {body["name"]: body["parent"] for body in question.assembly.document["bodies"]}
-    on = set()
-    for contact in load.contacts:
-        if recording.column("contact_force", contact)[-1] > 0.0:
-            body, above = _ASHORE, load.meets.get(contact)
-            while above is not None:
-                body, above = above, parents.get(above)
-            on.add(body)
-    return on
 
 
 def _names(found: Sequence[StepAtRest]) -> list[str]:

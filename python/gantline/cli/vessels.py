@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,9 +11,9 @@ import numpy as np
 from gantline.cli.table import table
 from gantline.results.afloat.vessels import AS_CARRIED
 from gantline.results.recording import Recording
-from gantline.results.rig import Rig
+from gantline.results.rig import Load, Rig
 from gantline.results.rotation import heading
-from gantline.results.series import mean_over
+from gantline.results.series import load_is_clear, mean_over
 from gantline.units import format_quantity
 
 if TYPE_CHECKING:
@@ -23,6 +23,10 @@ if TYPE_CHECKING:
 #: A vessel that lies nearer, and turned by less, is where the lift file has it [m, rad].
 _NEAR = 0.005
 _TURNED = math.radians(0.005)
+#: Share of a load's weight that a crane carries, above rounding [1].
+_CARRIED = 1e-3
+#: What bears a load and does not move.
+_ASHORE = "what does not move"
 #: Of a vessel at the end: variable, title, unit, decimals.
 _LIES = (
     ("vessel_displacement", "displacement", "t", 1),
@@ -75,8 +79,46 @@ def vessels_at_rest(question: Statics, rest: Equilibrium) -> list[str]:
     lies = vessels(rest.recording)
     if not lies:
         return []
-    rights = righting(metacentric_heights(question, rest))
-    return [*lies, *_lies_aside(question, rest), *([""] if rights else []), *rights]
+    heights = metacentric_heights(question, rest)
+    rights = righting(heights)
+    elsewhere = held_elsewhere(question, [(rest, heights)])
+    return [*lies, *_lies_aside(question, rest), *([""] if rights else []), *rights, *elsewhere]
+
+
+def held_elsewhere(question: Statics, found: Iterable[tuple[Equilibrium, Collection[str]]]) -> list[str]:
+    """That GM is more than the vessel's own where a load on her hangs or stands elsewhere, too.
+
+    Args:
+        question: The lift.
+        found: Equilibria, each with the vessels of which GM is told.
+    """
+    known: set[str] = set()
+    for rest, vessels_told in found:
+        if not vessels_told:
+            continue
+        for load in rest.recording.rig.loads:
+            carried = float(rest.recording.column("load_transferred", load.name)[-1])
+            if load_is_clear(rest.recording, load)[-1]:
+                continue
+            on = _stood_on(question, rest.recording, load)
+            if carried > _CARRIED:
+                known.add(f"{load.name}, partly lifted, holds its crane to what it stands on")
+            elif len(on) > 1 and not on.isdisjoint(vessels_told):
+                known.add(f"{load.name} stands on {' and '.join(sorted(on))}, and holds one to the other")
+    return [f"  GM as an inclining experiment finds it: {sentence}" for sentence in sorted(known)]
+
+
+def _stood_on(question: Statics, recording: Recording, load: Load) -> set[str]:
+    """Vessels and other bodies that bear a load, and in one name what bears it and does not move."""
+    parents = {body["name"]: body["parent"] for body in question.assembly.document["bodies"]}
+    on = set()
+    for contact in load.contacts:
+        if recording.column("contact_force", contact)[-1] > 0.0:
+            body, above = _ASHORE, load.meets.get(contact)
+            while above is not None:
+                body, above = above, parents.get(above)
+            on.add(body)
+    return on
 
 
 def _lies_aside(question: Statics, rest: Equilibrium) -> list[str]:

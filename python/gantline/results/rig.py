@@ -74,6 +74,9 @@ class Load(HasLugs):
         design_mass: With contingency [kg].
         lugs: Lugs by name.
         other_ropes: Ropes that are no slings and end at it or run over it.
+        ends_of_ropes: Which end of those that end at it does so, `first` or `last`.
+        tied_to: What holds the other end of those that no drum hauls, where that is the world, a vessel, or
+            fixed to one of these.
         centre_envelope: How far its centre of gravity may be elsewhere, plus and minus along its axes [m].
         in_water: Name of what it displaces among the hulls; None where no water acts on it.
         water_density: Of the water that it displaces [kg/m^3].
@@ -94,6 +97,8 @@ class Load(HasLugs):
     design_mass: float | None = None
     lugs: Mapping[str, Lug] = field(default_factory=dict)
     other_ropes: Sequence[str] = ()
+    ends_of_ropes: Mapping[str, str] = field(default_factory=dict)
+    tied_to: Mapping[str, str] = field(default_factory=dict)
     centre_envelope: Vector = (0.0, 0.0, 0.0)
     in_water: str | None = None
     water_density: float = 1025.0

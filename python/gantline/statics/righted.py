@@ -172,14 +172,32 @@ def _righting(question: Statics, rest: Callable[[Losses], Equilibrium], *, at_le
     """What rights vessels where they rest without friction, with it where nothing rests without.
 
     Friction rights no vessel: one that fenders hold to its neighbour as long as they stick seems to have of
-    its neighbour's GM.
+    its neighbour's GM. Nor do slings into which a load slides that stands aboard a vessel with heel, and that
+    friction would hold: of both the least counts then.
     """
+    found: Heights = {}
     for losses in _LOSSES:
         try:
-            return _righting_of(question, rest(losses), at_level=at_level)
+            there = rest(losses)
+            heights = _righting_of(question, there, at_level=at_level)
         except NoEquilibriumError:
             continue
-    return {}
+        for name, (heel, trim) in heights.items():
+            other = found.get(name, (heel, trim))
+            found[name] = min(heel, other[0]), min(trim, other[1])
+        if not _stands_aboard(there):
+            break
+    return found
+
+
+def _stands_aboard(rest: Equilibrium) -> bool:
+    """Whether a load is pressed against what floats or moves, by which friction may hold it."""
+    recording = rest.recording
+    return any(
+        recording.column("contact_force", contact)[-1] > 0.0
+        for load in recording.rig.loads
+        for contact in load.meets
+    )
 
 
 def _upright(orientation: npt.ArrayLike) -> FloatArray:

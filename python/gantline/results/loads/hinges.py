@@ -23,6 +23,7 @@ __all__ = [
     "HINGE_WAYS",
     "Hinge",
     "axial_force",
+    "distance_from_axis",
     "held_up",
     "hinge_columns",
     "hinge_force",
@@ -30,6 +31,7 @@ __all__ = [
     "hinge_state",
     "in_words",
     "is_shut",
+    "pulled_up",
     "radial_force",
     "shut_as_at",
 ]
@@ -159,6 +161,31 @@ def hinge_force(recording: Recording, hinge: Hinge) -> FloatArray:
     return recording.column("hinge_force", hinge.name)
 
 
+def pulled_up(recording: Recording, hinge: Hinge) -> FloatArray:
+    """With what a hinge holds its load down [N], shape (time,); negative where it bears it."""
+    return _upwards(_frame(recording, hinge), recording.column("hinge_push", hinge.name))
+
+
+def distance_from_axis(recording: Recording, hinge: Hinge, at: Vector) -> FloatArray:
+    """How far a place on the load of a hinge is from its axis [m], shape (time,).
+
+    Args:
+        recording: The recording.
+        hinge: The hinge.
+        at: The place, from the origin of the load's body, its axes [m].
+    """
+    load = axes(recording.column("body_orientation", hinge.load))
+    along = axes(_frame(recording, hinge))[:, :, 1]
+    way = load @ (np.asarray(at, dtype=np.float64) - np.asarray(hinge.at, dtype=np.float64))
+    distance: FloatArray = np.linalg.norm(np.cross(way, along), axis=1)
+    return distance
+
+
+def _frame(recording: Recording, hinge: Hinge) -> FloatArray:
+    """Orientation of the axes of a hinge, quaternions (time, 4)."""
+    return recording.column("body_orientation", hinge.pushes[-1])
+
+
 def axial_force(recording: Recording, hinge: Hinge) -> FloatArray:
     """Force of the load on the hinge along its axis, positive that way [N], shape (time,)."""
     force: FloatArray = recording.column("hinge_push", hinge.name)[:, 1]
@@ -226,8 +253,7 @@ def in_words(recording: Recording, hinge: Hinge, used: float | None = None) -> l
     ]
     if used is not None:
         rows.insert(1, ("of rated capacity", format_quantity(used, "%", 1)))
-    orientation = recording.column("body_orientation", hinge.pushes[-1])
-    pulled = _upwards(orientation, recording.column("hinge_push", hinge.name))
+    pulled = pulled_up(recording, hinge)
     load = recording.rig.load(hinge.load)
     most = int(np.argmax(pulled))
     if load is not None and pulled[most] > _HELD_DOWN * load.weight:
