@@ -11,6 +11,8 @@ from hypothesis import HealthCheck, settings
 
 # Builders that several test modules share (`import sample_lift`).
 sys.path.insert(0, str(Path(__file__).parent / "support"))
+# What fails in it says with which values, as in a test.
+pytest.register_assert_rewrite("promises")
 
 # How long examples take says more of the machine than of gantline. Which ones there are is said by
 # `--hypothesis-seed` alone, as `make test` does: not by what failed here before, and not by the name of the

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from docutils import nodes
@@ -69,6 +70,11 @@ def figures(folder: Path) -> Iterator[str]:
     yield ""
 
 
+def section(folder: Path) -> str:
+    """The same as one text, which a process can hand back."""
+    return "\n".join(figures(folder))
+
+
 class TestCases(SphinxDirective):
     """Puts the tables of a folder of tests where the directive stands."""
 
@@ -89,7 +95,9 @@ class ScenarioFigures(SphinxDirective):
         """The tables."""
         self.env.note_reread()
         folders = sorted(path.parent for path in (ROOT / "scenarios").glob("*/expect.yaml"))
-        text = "\n".join(line for folder in folders for line in figures(folder))
+        # Side by side: of all pages this one is read last, and takes longest.
+        with ProcessPoolExecutor() as pool:
+            text = "\n".join(pool.map(section, folders))
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 

@@ -25,6 +25,8 @@ from gantline.statics.inclining import metacentric_heights
 from lift_text import changed, without
 from mechanics import G
 from of_recording import step_end
+from promises import PROMISES, Promise
+from shown import ROOT
 
 FILE = Path(__file__).parents[2] / "scenarios" / "floating_crane" / "scenario.yaml"
 HOOKS = ("H1", "H2", "H3", "H4")
@@ -52,6 +54,12 @@ def recording() -> Recording:
     took = perf_counter() - begun
     print(f"{found.time[-1]:.0f} s in {took:.1f} s, {found.time[-1] / took:.0f} times real time")
     return found
+
+
+@pytest.mark.parametrize("promise", PROMISES)
+def test_what_every_scenario_promises(promise: Promise, recording: Recording, tmp_path: Path) -> None:
+    """Metrics within the tolerance of their source; its balance closes; and saved, it says the same."""
+    promise(ROOT / "scenarios" / "floating_crane", recording, tmp_path)
 
 
 @pytest.fixture(scope="module")

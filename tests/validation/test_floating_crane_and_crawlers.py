@@ -7,6 +7,7 @@ Weights and sizes are plausible and assumed; the paper's abstract has no more of
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -23,6 +24,7 @@ from gantline.scenario import load_scenario
 from gantline.simulation import Simulation
 from mechanics import G
 from of_recording import check_of, step_end
+from promises import PROMISES, Promise
 from several_cranes import (
     DISPLACED,
     END,
@@ -35,6 +37,7 @@ from several_cranes import (
     hook_loads,
     last,
 )
+from shown import ROOT
 
 #: Masses of a sling or rope per length [kg/m]: 0.409 d²/100, d in mm (EN 12385-4, 6x36 IWRC).
 SLING_64, SLING_76, HOIST_54 = (0.409 * d**2 / 100 for d in (64, 76, 54))
@@ -46,6 +49,12 @@ RIGGING_OF_CRAWLER = 2 * (16 * SLING_76 + 2 * 92)
 @pytest.fixture(scope="module")
 def recording() -> Recording:
     return Simulation(load_scenario(FILE)).run()
+
+
+@pytest.mark.parametrize("promise", PROMISES)
+def test_what_every_scenario_promises(promise: Promise, recording: Recording, tmp_path: Path) -> None:
+    """Metrics within the tolerance of their source; its balance closes; and saved, it says the same."""
+    promise(ROOT / "scenarios" / "floating_crane_and_crawlers", recording, tmp_path)
 
 
 def in_hold(recording: Recording, step: str) -> slice:

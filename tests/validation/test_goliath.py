@@ -18,7 +18,8 @@ from gantline.statics import Statics
 from lift_text import changed
 from mechanics import G
 from of_recording import step_end
-from shown import unsaid
+from promises import PROMISES, Promise
+from shown import ROOT, unsaid
 
 FILE = Path(__file__).parents[2] / "scenarios" / "goliath" / "scenario.yaml"
 HOOKS = ("goliath.U1", "goliath.U2", "goliath.L")
@@ -34,6 +35,12 @@ RIGGING = 22.5e3
 @pytest.fixture(scope="module")
 def recording() -> Recording:
     return Simulation(load_scenario(FILE)).run()
+
+
+@pytest.mark.parametrize("promise", PROMISES)
+def test_what_every_scenario_promises(promise: Promise, recording: Recording, tmp_path: Path) -> None:
+    """Metrics within the tolerance of their source; its balance closes; and saved, it says the same."""
+    promise(ROOT / "scenarios" / "goliath", recording, tmp_path)
 
 
 def end_of(recording: Recording, step: str) -> int:

@@ -16,6 +16,8 @@ from gantline.report.subject import Subject
 from gantline.results.recording import Recording
 from mechanics import G
 from of_recording import step_end
+from promises import PROMISES, Promise
+from shown import ROOT
 
 SCENARIO = Path(__file__).parents[2] / "scenarios" / "monopile"
 #: Along the pile from the pins to centre of gravity and trunnions, and down from them to its axis [m].
@@ -27,6 +29,12 @@ WEIGHT, SLINGS = 1000e3 * G, 2 * 24 * 120 * G
 @pytest.fixture(scope="module")
 def pile() -> Recording:
     return gantline.simulate(SCENARIO)
+
+
+@pytest.mark.parametrize("promise", PROMISES)
+def test_what_every_scenario_promises(promise: Promise, pile: Recording, tmp_path: Path) -> None:
+    """Metrics within the tolerance of their source; its balance closes; and saved, it says the same."""
+    promise(ROOT / "scenarios" / "monopile", pile, tmp_path)
 
 
 def held(recording: Recording, step: str, last: float = 45.0) -> np.ndarray:

@@ -13,6 +13,8 @@ from gantline.checks import check_recording, has_failed, hold_points, hook_readi
 from gantline.plot.moments import stages
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
+from promises import PROMISES, Promise
+from shown import ROOT
 
 SCENARIO = Path(__file__).parents[2] / "scenarios" / "upending"
 #: Slings C and D lean by 1.2 m over their 13 m, at any tilt, while falls are plumb.
@@ -22,6 +24,12 @@ UPRIGHT = math.sqrt(1.0 - (1.2 / 13.0) ** 2)
 @pytest.fixture(scope="module")
 def upended() -> Recording:
     return gantline.simulate(SCENARIO)
+
+
+@pytest.mark.parametrize("promise", PROMISES)
+def test_what_every_scenario_promises(promise: Promise, upended: Recording, tmp_path: Path) -> None:
+    """Metrics within the tolerance of their source; its balance closes; and saved, it says the same."""
+    promise(ROOT / "scenarios" / "upending", upended, tmp_path)
 
 
 def _during(recording: Recording, first: str, last: str) -> tuple[float, float]:
