@@ -46,7 +46,7 @@ def test_conditions_in_words(scenario: str, step: str, words: str) -> None:
             {"mooring_tension": {"line": "bow.ps", "above": "200 kN"}},
             "tension of bow.ps above 200 kN",
         ),
-        ({"hoist_load": {"hook": "H1", "above": "1.25 MN"}}, "hoist load of H1 above 1.25 MN"),
+        ({"hoist_load": {"hook": "H1", "above": "1.25 MN"}}, "hoist load of H1 above 1250 kN"),
     ],
 )
 def test_further_conditions(until: dict[str, Any], words: str) -> None:
