@@ -116,6 +116,11 @@ def test_statics_says_what_holds_the_barge() -> None:
     assert any(said in line for line in vessels_at_rest(question, question.equilibrium()))
     held = vessels_at_rest(question, question.equilibrium(losses="held"))
     assert not any(said in line for line in held)
+    (found,) = checks_of(question.equilibrium().recording, "metacentric_height")
+    assert found.verdict is Verdict.WARNING
+    assert "box, partly lifted, holds its crane to what it stands on" in found.remark
+    (found,) = checks_of(question.equilibrium(losses="held").recording, "metacentric_height")
+    assert found.verdict is Verdict.OK
     loaded = by_hand((BARGE, BARGE_AT), (LOAD, LOAD_AT))
     (row,) = [line for line in held if line.startswith("  barge") and line.count(" m") == 2]
     assert float(row.split()[1]) == pytest.approx(loaded, abs=0.05)

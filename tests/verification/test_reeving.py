@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from gantline.assembly import assemble
 from gantline.checks import check_recording
 from gantline.results.recording import Recording
 from gantline.scenario import ScenarioError, parse_scenario
@@ -272,3 +273,40 @@ def test_a_drum_without_room_is_refused() -> None:
     drum = "layers: 2, wraps_per_layer: 10, wraps_at_start: 28, rotating_mass: 500 kg"
     with pytest.raises(ScenarioError, match="28 wraps do not go on a drum that has room for 20"):
         lift([2], "  - {{step: wait, hold: 1 s}}", drum=drum)
+
+
+@pytest.mark.parametrize("efficiency", [1.0, 0.98, 0.95])
+def test_a_hook_block_comes_down_as_long_as_it_pulls_its_lead_lines(efficiency: float) -> None:
+    """(WI6), K → 1: W = p m g l. One that is just short enough is silent."""
+    ropes, parts, metre = 2, 10, 8.0
+    ratio = 1.0 / efficiency
+    share = sum(ratio**part for part in range(1, parts + 1))
+    longest = HOOK_BLOCK / (ropes * share * metre)
+    if efficiency < 1.0:
+        assert share == pytest.approx(ratio * (ratio**parts - 1.0) / (ratio - 1.0), rel=1e-12)
+
+    def told(length: float) -> list[str]:
+        crane = CRANE.format(
+            name="h10",
+            x=0,
+            parts=parts,
+            ropes=ropes,
+            drum="rotating_mass: 500 kg",
+            motor="",
+            sheaves=f"sheaves: {{efficiency: {efficiency}}}, lead_line: {length:.6f} m, ",
+        )
+        text = LIFT.format(
+            duration=1,
+            stiffness=1e4,
+            tolerance=1.0,
+            cranes=crane,
+            bodies=BODY.format(name="h10"),
+            plan="  - {step: wait, hold: 1 s}",
+        ).replace("mass: none", f"mass: {metre} kg/m")
+        return [one for one in assemble(parse_scenario(text)).warnings if "does not come down" in one]
+
+    assert told(0.999 * longest) == []
+    (said,) = told(1.1 * longest)
+    pulled = HOOK_BLOCK * G / ropes / share
+    assert f"lowered, it pulls {pulled / 1e3:.2f} kN on each lead line" in said
+    assert "one of 6.6 t does" in said

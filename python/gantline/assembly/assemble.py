@@ -38,6 +38,7 @@ from gantline.assembly.doubts.guides import GuideFit, doubtful_guides, guide_fit
 from gantline.assembly.doubts.heading import doubtful_heading
 from gantline.assembly.doubts.heights import doubtful_heights
 from gantline.assembly.doubts.hinges import doubtful_hinges
+from gantline.assembly.doubts.hook_blocks import doubtful_hook_blocks
 from gantline.assembly.doubts.lead import doubtful_lead
 from gantline.assembly.doubts.lee import doubtful_lee
 from gantline.assembly.doubts.levels import doubtful_levels
@@ -263,6 +264,7 @@ def _doubts(
         *doubtful_lee(parts, scenario),
         *doubtful_carried(parts, scenario),
         *doubtful_heights(scenario),
+        *doubtful_hook_blocks(scenario),
         *doubtful_ways(parts, scenario),
         *doubtful_tilts(scenario, rigging, lifted),
         *doubtful_stops(scenario),

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.measure import Finding, Found, Missing, Refused, extreme, to_either_side
+from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme, to_either_side
+from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 from gantline.units import format_quantity
@@ -50,12 +51,28 @@ def metacentric_height(recording: Recording, during: BoolArray) -> Iterator[Find
     for vessel in known:
         time, height, _ = min(vessel.righting, key=lambda one: one[1])
         yield Found(height, vessel.name, time)
+    if known and recording.is_equilibrium:
+        yield from _held_by_their_slings(recording)
     for vessel in recording.rig.vessels:
         if vessel.is_carried:
             yield Missing(vessel.name, "it moves by 'wave_motion', whatever rights it")
         elif vessel not in known:
             yield Missing(
                 vessel.name, "what rights it is known where a run begins at rest, a step ends or it has ended"
+            )
+
+
+def _held_by_their_slings(recording: Recording) -> Iterator[Caution]:
+    """Loads that press against what floats or moves while slings carry a part of them: GM is of both then.
+
+    A run asks what rights its vessels with friction too, and takes the least.
+    """
+    for load in recording.rig.loads:
+        presses = any(recording.column("contact_force", contact)[-1] > 0.0 for contact in load.meets)
+        if presses and series.ends_partly_lifted(recording, load):
+            yield Caution(
+                f"{load.name}, partly lifted, holds its crane to what it stands on: set down with slack "
+                "slings it may leave less; '--held' and a run say how much"
             )
 
 

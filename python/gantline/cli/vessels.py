@@ -13,7 +13,7 @@ from gantline.results.afloat.vessels import AS_CARRIED
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.rotation import heading
-from gantline.results.series import load_is_clear, mean_over
+from gantline.results.series import ends_partly_lifted, load_is_clear, mean_over
 from gantline.units import format_quantity
 
 if TYPE_CHECKING:
@@ -23,8 +23,6 @@ if TYPE_CHECKING:
 #: A vessel that lies nearer, and turned by less, is where the lift file has it [m, rad].
 _NEAR = 0.005
 _TURNED = math.radians(0.005)
-#: Share of a load's weight that a crane carries, above rounding [1].
-_CARRIED = 1e-3
 #: What bears a load and does not move.
 _ASHORE = "what does not move"
 #: Of a vessel at the end: variable, title, unit, decimals.
@@ -97,11 +95,10 @@ def held_elsewhere(question: Statics, found: Iterable[tuple[Equilibrium, Collect
         if not vessels_told:
             continue
         for load in rest.recording.rig.loads:
-            carried = float(rest.recording.column("load_transferred", load.name)[-1])
             if load_is_clear(rest.recording, load)[-1]:
                 continue
             on = _stood_on(question, rest.recording, load)
-            if carried > _CARRIED:
+            if ends_partly_lifted(rest.recording, load):
                 known.add(f"{load.name}, partly lifted, holds its crane to what it stands on")
             elif len(on) > 1 and not on.isdisjoint(vessels_told):
                 known.add(f"{load.name} stands on {' and '.join(sorted(on))}, and holds one to the other")

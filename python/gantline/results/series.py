@@ -36,6 +36,7 @@ from gantline.results.rotation import axes, heading, tilt
 from gantline.results.variable import BoolArray, FloatArray
 
 _SHORTEST_QUIET = 5.0  # s
+_CARRIED = 1e-3  # of the weight of a load, above rounding
 _CARRIED_MORE = 1.001  # from which share of the last static value an earlier one counts in its place
 _CARRYING_FROM = 0.01  # of the largest tension
 _LOADED = 0.05  # of the most that the slings of an equalizer carry together
@@ -76,6 +77,12 @@ def load_is_clear(recording: Recording, load: Load) -> BoolArray:
     """Samples at which nothing supports a load, shape (time,)."""
     clear: BoolArray = support_force(recording, load) <= 0.0
     return clear
+
+
+def ends_partly_lifted(recording: Recording, load: Load) -> bool:
+    """Whether at the last sample supports bear a load, and hooks some of it."""
+    carried = float(recording.column("load_transferred", load.name)[-1])
+    return carried > _CARRIED and not load_is_clear(recording, load)[-1]
 
 
 def is_clear(recording: Recording) -> BoolArray:
