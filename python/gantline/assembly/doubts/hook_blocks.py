@@ -26,9 +26,10 @@ def doubtful_hook_blocks(scenario: Scenario) -> Iterator[Doubt]:
         if pulls < hangs:
             pull, weight = format_quantity(pulls, "kN", 2), format_quantity(hangs, "kN", 2)
             enough = format_quantity(hook.hook_block.mass * hangs / pulls, "t", 1)
+            length = format_quantity(reeving.lead_line, "m", 1)
             sentence = (
                 f"without a load the hook block of {hook.name} does not come down: lowered, it pulls {pull} "
-                f"on each lead line, and {format_quantity(reeving.lead_line, 'm', 1)} of rope down to the drum "
-                f"weigh {weight}; one of {enough} does, or more weight at the hook"
+                f"on each lead line, and {length} of rope down to the drum weigh {weight}; one of {enough} "
+                "does, or more weight at the hook"
             )
             yield Doubt((*hook.hook.paths["reeving"], "lead_line"), sentence)
