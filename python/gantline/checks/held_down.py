@@ -41,8 +41,7 @@ def held_down(recording: Recording) -> list[Check]:
         worst = int(np.argmax(share))
         if share[worst] <= _HELD:
             continue
-        force = format_quantity(float(share[worst] * weight[worst]), "kN", 1)
-        with_ = f"with {force}, {format_quantity(float(share[worst]), '%', 0)} of its weight"
+        with_ = _with(share[worst], weight[worst])
         time, where = None, ""
         if not recording.is_equilibrium:
             time = float(recording.time[np.argmax(share > _HELD)])
@@ -83,23 +82,13 @@ def tied_down(recording: Recording) -> list[Check]:
             continue
         ropes = [rope for rope, pull in pulls.items() if pull[worst] > 0.0]
         to = named(load.tied_to[rope].replace(_WORLD, f"the {_WORLD}") for rope in ropes)
-        force = float(share[worst] * series.load_weight(recording, load)[worst])
+        with_ = _with(share[worst], series.load_weight(recording, load)[worst])
         remark = (
-            f"tied to {to} by {named(ropes)}: that holds it down with {format_quantity(force, 'kN', 1)}, "
-            f"{format_quantity(float(share[worst]), '%', 0)} of its weight, while it hangs, and its hooks "
+            f"tied to {to} by {named(ropes)}: that holds it down {with_}, while it hangs, and its hooks "
             "pull so much more than it weighs; 'cut' of a step lets go of a lashing, and a rope that is "
             "meant to hold a load down ends on a drum"
         )
-        checks.append(
-            Check(
-                "let_go_below",
-                Verdict.FAILED,
-                "nothing ties down a load that is hoisted",
-                element=load.name,
-                time=None if recording.is_equilibrium else float(recording.time[worst]),
-                remark=remark,
-            )
-        )
+        checks.append(_not_let_go(recording, load, worst, remark))
     return checks
 
 
@@ -131,22 +120,24 @@ def shut_in(recording: Recording) -> list[Check]:
         if share[worst] <= _HELD:
             continue
         remark = (
-            f"{hinge.name} is shut and holds it down with "
-            f"{format_quantity(float(share[worst] * weight[worst]), 'kN', 1)}, "
-            f"{format_quantity(float(share[worst]), '%', 0)} of its weight, and its hooks pull so much more "
-            "than it takes: 'open_hinges' of a step lets it go, once the hinge bears next to nothing"
+            f"{hinge.name} is shut and holds it down {_with(share[worst], weight[worst])}, and its hooks "
+            "pull so much more than it takes: 'open_hinges' of a step lets it go, once the hinge bears next "
+            "to nothing"
         )
-        checks.append(
-            Check(
-                "let_go_below",
-                Verdict.FAILED,
-                "nothing ties down a load that is hoisted",
-                element=load.name,
-                time=None if recording.is_equilibrium else float(recording.time[worst]),
-                remark=remark,
-            )
-        )
+        checks.append(_not_let_go(recording, load, worst, remark))
     return checks
+
+
+def _with(share: float, weight: float) -> str:
+    """With what a load is held down, this share [1] of its weight [N]."""
+    return f"with {format_quantity(share * weight, 'kN', 1)}, {format_quantity(share, '%', 0)} of its weight"
+
+
+def _not_let_go(recording: Recording, load: Load, worst: int, remark: str) -> Check:
+    """The failure of a load that is tied down most at this sample."""
+    time = None if recording.is_equilibrium else float(recording.time[worst])
+    meaning = "nothing ties down a load that is hoisted"
+    return Check("let_go_below", Verdict.FAILED, meaning, element=load.name, time=time, remark=remark)
 
 
 def _is_lifted_beyond(recording: Recording, hinge: Hinge, load: Load) -> BoolArray:
