@@ -79,6 +79,13 @@ pub struct Bearing {
 }
 
 impl Bearing {
+    /// Begins with the multiplier that it had at the equilibrium `before`, and as stiff as that was found.
+    pub fn go_on_from(&mut self, before: &Self) {
+        if self.is_rigid && self.part != Part::Off && before.part != Part::Off {
+            (self.offset, self.compliance) = (before.offset, before.compliance);
+        }
+    }
+
     /// Once its multiplier is about right, a row without compliance can be stiffer: the next one is closer. One that holds
     /// against ropes of the stiffness k, `beside` [N/m], leaves εk/(1 + εk) of what it lacks: it has to be stiffer than they.
     pub fn stiffen(&mut self, beside: f64) {

@@ -105,7 +105,7 @@ impl Pace {
 }
 
 /// By how much a bound that has been taken as `known` is wrong [N], where it holds `force`.
-fn wrong(known: f64, wanted: f64, force: f64) -> f64 {
+pub(super) fn wrong(known: f64, wanted: f64, force: f64) -> f64 {
     if force.abs() < WELL_WITHIN * known.min(wanted) { 0.0 } else { (wanted - known).abs() }
 }
 

@@ -175,6 +175,9 @@ impl Statics {
         self.is_found = false;
         self.sliding.clear();
         let before = std::mem::replace(&mut self.bearings, bearings(system, state, losses));
+        for (bearing, before) in self.bearings.iter_mut().zip(&before) {
+            bearing.go_on_from(before);
+        }
         self.hold_as(system, &before);
         self.hold_motors(system, state);
         self.pace.begin(system.friction.len());

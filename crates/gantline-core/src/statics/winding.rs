@@ -13,6 +13,7 @@
 //! second order in the change of the strain; |ΔW (1/(1 + ε₁) − 1/(1 + ε₀))| says how short a part has to be.
 
 use super::bearing::{Part, capacity};
+use super::friction::wrong;
 use super::losses::Losses;
 use super::search::{BALANCED, Stuck};
 use super::{NoEquilibrium, Rest, Statics};
@@ -98,8 +99,9 @@ impl Statics {
     }
 
     /// Drums give way where their rims see what motors and brakes can hold: ρ T, of which the gradients of rows have
-    /// T (1 + ε/2) ρ/(1 + ε_d). The largest change, relative to what they hold. That jumps at the joint of two pieces of
-    /// rope, where a search gets no further if it began with what belongs to neither: the piece counts to which it gives way.
+    /// T (1 + ε/2) ρ/(1 + ε_d). The largest change, relative to what they hold, of those that do not hold well within it.
+    /// That jumps at the joint of two pieces of rope, where a search gets no further if it began with what belongs to
+    /// neither: the piece counts to which it gives way.
     pub(super) fn follow_drums(&mut self, system: &System, state: &State) -> f64 {
         let here = &self.search.here;
         let mut most = 0.0_f64;
@@ -132,7 +134,7 @@ impl Statics {
             });
             let rows: f64 = pulls.sum();
             let wanted = if rim == 0.0 { whole } else { whole * rows / rim };
-            most = most.max((wanted - *known).abs() / whole.max(f64::MIN_POSITIVE));
+            most = most.max(wrong(*known, wanted, here.tension[row]) / whole.max(f64::MIN_POSITIVE));
             *known = wanted;
         }
         most
