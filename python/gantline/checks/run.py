@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gantline.checks.check import ALL_KNOWN, Check, Verdict
+from gantline.checks.check import ALL_KNOWN, PARTED, Check, Verdict
 from gantline.checks.crawlers import left_ground, out_of_level
 from gantline.checks.drums import turns_left
 from gantline.checks.ends import about_end_of_step, one_sample, second_half_of_hold
@@ -428,7 +428,7 @@ def _would_part(recording: Recording) -> list[Check]:
         if rope.breaks_at is not None and carries >= rope.breaks_at:
             found.append(
                 Check(
-                    "rope_parted",
+                    PARTED,
                     Verdict.FAILED,
                     "a rope was cut or broke",
                     element=rope.name,
