@@ -33,7 +33,7 @@ def test_what_parted_leads_in_any_order() -> None:
 
 
 def test_in_a_sea() -> None:
-    """Half in the water a column of 981 kN weighs some 780 kN; in waves more and less. It breaks from 800 kN on."""
+    """Half in the water a column of 981 kN weighs some 780 kN, in waves more and less: 800 kN break it."""
     assert 780e3 < 800e3 < MASS * G
     breaks = ("damping_time: 20 ms", "damping_time: 20 ms, minimum_breaking_force: 800 kN, breaks_at: 800 kN")
     found = run_seas(parse_scenario(changed(column(least="20 kN"), breaks)), heights=[2.0], periods=[6.0])
