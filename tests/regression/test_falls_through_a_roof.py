@@ -2,7 +2,8 @@
 
 Slings were looked at where they go through structures and hulls; what hangs above the hook was not, nor was
 what holds the load's heading, though nothing in a run holds any of them off. The beam would have been in
-the way of the falls from the first minute, and the tag line would have bent about the column.
+the way of the falls from the first minute, and the tag line would have bent about the column. So it was with
+falls and slings of one crane through the boom of another.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from gantline.statics import Statics
+from lift_text import changed
 from of_recording import checks_of
 
 #: Along x: where the falls hang plumb, from the crane's slewing axis at its radius, and half the load [m].
@@ -98,3 +100,45 @@ WATCHED = "watch: [{between: [ropes, beam], smallest: 0 m}, {between: [tag.east,
 def test_nothing_is_said(beam: float, aside: float, more: str) -> None:
     """Falls are 0.7 m broad, and the beam ends 1.5 m beside their middle."""
     assert told(simulate(parse_scenario(lift(beam, aside, more)))) == {}
+
+
+def beside(hook: float = 10.0, length: float = 7.2) -> str:
+    """A second crane to starboard, its boom along y, over the load and through what hangs there.
+
+    Its head is 30 m before its slewing axis, which is 24 m to starboard.
+    """
+    luffed = MASSES.replace("radius: 16 m", "radius: 30 m")
+    second = f"""\
+  c2:
+    type: crawler
+    position: [{FALLS} m, -24 m]
+    heading: 90 deg
+    slew: 0 deg
+    tracks: {{length: 9 m, width: 1.5 m, gauge: 8.4 m, mats: 6 m}}
+{luffed}    hooks: {{H: {{type: H, height: 20 m}}}}
+tag_lines:
+"""
+    return changed(
+        lift(FALLS - 2.0, 3.0),
+        ("tag_lines:\n", second),
+        ("height: 10 m", f"height: {hook} m"),
+        ("cube.A, rope: sling, length: 7.2 m", f"cube.A, rope: sling, length: {length} m"),
+        ("cube.B, rope: sling, length: 7.2 m", f"cube.B, rope: sling, length: {length} m"),
+    )
+
+
+def test_falls_through_the_boom_of_another_crane() -> None:
+    """Heel pins 2.5 m high and 1.6 m before the axis: the boom is there 22.4 m of 28.4 m on its way out."""
+    high = 2.5 + 22.4 / 28.4 * (63.0**2 - 28.4**2) ** 0.5
+    assert high == pytest.approx(46.9, abs=0.05), "below the other's head, 63 m, and over its hook"
+    found = told(simulate(parse_scenario(beside())))
+    assert sorted(found) == ["hoist.c1.H.1"]
+    assert "through 'c2.boom'" in found["hoist.c1.H.1"].remark
+
+
+def test_slings_through_the_boom_of_another_crane() -> None:
+    """50 m long they lead through it from a hook over it, 53 m high."""
+    recording = simulate(parse_scenario(beside(53.0, 50.2)))
+    assert told(recording) == {}
+    (found,) = checks_of(recording, "sling_outside_structures")
+    assert found.remark.startswith("A, B through 'c2.boom'")

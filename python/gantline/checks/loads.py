@@ -186,14 +186,14 @@ def bent_over_edges(recording: Recording) -> list[Check]:
 
 
 def run_through_structures(recording: Recording) -> list[Check]:
-    """A warning for each structure or hull that slings which carry run through."""
-    meaning = "slings that carry stay outside of structures and hulls as drawn"
+    """A warning for each structure, hull or boom that slings which carry run through."""
+    meaning = "slings that carry stay outside of structures, hulls and booms of other cranes as drawn"
     return _through(slings_through_structures(recording), "sling_outside_structures", meaning)
 
 
 def lines_run_through(recording: Recording) -> list[Check]:
-    """A warning for each load, structure or hull that falls and tag lines which carry run through."""
-    meaning = "falls and tag lines that carry stay outside of loads, structures and hulls as drawn"
+    """A warning for each load, structure, hull or boom that falls and tag lines which carry run through."""
+    meaning = "falls and tag lines that carry stay outside of loads, structures, hulls and booms as drawn"
     return _through(lines_through(recording), "falls_and_lines_outside", meaning)
 
 

@@ -5,7 +5,7 @@ No simulation holds them off.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -61,6 +61,32 @@ class Through:
 
 
 @dataclass(frozen=True)
+class _Line:
+    """A rope by what it is called, and the crane by which it hangs; empty of none."""
+
+    name: str
+    rope: str
+    crane: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class _Thing:
+    """What ropes may run through, as drawn.
+
+    Attributes:
+        name: Its name.
+        body: The body that has the axes of its triangles; None for those of the world.
+        skin: Triangles, shape (n, 3, 3) [m].
+        crane: Of a boom, the crane whose own ropes run beside it; empty of anything else.
+    """
+
+    name: str
+    body: str | None
+    skin: FloatArray
+    crane: str = ""
+
+
+@dataclass(frozen=True)
 class OverEdge:
     """A sling that carries, and goes over an edge of its load within 1 m of its lug.
 
@@ -97,33 +123,28 @@ def slings_through_loads(recording: Recording) -> list[Through]:
 
 
 def slings_through_structures(recording: Recording) -> list[Through]:
-    """Slings that carry and go through a structure or a hull, as drawn, more than 1 m from their ends.
+    """Slings that carry and go through a structure, a hull or another crane's boom, as drawn.
 
-    Those whose distance to it the lift file watches are judged by that.
+    More than 1 m from their ends. Those whose distance to it the lift file watches are judged by that.
     """
-    slings = {sling.name: sling.rope for sling in recording.rig.slings}
-    return [
-        one
-        for thing, (body, skin) in _skins(recording).items()
-        for one in _ropes_through(recording, slings, thing, body, skin)
-    ]
+    rig = recording.rig
+    cranes = {hook.name: hook.crane for hook in rig.hooks}
+    slings = [_Line(one.name, one.rope, cranes.get(rig.hook_of(one) or "", "")) for one in rig.slings]
+    return [one for thing in _things(recording) for one in _ropes_through(recording, slings, thing)]
 
 
 def lines_through(recording: Recording) -> list[Through]:
-    """Falls and tag lines that carry and go through a load, a structure or a hull, as drawn.
+    """Falls and tag lines that carry and go through load, structure, hull or another crane's boom, as drawn.
 
     More than 1 m from their ends. Those whose distance to it the lift file watches are judged by that.
     Mooring lines lie over the edges of quays and decks as a rule, so nothing is said of these.
     """
     rig = recording.rig
-    falls = {rope: rope for hook in rig.hooks for fall in hook.falls for rope in [fall.rpartition("/")[0]]}
-    lines = falls | {line.rope: line.rope for line in rig.tag_lines}
-    loads = {load.name: (load.body, skin) for load, skin in _loads(recording)}
-    return [
-        one
-        for thing, (body, skin) in {**_skins(recording), **loads}.items()
-        for one in _ropes_through(recording, lines, thing, body, skin)
-    ]
+    falls = {fall.rpartition("/")[0]: hook.crane for hook in rig.hooks for fall in hook.falls}
+    lines = [_Line(rope, rope, crane) for rope, crane in falls.items()]
+    lines += [_Line(line.rope, line.rope) for line in rig.tag_lines]
+    things = [*_things(recording), *(_Thing(load.name, load.body, skin) for load, skin in _loads(recording))]
+    return [one for thing in things for one in _ropes_through(recording, lines, thing)]
 
 
 def slings_over_edges(recording: Recording) -> list[OverEdge]:
@@ -182,31 +203,29 @@ def _loads(recording: Recording) -> Iterator[tuple[Load, FloatArray]]:
         yield load, skin_of(bodies.get(load.body))
 
 
-def _skins(recording: Recording) -> dict[str, tuple[str | None, FloatArray]]:
-    """Structures and hulls as drawn: the body that has the axes of the triangles, None for the world's."""
-    scene = recording.attributes.get("scene") or {}
-    skins: dict[str, tuple[str | None, FloatArray]] = {
-        one.name: (None, one.boxes.reshape(-1, 3)[box_faces(len(one.boxes))])
-        for one in structures_of(recording)
-        if one.kind == "structure"
-    }
-    hulls = [body for body in scene.get("bodies") or () if body["kind"] == "hull"]
-    return skins | {body["name"]: (body["name"], skin_of(body)) for body in hulls}
+def _things(recording: Recording) -> Iterator[_Thing]:
+    """Structures, hulls and booms."""
+    for one in structures_of(recording):
+        if one.kind == "structure":
+            yield _Thing(one.name, None, one.boxes.reshape(-1, 3)[box_faces(len(one.boxes))])
+    booms = {boom.boom: boom.name for boom in recording.rig.booms}
+    for body in (recording.attributes.get("scene") or {}).get("bodies") or ():
+        if body["kind"] == "hull" or body["name"] in booms:
+            yield _Thing(body["name"], body["name"], skin_of(body), booms.get(body["name"], ""))
 
 
-def _ropes_through(
-    recording: Recording, ropes: Mapping[str, str], thing: str, body: str | None, skin: FloatArray
-) -> Iterator[Through]:
-    """Which ropes, by what they are called, go through a skin while they carry."""
-    for name, rope in ropes.items() if len(skin) else ():
-        if _is_watched(recording, thing, rope):
+def _ropes_through(recording: Recording, ropes: Sequence[_Line], thing: _Thing) -> Iterator[Through]:
+    """Which ropes go through a thing while they carry; of a boom not those of its crane."""
+    for line in ropes if len(thing.skin) else ():
+        is_own = bool(thing.crane) and line.crane == thing.crane
+        if is_own or _is_watched(recording, thing.name, line.rope):
             continue
-        picked = _looks(recording, rope)
-        points, _ = _along(recording, rope, picked, body)
-        look, apart = _through(points, skin)
+        picked = _looks(recording, line.rope)
+        points, _ = _along(recording, line.rope, picked, thing.body)
+        look, apart = _through(points, thing.skin)
         if len(look):
             at = float(apart[look == look[0]].max())
-            yield Through(name, thing, float(recording.time[picked[look[0]]]), at)
+            yield Through(line.name, thing.name, float(recording.time[picked[look[0]]]), at)
 
 
 def _depths(places: FloatArray, skin: FloatArray) -> FloatArray:
@@ -230,7 +249,9 @@ def _depths(places: FloatArray, skin: FloatArray) -> FloatArray:
 def _is_watched(recording: Recording, thing: str, rope: str) -> bool:
     names = {rope, "slings", "ropes"}
     pairs = [set(watch.between) for watch in recording.rig.watches if watch.is_whole_lift]
-    return any(thing in pair and not names.isdisjoint(pair) for pair in pairs)
+    # A name stands for everything whose name goes on after it with a dot.
+    is_thing = [any(thing == one or thing.startswith(f"{one}.") for one in pair) for pair in pairs]
+    return any(is_it and not names.isdisjoint(pair) for is_it, pair in zip(is_thing, pairs, strict=True))
 
 
 def _first_seen(
