@@ -45,6 +45,7 @@ from gantline.assembly.doubts.levels import doubtful_levels
 from gantline.assembly.doubts.masses import doubtful_masses
 from gantline.assembly.doubts.rails import doubtful_rails
 from gantline.assembly.doubts.ratings import doubtful_ratings
+from gantline.assembly.doubts.reach import doubtful_reach
 from gantline.assembly.doubts.sheaves import doubtful_sheaves
 from gantline.assembly.doubts.stops import doubtful_stops
 from gantline.assembly.doubts.strength import doubtful_strength
@@ -284,6 +285,7 @@ def _doubts(
         *doubtful_following(scenario, rigging, lifted),
         *doubtful_hinges(parts, scenario, rigging, lifted),
         *doubtful_beside(parts, scenario, rigging, lifted),
+        *doubtful_reach(parts, scenario, rigging, lifted),
     )
 
 

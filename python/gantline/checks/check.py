@@ -14,6 +14,8 @@ from gantline.units import format_quantity, length_digits, telling_digits
 #: Checks that a run got through its plan, that it lifted what it should, and that nothing of it is lost.
 PLAN_FINISHED, LOAD_LIFTED, ALL_KNOWN = "plan_finished", "load_lifted", "all_known"
 HANGS_STILL = "hangs_still"
+#: The check that fails of each rope that was cut or broke.
+PARTED = "rope_parted"
 #: Checks that hold what hooks, slings, shackles and lugs bear against what they may bear.
 _STRENGTHS = frozenset(
     {
@@ -197,15 +199,16 @@ def verdict_of(checks: Sequence[Check]) -> str:
 def governing(checks: Sequence[Check]) -> Check | None:
     """The check that uses most of its limit, of those alike the first; None where there is none with a limit.
 
-    One that failed without a number comes before all others.
+    One that failed without a number comes before all others, and before these a rope that parted: others hang
+    slack, tilt and fall by that.
     """
-    share = {
-        index: math.inf if check.utilisation is None else check.utilisation
-        for index, check in enumerate(checks)
+    known = [
+        check
+        for check in checks
         if check.verdict is Verdict.FAILED or (check.utilisation is not None and _is_done(check))
-    }
-    index = first_largest(share, lambda index: share[index])
-    return None if index is None else checks[index]
+    ]
+    parted = [check for check in known if check.name == PARTED]
+    return first_largest(parted or known, _share)
 
 
 def past_limits(checks: Sequence[Check]) -> list[Check]:
@@ -242,13 +245,21 @@ def _is_done(check: Check) -> bool:
     return check.verdict is not Verdict.NOT_CHECKED
 
 
-def foremost(checks: Sequence[Check]) -> list[Check]:
-    """Of checks of one name the one that uses most of its limit, most first; those without a number lead."""
+def _share(check: Check) -> float:
+    """The share of its limit that a check uses [1]; infinite of one without a number."""
+    return math.inf if check.utilisation is None else check.utilisation
 
-    def used(check: Check) -> float:
-        share = math.inf if check.utilisation is None else check.utilisation
+
+def foremost(checks: Sequence[Check]) -> list[Check]:
+    """Of checks of one name the one that uses most of its limit, most first; those without a number lead.
+
+    What parted leads these.
+    """
+
+    def used(check: Check) -> tuple[bool, float]:
+        share = _share(check)
         # Of shares that are one but for rounding the first leads.
-        return round(share / ROUNDING) if math.isfinite(share) else share
+        return check.name == PARTED, round(share / ROUNDING) if math.isfinite(share) else share
 
     worst: dict[str, Check] = {}
     for check in sorted(checks, key=used, reverse=True):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +12,14 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.lugs import BEARS
 from gantline.checks.measure import Caution, Finding, Missing, extreme, named
 from gantline.results import series
-from gantline.results.loads.through import Through, slings_through_loads, slings_through_structures
+from gantline.results.loads.through import (
+    OverEdge,
+    Through,
+    lines_through,
+    slings_over_edges,
+    slings_through_loads,
+    slings_through_structures,
+)
 from gantline.results.loads.tilting import loose_tilt
 from gantline.results.loads.upending import is_turned
 from gantline.results.loads.upright import heels_over, top_heavy, unknown_whether_upright
@@ -149,29 +156,58 @@ def run_through(recording: Recording) -> list[Check]:
     checks = []
     for (load, is_inside), found in ways.items():
         worst = max(found, key=lambda one: one.at or 0.0)
-        slings = named(one.sling for one in found)
+        slings = named(one.name for one in found)
         remark = f"{slings} hung from within or below '{load}'"
         if not is_inside:
             remark = f"{slings} through the skin of '{load}', up to {worst.at:.2f} m from their ends"
         meaning = "slings that carry stay outside of the load as drawn"
-        check = Check("sling_outside_load", Verdict.WARNING, meaning, element=worst.sling, time=worst.time)
+        check = Check("sling_outside_load", Verdict.WARNING, meaning, element=worst.name, time=worst.time)
+        checks.append(replace(check, remark=remark))
+    return checks
+
+
+def bent_over_edges(recording: Recording) -> list[Check]:
+    """A warning for each load whose edges slings go over near their lugs."""
+    found: dict[str, list[OverEdge]] = {}
+    for one in slings_over_edges(recording):
+        found.setdefault(one.load, []).append(one)
+    checks = []
+    for load, those in found.items():
+        worst = max(those, key=lambda one: one.deep)
+        remark = (
+            f"{named(one.name for one in those)} over an edge of '{load}': up to {worst.deep:.2f} m deep "
+            f"through it as drawn, out of it {worst.at:.2f} m from the lug; a rope bends about the edge that "
+            "it meets, and no force is reduced for that: stand the lug higher, or lead the sling clear"
+        )
+        meaning = "slings lead from their lugs clear of the load as drawn"
+        check = Check("sling_over_edge", Verdict.WARNING, meaning, element=worst.name, time=worst.time)
         checks.append(replace(check, remark=remark))
     return checks
 
 
 def run_through_structures(recording: Recording) -> list[Check]:
-    """A warning for each structure or hull that slings which carry run through."""
+    """A warning for each structure, hull or boom that slings which carry run through."""
+    meaning = "slings that carry stay outside of structures, hulls and booms of other cranes as drawn"
+    return _through(slings_through_structures(recording), "sling_outside_structures", meaning)
+
+
+def lines_run_through(recording: Recording) -> list[Check]:
+    """A warning for each load, structure, hull or boom that falls and tag lines which carry run through."""
+    meaning = "falls and tag lines that carry stay outside of loads, structures, hulls and booms as drawn"
+    return _through(lines_through(recording), "falls_and_lines_outside", meaning)
+
+
+def _through(every: Iterable[Through], name: str, meaning: str) -> list[Check]:
     ways: dict[str, list[Through]] = {}
-    for one in slings_through_structures(recording):
+    for one in every:
         ways.setdefault(one.thing, []).append(one)
     checks = []
     for thing, found in ways.items():
         worst = max(found, key=lambda one: one.at or 0.0)
         remark = (
-            f"{named(one.sling for one in found)} through '{thing}', up to {worst.at:.2f} m from their ends, "
+            f"{named(one.name for one in found)} through '{thing}', up to {worst.at:.2f} m from their ends, "
             "as if it were not there; a pair under 'watch' takes the place of this"
         )
-        meaning = "slings that carry stay outside of structures and hulls as drawn"
-        check = Check("sling_outside_structures", Verdict.WARNING, meaning, element=worst.sling)
+        check = Check(name, Verdict.WARNING, meaning, element=worst.name)
         checks.append(replace(check, time=worst.time, remark=remark))
     return checks

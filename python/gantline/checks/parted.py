@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from gantline.checks.check import Check, Verdict
+from gantline.checks.check import PARTED, Check, Verdict
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.ropes.parting import PLANNED, Parting, partings
@@ -23,7 +23,7 @@ def parted(recording: Recording) -> Iterator[Check]:
         if parting.kind not in PLANNED:
             carried = f"{parting.kind}, it carried {format_quantity(parting.tension, 'kN', 1)}"
             yield Check(
-                "rope_parted",
+                PARTED,
                 Verdict.FAILED,
                 "a rope was cut or broke",
                 element=parting.rope,

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.results import progress
+from gantline.results import progress, series
 from gantline.results.loads.lift_off import hangs_from_the_start
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
+from gantline.results.ropes.parting import PARTING
 
 __all__ = ["picked_up", "what_helps"]
 
@@ -24,6 +26,15 @@ _BOUNCES = 0.5
 _LOWER = 0.1
 #: Steps that set a load down, and that leave it where it is.
 _LOWERS, _LEAVES = ("lower", "pay_out"), ("hold",)
+#: What drops a load that comes down within a few seconds of it [s], and what helps or tells more.
+_DROPS = 5.0
+_DROPPED: Final = {
+    "pin_pulled": "pins are pulled at {time:.2f} s, and it drops by what they held: pull them as it stands",
+    "cut": "{name} is cut at {time:.2f} s, and it drops: see 'rope_parted'",
+    "broken": "{name} breaks at {time:.2f} s, and it drops: see 'rope_parted'",
+    "detached": "{name} is taken off at {time:.2f} s, and it drops: take it off slack",
+    "hinge_opened": "{name} opens at {time:.2f} s, and it drops: open it with nothing on it",
+}
 #: What helps against that, and what besides where there are waves.
 _MORE_SLACK = "pay out more slack, as soon as it stands"
 _OF_WAVES = ", compensate heave until its slings are off, or wait for less sea"
@@ -87,6 +98,8 @@ def what_helps(recording: Recording, load: Load, time: float) -> str:
     hung = next((one for one in clear if one.end == time), None)
     if hung is not None and hung.landed is not None:
         return "it had been set down, and was picked up again"
+    if (dropped := _dropped(recording, 0.0 if hung is None else hung.begin, time)) is not None:
+        return dropped
     doing = {kinds.get(step) for step in _steps_at(recording, time)}
     if doing - {"hoist", "hold"}:
         return "creep, or a brake before it, is usual"
@@ -99,6 +112,25 @@ def what_helps(recording: Recording, load: Load, time: float) -> str:
             less = ", or wait for less wind"
         return f"it had just lifted off; hoist it off faster{less}"
     return "no step lowers it then; keep it farther away"
+
+
+def _dropped(recording: Recording, begin: float, end: float) -> str | None:
+    """What let a load go that had hung clear since a time and meets something at another [s], in words."""
+    since = max(begin, end - _DROPS)
+    events = [(time, kind, name) for time, kind, name in recording.events() if since <= time < end]
+    slings = {sling.rope for sling in recording.rig.slings}
+    for time, kind, name in reversed(events):
+        if kind in PARTING and (name not in slings or not _carried(recording, name, time)):
+            continue  # it held nothing up
+        if kind in _DROPPED:
+            return _DROPPED[kind].format(name=name, time=time)
+    return None
+
+
+def _carried(recording: Recording, rope: str, time: float) -> bool:
+    """Whether a rope carries at the last sample before a time [s]."""
+    before = max(int(np.searchsorted(recording.time, time, side="left")) - 1, 0)
+    return bool(series.is_carrying(recording.column("rope_tension", rope))[before])
 
 
 def _came_down(clear: list[_Clear], bounce: _Clear) -> float | None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gantline.checks.check import ALL_KNOWN, Check, Verdict
+from gantline.checks.check import ALL_KNOWN, PARTED, Check, Verdict
 from gantline.checks.crawlers import left_ground, out_of_level
 from gantline.checks.drums import turns_left
 from gantline.checks.ends import about_end_of_step, one_sample, second_half_of_hold
@@ -16,7 +16,14 @@ from gantline.checks.equalizers import held_upright
 from gantline.checks.held_down import held_down, shut_in, tied_down
 from gantline.checks.hinges import opened
 from gantline.checks.limits import LIMITS
-from gantline.checks.loads import held_by_tag_lines, on_their_tip, run_through, run_through_structures
+from gantline.checks.loads import (
+    bent_over_edges,
+    held_by_tag_lines,
+    lines_run_through,
+    on_their_tip,
+    run_through,
+    run_through_structures,
+)
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, named
 from gantline.checks.overlaps import run_into
 from gantline.checks.parted import parted
@@ -421,7 +428,7 @@ def _would_part(recording: Recording) -> list[Check]:
         if rope.breaks_at is not None and carries >= rope.breaks_at:
             found.append(
                 Check(
-                    "rope_parted",
+                    PARTED,
                     Verdict.FAILED,
                     "a rope was cut or broke",
                     element=rope.name,
@@ -478,7 +485,9 @@ _BESIDE_LIMITS: tuple[Callable[[Recording], Iterable[Check]], ...] = (
     left_behind,
     never_taut,
     run_through,
+    bent_over_edges,
     run_through_structures,
+    lines_run_through,
     run_into,
     left_ground,
     out_of_level,

@@ -37,7 +37,8 @@ def lose(
     from gantline.results.file.saved import LOST_LOAD
 
     found = _found(question, load, moment, held=held)
-    text = json.dumps(found.to_json(), indent=2, allow_nan=False)
+    numbers = {**found.to_json(), "left_out": question.scenario.left_out_at_rest}
+    text = json.dumps(numbers, indent=2, allow_nan=False)
     if output is not None:
         place = output_folder(output)
         with writing(place):

@@ -73,9 +73,12 @@ def crossings(first: FloatArray, last: FloatArray, skin: FloatArray) -> tuple[Fl
     Returns:
         Points, shape (n, 3) [m], and which line each is on, in order, shape (n,).
     """
-    # Most triangles are far from most lines: pairs whose boxes do not meet are left out.
+    # Most triangles are far from most lines: lines, then pairs whose boxes do not meet are left out.
     low, high = np.minimum(first, last)[:, None], np.maximum(first, last)[:, None]
-    line, face = np.nonzero(((low <= skin.max(axis=1)) & (high >= skin.min(axis=1))).all(axis=-1))
+    least, most = skin.min(axis=1), skin.max(axis=1)
+    near = ((low <= most.max(axis=0)) & (high >= least.min(axis=0))).all(axis=(1, 2)).nonzero()[0]
+    line, face = np.nonzero(((low[near] <= most) & (high[near] >= least)).all(axis=-1))
+    line = near[line]
     start, along, corner = first[line], (last - first)[line], skin[face, 0]
     one, other = skin[face, 1] - corner, skin[face, 2] - corner
     across = np.cross(along, other)

@@ -42,6 +42,8 @@ _TO = 1e-3
 _FARTHEST = 10.0
 #: First shift that is tried [m].
 _FIRST = 0.1
+#: What such a shift turns by more about plumb is not held there [rad].
+_FAR_ROUND = math.radians(30.0)
 #: Of natural motions, as many times those known are asked for where they do not tell how a load tilts.
 _MORE = 4
 
@@ -198,11 +200,18 @@ def _tilting(question: Statics, rest: Equilibrium, modes: Sequence[Mode], load: 
 def _turns_about_plumb(answer: Sensitivity, load: Load, level: Floats) -> bool:
     """Whether a shift along an axis of a load, with so much of it level, sets it turning about plumb.
 
-    Nothing holds that, and the answer has but the direction in which it goes. A load on its tip tilts.
+    Nothing holds that, and the answer has but the direction in which it goes; or next to nothing, so that it
+    is far round before it has an end, tilts along other axes there, and what is told for small shifts is none
+    of it. A load on its tip tilts.
     """
     turn = answer.of_body(load.body)[3:]
-    is_plumb = abs(turn[2]) > float(np.linalg.norm(turn[:2]))
-    return not answer.is_held and is_plumb and float(np.abs(level).max()) > _LEVEL
+    is_held = answer.is_held and abs(turn[2]) * _FIRST < _FAR_ROUND
+    return not is_held and _is_about_plumb(turn) and float(np.abs(level).max()) > _LEVEL
+
+
+def _is_about_plumb(turn: Floats) -> bool:
+    """Whether a turn, world axes (3,), is one about plumb rather than a tilt."""
+    return bool(abs(turn[2]) > np.linalg.norm(turn[:2]))
 
 
 @dataclass(frozen=True)
@@ -284,7 +293,7 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
             return problem.problems[0].sentence.partition(";")[0]
         except NoEquilibriumError as problem:
             return f"no equilibrium: {problem.cause} ({problem.element})"
-        return _trouble(Hanging(question, found), slack)
+        return _trouble(question, Hanging(question, found), slack)
 
     return [_margin(name, partial(trouble, way), farthest) for name, way in _ways(plumb)]
 
@@ -321,11 +330,15 @@ def _margin(direction: str, trouble: Callable[[float], str], farthest: float) ->
     return Margin(direction, good, cause)
 
 
-def _trouble(hanging: Hanging, slack: set[str]) -> str:
-    """What is wrong with how a lift hangs, in words; empty if nothing."""
+def _trouble(question: Statics, hanging: Hanging, slack: set[str]) -> str:
+    """What is wrong with how a lift hangs that was found last, in words; empty if nothing."""
     rest = hanging.rest
     if not rest.is_stable:
-        return "unstable"
+        turns = [one.of_body(hanging.load.body)[3:] for one in question.modes(rest.unstable)]
+        # Nothing holds the heading below one hook: wind that turns it takes nothing from how it tilts.
+        turns_alone = not rest.swinging and all(_is_about_plumb(turn) for turn in turns)
+        if not turns_alone or len(hanging.hooks()) > 1:
+            return "unstable"
     newly = [name for name in hanging.slack() if name not in slack]
     if newly:
         return f"{', '.join(newly)} slack"

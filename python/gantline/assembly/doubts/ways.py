@@ -18,7 +18,7 @@ from gantline.scenario.plan.positions import Places, boom_angles_at_end, places_
 from gantline.scenario.plan.steps import HookStep
 from gantline.units import format_quantity
 
-__all__ = ["doubtful_ways"]
+__all__ = ["doubtful_ways", "top_of"]
 
 #: Rounding of heights that steps add up, and how far below the ground a hook is told [m].
 _ROUNDING, _BELOW = 1e-9, 0.1
@@ -35,7 +35,7 @@ def doubtful_ways(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
         scenario: The lift.
     """
     where: dict[str, Bounds] = {}
-    tops = {name: _top(parts, scenario, hook) for name, hook in scenario.hooks.items()}
+    tops = {name: top_of(parts, scenario, hook) for name, hook in scenario.hooks.items()}
     before_step = places_of_cranes(scenario)
     for place, (step, angles) in enumerate(zip(scenario.plan, boom_angles_at_end(scenario), strict=True)):
         if isinstance(step, LeadStep):
@@ -109,7 +109,7 @@ def _too_high(does: str, height: float, top: float) -> str:
     return f"{does} to {comes} at least, and {there}"
 
 
-def _top(parts: Parts, scenario: Scenario, hook: Hook) -> float | None:
+def top_of(parts: Parts, scenario: Scenario, hook: Hook) -> float | None:
     """Height of a hook at which its sheaves touch those above as at the start [m]; None without reeving."""
     reeving, hook_block = hook.reeving, hook.hook_block
     if reeving is None or hook_block is None:
