@@ -176,8 +176,8 @@ def test_yaw_is_the_turn_about_plumb_whatever_the_tilt() -> None:
     assert recording.metrics()["peak_load_yaw"] == pytest.approx(4.0)
 
 
-def test_a_load_that_stands_on_end_has_no_heading() -> None:
-    recording = ringing_lift(tilt=np.linspace(0.0, math.pi / 2, 2001))
+def test_a_load_that_is_turned_over_has_no_heading() -> None:
+    recording = ringing_lift(tilt=np.linspace(0.0, math.pi, 2001))
     assert series.load_yaw(recording, recording.rig.loads[0]) is None
     assert "peak_load_yaw" not in recording.metrics()
 

@@ -400,6 +400,34 @@ fn a_box_at_rest_neither_sinks_nor_drifts_within_an_hour() {
     assert!((total / 9810.0 - 1.0).abs() < 1e-9, "{total}");
 }
 
+#[test]
+fn a_box_in_a_narrow_pit_does_not_go_through_a_wall() {
+    // Eight places: its four lower corners press on the floor, and walls 0.05 m off its ends have eight corners near.
+    let depth = 1000.0 * 9.81 / 4.0 / 1e8;
+    let (speed, clear) = (0.25, 0.15);
+    let wall =
+        |size: [f64; 3], centre: [f64; 3]| serde_json::json!({"type": "box", "size": size, "centre": centre});
+    let aside = |end: f64| wall([10.0, 1.0, 20.0], [0.0, end * (1.0 + clear + 0.5), 0.0]);
+    let ahead = |end: f64| wall([1.0, 10.0, 20.0], [end * (2.0 + 0.05 + 0.5), 0.0, 0.0]);
+    for (method, duration) in methods().into_iter().flat_map(|method| [(method.clone(), 0.8), (method, 2.0)])
+    {
+        let mut document: serde_json::Value = serde_json::from_str(&on_a_slab(
+            [4.0, 2.0, 3.0],
+            [0.0, 0.0, 1.5 - depth],
+            [0.0, speed, 0.0],
+            0.0,
+        ))
+        .unwrap();
+        let parts = document["shapes"][1]["parts"].as_array_mut().unwrap();
+        parts.extend([aside(1.0), aside(-1.0), ahead(1.0), ahead(-1.0)]);
+        let simulation = run(&document.to_string(), method.clone(), duration);
+        // m v²/2 = k d²/2, if one corner had to stop it all.
+        let farthest = clear + speed * (1000.0_f64 / 1e8).sqrt();
+        let y = simulation.state().q[1];
+        assert!(y.abs() < farthest, "{method} after {duration} s: {y}");
+    }
+}
+
 /// A cylinder of 1000 kg, 1 m in radius and 4 m long, whose axis along y is `height` above a plane on which it lies with its two rims; it
 /// turns about that axis by `spin` [rad/s], and its centre of gravity is `below` the axis.
 fn on_its_rims(gravity: [f64; 3], height: f64, spin: f64, below: f64, friction: f64) -> String {

@@ -62,7 +62,7 @@ def yaw(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     for load in recording.rig.loads:
         turned = series.load_yaw(recording, load)
         if turned is None:
-            yield Missing(load.name, "its own x axis comes near plumb, so that it has no heading")
+            yield Missing(load.name, "it is turned upside down, so that it has no heading")
         else:
             yield from extreme(recording, np.abs(turned), during, load.name)
 

@@ -54,7 +54,7 @@ def never_taut(recording: Recording) -> list[Check]:
 
 
 def _turned(recording: Recording, clear: BoolArray) -> float:
-    """By how much a load changes its heading while it hangs clear [rad]; 0 of one that is upended."""
+    """By how much a load changes its heading while it hangs clear [rad]; 0 of one turned over."""
     yaws = [series.load_yaw(recording, load) for load in recording.rig.loads]
     return max((float(np.ptp(yaw[clear])) for yaw in yaws if yaw is not None and clear.any()), default=0.0)
 

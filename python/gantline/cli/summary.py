@@ -24,6 +24,7 @@ from gantline.results.alike import first_peak
 from gantline.results.loads.drift import load_drift
 from gantline.results.loads.hung_so import has_hung_so
 from gantline.results.loads.lift_off import lift_off_in_words
+from gantline.results.loads.set_down import set_down_in_words
 from gantline.results.loads.upending import is_turned, kept_plumb_in_words, turning_in_words
 from gantline.results.metrics import energy_bound
 from gantline.results.recording import Recording
@@ -140,6 +141,8 @@ def _loads(recording: Recording) -> list[str]:
             ),
             ("height above start", f"{show(rise, 'm', 3)} at the end"),
         ]
+        down = set_down_in_words(recording, load, 2)
+        rows += [] if down is None else [("set down", down)]
     if not rows:
         return []
     rows += kept_plumb_in_words(recording)

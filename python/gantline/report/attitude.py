@@ -12,13 +12,14 @@ from gantline.results.loads.clearances import watched_during
 from gantline.results.loads.drift import load_drift
 from gantline.results.loads.hinges import hinge_force
 from gantline.results.loads.lift_off import lift_off_in_words
+from gantline.results.loads.set_down import set_down_in_words
 from gantline.results.loads.upending import is_turned, kept_plumb_in_words, turning_in_words
 from gantline.results.rig import Load
 from gantline.units import length_digits, telling_digits
 
 
 def attitude(subject: Subject, told: str = "") -> list[tuple[str, str]]:
-    """Wind, lift-off, tilt, yaw, drift, swing and tightest clearance, in words.
+    """Wind, lift-off, tilt, yaw, drift, swing, set-down and tightest clearance, in words.
 
     The tightest clearance is left out where it is that of a pair of which all is `told` elsewhere.
     """
@@ -79,7 +80,8 @@ def _of_load(subject: Subject, load: Load, lift_off: float | None) -> list[tuple
     elif clear.any():
         rows.append(("largest drift when clear", show(float(drift[clear].max()), "m", 3)))
     rows.append(("height gained", show(float(place[-1, 2] - place[0, 2]), "m", 2)))
-    return rows
+    down = set_down_in_words(recording, load, 1)
+    return rows if down is None else [*rows, ("set down", typeset(down))]
 
 
 def _peak(found: tuple[float, float]) -> str:

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from gantline.results.variable import FloatArray
+
+#: Turn about a level axis up to which what remains of an attitude is a turn about plumb [rad].
+_TIPPED = math.radians(160.0)
 
 
 def axes(orientation: FloatArray) -> FloatArray:
@@ -36,6 +41,31 @@ def heading(orientation: FloatArray) -> FloatArray:
     """Angle of a body's own x axis from world x, seen from above, counter-clockwise [rad], shape (...)."""
     forward = axes(orientation)[..., :, 0]
     angle: FloatArray = np.arctan2(forward[..., 1], forward[..., 0])
+    return angle
+
+
+def turn_about_plumb(orientation: FloatArray) -> FloatArray:
+    """How far a body has turned about plumb since its first attitude, counter-clockwise from above.
+
+    Every turn is one about a level axis, the least that brings plumb to where the body then has it, followed
+    by one about plumb. This second one is that of a column which is upended and then turns below its hook,
+    whose own x axis is upright and has no heading.
+
+    Args:
+        orientation: Unit quaternions world from body, shape (time, 4).
+
+    Returns:
+        Angles without jumps [rad], shape (time,); NaN where the turn about the level axis is more than
+        160 degrees: turned upside down, a body may have come there about any axis.
+    """
+    w, x, y, z = np.moveaxis(orientation, -1, 0)
+    w0, x0, y0, z0 = orientation[0]
+    # q conj(q0): its real part and that along plumb, cos and sin of half the turn times cos of half the tip.
+    along = w * w0 + x * x0 + y * y0 + z * z0
+    about = z * w0 - w * z0 - x * y0 + y * x0
+    angle = np.full(len(orientation), np.nan)
+    known = np.hypot(along, about) >= math.cos(_TIPPED / 2)
+    angle[known] = np.unwrap(2.0 * np.arctan2(about[known], along[known]))
     return angle
 
 

@@ -3,7 +3,8 @@
 - *supported force*: sum of the contact forces under a load.
 - *clear*: samples at which no load has a supported force.
 - *carrying*: samples at which a sling has more than 1 % of its largest tension; only then has it an angle.
-- *yaw* of a load: change of its heading from the start, about plumb, counter-clockwise from above positive.
+- *yaw* of a load: change of its heading from the start, about plumb, counter-clockwise from above positive;
+  of one whose x axis comes near plumb, as of a column that is upended, its turn about plumb.
 - *quiet window*: the end of the recording over which static values are means. It begins when the last
   drive has come to rest (if that leaves at least 5 s, else when the loads came clear, or since when no sling
   has been put on and no load turned by more than 10 degrees from where it is at the end) and lasts to the
@@ -32,7 +33,7 @@ from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.ropes.parting import ATTACHED, DETACHED, PARTING, while_there
 from gantline.results.ropes.pinned import PIN_PULLED
-from gantline.results.rotation import axes, heading, tilt
+from gantline.results.rotation import axes, heading, tilt, turn_about_plumb
 from gantline.results.variable import BoolArray, FloatArray
 
 _SHORTEST_QUIET = 5.0  # s
@@ -95,10 +96,12 @@ def is_clear(recording: Recording) -> BoolArray:
 
 
 def load_yaw(recording: Recording, load: Load) -> FloatArray | None:
-    """Yaw of a load [rad], shape (time,); None if its x axis comes near plumb or its attitude is unknown."""
+    """Yaw of a load [rad], shape (time,); None if it is turned upside down or its attitude is unknown."""
     if "body_orientation" not in recording or load.body not in recording.coordinates.get("body", ()):
         return None
     turned = body_heading(recording, load.body)
+    if np.isnan(turned).any():
+        turned = turn_about_plumb(recording.column("body_orientation", load.body))
     if not len(turned) or np.isnan(turned).any():
         return None
     yaw: FloatArray = turned - turned[0]
@@ -221,11 +224,14 @@ def _hung_still(recording: Recording, clear: BoolArray) -> list[BoolArray]:
 
 
 def turned_as_at(recording: Recording, sample: int) -> BoolArray:
-    """Samples at which no load is turned by more than 10 degrees from where it is at one, shape (time,)."""
+    """Samples at which no load is turned by more than 10 degrees from where it is at one, shape (time,).
+
+    What counts is where plumb is in the load: turned about plumb it hangs as it did.
+    """
     alike = np.ones(len(recording.time), dtype=np.bool_)
     for load in recording.rig.loads:
-        upright = axes(recording.column("body_orientation", load.body))[:, :, 2]
-        alike &= upright @ upright[sample] >= math.cos(_TURNED)
+        plumb = axes(recording.column("body_orientation", load.body))[:, 2, :]
+        alike &= plumb @ plumb[sample] >= math.cos(_TURNED)
     return alike
 
 

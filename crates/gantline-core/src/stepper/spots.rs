@@ -133,10 +133,10 @@ fn on_rim(touch: &Touch, kinematics: &Kinematics, plane: &Plane) -> Spot {
     Spot { is_near: true, point, plane: *plane, feature: 1, ..Spot::none() }
 }
 
-/// Gives each meeting of two shapes a spot: its own, that of its place, or a free one, the nearest first; meetings
-/// beyond the number of spots, the farthest, have none. A spot that the shapes no longer name, since their edges
-/// coincide and rounding decides, stays as long as its point is over the face: `holds` says whether a world point belongs
-/// to the first shape, or the second.
+/// Gives each meeting of two shapes a spot: its own, that of its place, a free one, or that of one that is farther and
+/// does not press, the nearest first; meetings beyond the number of spots, the farthest, have none. A spot that the
+/// shapes no longer name, since their edges coincide and rounding decides, stays as long as its point is over the face:
+/// `holds` says whether a world point belongs to the first shape, or the second.
 fn assign(
     poses: [&Pose; 2],
     spots: &mut [Spot],
@@ -179,8 +179,12 @@ fn assign(
     for index in (0..meetings.len()).filter(|&index| !taken[index]) {
         let is_free = |slot: &usize| owner[*slot].is_none() && !kept[*slot];
         let free = (0..spots.len()).filter(is_free).min_by_key(|&slot| spots[slot].is_near);
-        let Some(slot) = free else { break };
-        owner[slot] = Some(index);
+        // Else that of the farthest: a load in a narrow hole has walls on all sides, and comes upon any of them.
+        let gap = |slot: usize| owner[slot].map_or_else(|| spots[slot].gap(poses), |own| meetings[own].gap);
+        let farthest = || (0..spots.len()).max_by(|&a, &b| gap(a).total_cmp(&gap(b)));
+        let gives_way = |slot: &usize| gap(*slot) > meetings[index].gap.max(0.0) + SAME_DEPTH;
+        let Some(slot) = free.or_else(|| farthest().filter(gives_way)) else { break };
+        (owner[slot], kept[slot]) = (Some(index), false);
     }
     for (slot, spot) in spots.iter_mut().enumerate() {
         let gone = if kept[slot] { spot.anew(poses) } else { Spot::none() };
