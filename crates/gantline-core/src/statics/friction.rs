@@ -21,6 +21,9 @@ const LITTLE: f64 = 1e-6;
 const SHARES: [f64; 2] = [1.0 / 4096.0, 3.0];
 const RUNAWAY: f64 = 1.0 / 16.0;
 
+/// A pull that has changed by more of itself is another one, and no strain's doing.
+const SAME_PULL: f64 = 0.02;
+
 /// What a tangential row was taken to hold while its contact pressed [N].
 #[derive(Debug, Clone, Copy)]
 struct Asked {
@@ -109,10 +112,15 @@ pub(super) fn wrong(known: f64, wanted: f64, force: f64) -> f64 {
     if force.abs() < WELL_WITHIN * known.min(wanted) { 0.0 } else { (wanted - known).abs() }
 }
 
+/// Whether this row is a motor that keeps its pull.
+fn keeps_pull(system: &System, row: usize) -> bool {
+    system.motors.iter().any(|&(motor, drive)| motor == row && system.drives[drive].keeps_pull)
+}
+
 impl Statics {
     /// Sheaves begin with what they could hold, or resisted with, at the equilibrium before, if there was one: from there
     /// it takes half the rounds. Under rope that is about slack they hold next to nothing, and begin with all they can: else
-    /// it wanders through them.
+    /// it wanders through them. Motors that keep their pull begin with what that was, which depends on strains a little.
     pub(super) fn hold_as(&mut self, system: &System, before: &[Bearing]) {
         let little = LITTLE * weight(system);
         for ((bearing, before), row) in self.bearings.iter_mut().zip(before).zip(0..) {
@@ -121,6 +129,11 @@ impl Statics {
             match (&mut bearing.part, before.part) {
                 (Part::Resist(known), Part::Resist(then)) if lossy => *known = then,
                 (Part::Hold(known), Part::Hold(then)) if lossy && then > little => *known = then,
+                (Part::Hold(known), Part::Hold(then))
+                    if keeps_pull(system, row) && (then - *known).abs() < SAME_PULL * *known =>
+                {
+                    *known = then;
+                }
                 _ => {}
             }
         }
