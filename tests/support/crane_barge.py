@@ -28,7 +28,7 @@ from scipy.optimize import brentq
 from floating import SEA, box_hull, buoyancy
 from lagrange import Batch
 from mechanics import Floats, G, Json, body, document, end, free, point, rope
-from rigid import across
+from rigid import across, cross
 
 CORNERS = np.array(list(itertools.product((0, 1), repeat=3)))
 SIGNS = (-1.0) ** CORNERS.sum(axis=1)
@@ -63,7 +63,7 @@ def below(up: Batch, level: Batch | float, lowest: Floats, size: Floats, power: 
     inside = depth - CORNERS @ slope
     inside = np.where(inside.real > 0, inside, 0)
     whole = SIGNS @ inside ** (power + 3) / math.factorial(power + 3)
-    return np.asarray(whole / np.prod(slope) * np.prod(size))
+    return np.asarray(whole / math.prod(slope.tolist()) * math.prod(size.tolist()))
 
 
 @dataclass(frozen=True)
@@ -106,8 +106,8 @@ def inertia_of_all(centre: Floats) -> Floats:
 def rotation(q: Floats) -> Floats:
     """Of a quaternion, w first (3, 3)."""
     w, axis = q[0], q[1:]
-    cross = across(axis)
-    return np.asarray(np.eye(3) + 2 * (w * cross + cross @ cross) / (q @ q))
+    about = across(axis)
+    return np.asarray(np.eye(3) + 2 * (w * about + about @ about) / (q @ q))
 
 
 def weight_and_water(
@@ -125,7 +125,7 @@ def weight_and_water(
         return float(total.imag) / TINY
 
     force = np.array([0, 0, -energy(up + 0j, height + 1j * TINY)])
-    moment = [-energy(up - 1j * TINY * np.cross(axis, up), height + 0j) for axis in np.eye(3)]
+    moment = [-energy(up - 1j * TINY * cross(axis, up), height + 0j) for axis in np.eye(3)]
     return force, np.array(moment)
 
 
@@ -146,24 +146,22 @@ def rates(
     turn = rotation(q)
     force, moment = weight_and_water(turn, place[2], centre, mass, tanks)
     force = turn.T @ force
-    flow = u + np.cross(w, DRAG_AT) - turn.T @ STREAM
+    flow = u + cross(w, DRAG_AT) - turn.T @ STREAM
     resistance = -DAMPING @ np.concatenate([flow, w])
     resistance -= QUADRATIC * np.concatenate([np.linalg.norm(flow) * flow, np.abs(w) * w])
     if resists:
         force = force + resistance[:3]
-        moment = moment + resistance[3:] + np.cross(DRAG_AT, resistance[:3])
+        moment = moment + resistance[3:] + cross(DRAG_AT, resistance[:3])
     way = load - place - turn @ TIP
     span = float(np.linalg.norm(way))
-    rate = way @ (speed - turn @ (u + np.cross(w, TIP))) / span
+    rate = way @ (speed - turn @ (u + cross(w, TIP))) / span
     pull = max(0.0, EA / FALLS * (span - FALLS + TAU * rate)) * way / span
     force = force + turn.T @ pull
-    moment = moment + np.cross(TIP, turn.T @ pull)
+    moment = moment + cross(TIP, turn.T @ pull)
     momentum = inertia @ np.concatenate([u, w])
-    turning = np.concatenate(
-        [np.cross(w, momentum[:3]), np.cross(w, momentum[3:]) + np.cross(u, momentum[:3])]
-    )
+    turning = np.concatenate([cross(w, momentum[:3]), cross(w, momentum[3:]) + cross(u, momentum[:3])])
     acceleration = np.linalg.solve(inertia, np.concatenate([force, moment]) - turning)
-    spun = np.concatenate([[-q[1:] @ w], q[0] * w + np.cross(q[1:], w)]) / 2
+    spun = np.concatenate([[-q[1:] @ w], q[0] * w + cross(q[1:], w)]) / 2
     return np.concatenate([turn @ u, spun, acceleration, speed, np.array([0, 0, -G]) - pull / LOAD])
 
 

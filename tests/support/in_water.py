@@ -65,14 +65,20 @@ def number(omega: float, depth: float | None) -> float:
     return k
 
 
+def within(value: Any, low: float, high: float) -> Any:
+    """What `np.clip` gives, which takes several times as long for a few numbers."""
+    return np.minimum(np.maximum(value, low), high)
+
+
 def growth(time: Any, rise_time: float) -> Any:
     """What waves have grown to, as a share."""
-    s = np.clip(np.asarray(time) / rise_time, 0.0, 1.0)
+    s = within(np.asarray(time) / rise_time, 0.0, 1.0)
     return s**3 * (10 - 15 * s + 6 * s**2)
 
 
 def share(depth: Any, height: float) -> Floats:
     """How wet a cell is at a depth: the integral of a hat from -height to height."""
-    t = np.clip(np.asarray(depth) / height, -1.0, 1.0)
-    wet: Floats = np.where(t < 0, 0.5 * (1 + t) ** 2, 1 - 0.5 * (1 - t) ** 2)
+    t = within(np.asarray(depth) / height, -1.0, 1.0)
+    # Of (1 + t)²/2 below 0 and 1 - (1 - t)²/2 above.
+    wet: Floats = 0.5 + t - 0.5 * t * np.abs(t)
     return wet

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import math
+import pickle
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -86,10 +88,18 @@ def database(
         directions: Of its waves [rad].
         changes: `tables` and `coordinates` that differ, names `without`.
     """
+    of_waves = [[excitation(w, b, headings) for b in directions] for w in waves.FREQUENCIES]
+    held = (radiation(headings, water), np.array(of_waves), directions, changes)
+    path.write_bytes(_database(pickle.dumps(held)))
+    return path
+
+
+@cache
+def _database(pickled: bytes) -> bytes:
+    """What it holds as the bytes of the file, which tests ask for again and again."""
+    (added, damping), of_waves, directions, changes = pickle.loads(pickled)
     names = [f"{body}__{axis}" for body in BODIES for axis in databases.AXES]
     order = np.argsort(names)
-    added, damping = radiation(headings, water)
-    of_waves = np.array([[excitation(w, b, headings) for b in directions] for w in waves.FREQUENCIES])
     parts = np.stack([of_waves.real, of_waves.imag])[..., order]
     over = ("omega", "influenced_dof", "radiating_dof")
     over_waves = ("complex", "omega", "wave_direction", "influenced_dof")
@@ -116,8 +126,10 @@ def database(
     coordinates |= changes.get("coordinates", {})
     for name in changes.get("without", ()):
         coordinates.pop(name)
-    xr.Dataset(tables, coordinates).to_netcdf(path, engine="h5netcdf")
-    return path
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "of_both.nc"
+        xr.Dataset(tables, coordinates).to_netcdf(path, engine="h5netcdf")
+        return path.read_bytes()
 
 
 def in_waves(

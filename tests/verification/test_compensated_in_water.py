@@ -19,7 +19,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from in_water import RHO, growth, lattice, sea, share, submerged
+from in_water import RHO, growth, lattice, sea, share, submerged, within
 from mechanics import Floats, G, Json, adaptive, body, document, end, rope, slider
 
 OMEGA, WAVE, LATE, RISE = 0.8, 0.9, 0.3, 5.0
@@ -52,7 +52,7 @@ REACH = TALL / 2 + BEARINGS
 
 def water(time: float, z: float, v: float) -> tuple[float, float]:
     """F [N], and Σ s a [kg], of the load with its middle at the height z [m] and the speed v [m/s]."""
-    g, later = float(growth(time, RISE)), np.clip(time / RISE, 0.0, 1.0)
+    g, later = float(growth(time, RISE)), min(1.0, time / RISE)
     dg = 30 * later**2 * (1 - later) ** 2 / RISE
     at, angle = z + HEIGHTS, KAPPA * PLACES - OMEGA * time + LATE
     cos, sin = WAVE * np.cos(angle), WAVE * np.sin(angle)
@@ -69,7 +69,7 @@ def water(time: float, z: float, v: float) -> tuple[float, float]:
 
 def hook(time: Any) -> tuple[Any, Any]:
     """Its height over that at the start [m] and its speed [m/s]."""
-    later, angle = np.clip(time / RISE, 0.0, 1.0), OMEGA * time - LATE - BEHIND
+    later, angle = within(time / RISE, 0.0, 1.0), OMEGA * time - LATE - BEHIND
     dg = 30 * later**2 * (1 - later) ** 2 / RISE
     g = growth(time, RISE)
     return HEAVE * g * np.cos(angle), HEAVE * (dg * np.cos(angle) - g * OMEGA * np.sin(angle))

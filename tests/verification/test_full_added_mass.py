@@ -19,6 +19,7 @@ from scipy.integrate import solve_ivp
 
 from floating import SEA, box_hull, buoyancy
 from mechanics import Floats, G, adaptive, body, document, free
+from rigid import cross
 
 MASS, CENTRE, INERTIA = 700.0, np.array([-0.3, 0.25, -0.1]), np.array([120.0, 160.0, 200.0])
 SIZE, WATER_AT, DRAG_AT = (1.6, 1.0, 0.55), np.array([0.4, -0.2, 0.3]), np.array([-0.5, 0.1, 0.2])
@@ -66,18 +67,18 @@ def test_a_body_that_tumbles_under_water(resists: bool) -> None:
 
     def rates(_: float, y: Floats) -> list[float]:
         rotation, momentum = axes(y[3:7]), y[7:]
-        motion = np.linalg.solve(whole, momentum)
+        motion = np.asarray(np.linalg.solve(whole, momentum), np.float64)
         v, w = motion[:3], motion[3:]
         weight, lift = -G * MASS * rotation[2], G * SEA * volume * rotation[2]
-        force, moment = weight + lift, np.cross(CENTRE, weight) + np.cross(middle, lift)
+        force, moment = weight + lift, cross(CENTRE, weight) + cross(middle, lift)
         if resists:
-            against = v + np.cross(w, DRAG_AT) - rotation.T @ STREAM
+            against = v + cross(w, DRAG_AT) - rotation.T @ STREAM
             speeds = np.array([np.linalg.norm(against)] * 3 + np.abs(w).tolist())
             drag = -DAMPING @ [*against, *w] - QUADRATIC * speeds * [*against, *w]
-            force, moment = force + drag[:3], moment + drag[3:] + np.cross(DRAG_AT, drag[:3])
-        pushed = force - np.cross(w, momentum[:3])
-        spun = moment - np.cross(w, momentum[3:]) - np.cross(v, momentum[:3])
-        turning = 0.5 * np.array([-y[4:7] @ w, *(y[3] * w + np.cross(y[4:7], w))])
+            force, moment = force + drag[:3], moment + drag[3:] + cross(DRAG_AT, drag[:3])
+        pushed = force - cross(w, momentum[:3])
+        spun = moment - cross(w, momentum[3:]) - cross(v, momentum[:3])
+        turning = 0.5 * np.array([-y[4:7] @ w, *(y[3] * w + cross(y[4:7], w))])
         return [*(rotation @ v), *turning, *pushed, *spun]
 
     place, attitude = [0.0, 0.0, -40.0], np.array([0.8, 0.3, -0.4, math.sqrt(0.11)])

@@ -24,7 +24,7 @@ from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from mechanics import Floats, G
-from rigid import axes, turning
+from rigid import across, axes, cross, moments, turning
 
 DURATION, MASS, HOOK, FRICTION = 6.0, 60e3, 18.0, 0.4
 SIZE, CENTRE, UNDERSIDE = np.array([8.0, 6.0, 3.0]), np.array([0.4, -0.2, 1.5]), 0.9
@@ -61,18 +61,18 @@ def forces(t: float, y: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats]
     slings = np.array([0.0, 0.0, HOOK - way]) - place - arms
     long = np.linalg.norm(slings, axis=1)
     up = slings / long[:, None]
-    rate = np.einsum("ij,ij->i", up, np.array([0.0, 0.0, -speed]) - velocity - np.cross(spin, arms))
+    rate = np.einsum("ij,ij->i", up, np.array([0.0, 0.0, -speed]) - velocity - arms @ across(spin).T)
     tensions = np.maximum(0.0, EA / LENGTHS * (long - LENGTHS + TAU * rate))
     pulls = tensions[:, None] * up
     force = pulls.sum(0) - (0.0, 0.0, MASS * G)
-    moment = np.cross(arms, pulls).sum(0)
+    moment = moments(arms, pulls)
     normal = turned[:, 2]
     pressed, follow = np.zeros(len(SUPPORTS)), np.zeros_like(springs)
     for k, (x, at_y, height, stiffness) in enumerate(SUPPORTS):
         aside = np.array([x, at_y]) - place[:2]
         # The underside is where normal · (point − place) = −(height of the centre of gravity over it).
         arm = np.array([*aside, (-CENTRE[2] - normal[:2] @ aside) / normal[2]])
-        moves = velocity + np.cross(spin, arm)
+        moves = velocity + cross(spin, arm)
         pressed[k] = max(0.0, stiffness * (height - place[2] - arm[2] - DAMPED * moves[2]))
         if pressed[k] == 0.0:
             follow[k] = -springs[k] / DAMPED
@@ -84,7 +84,7 @@ def forces(t: float, y: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats]
             along = share * along
             follow[k] = (along / stiffness - springs[k]) / DAMPED
         bears = np.array([*-along, pressed[k]])
-        force, moment = force + bears, moment + np.cross(arm, bears)
+        force, moment = force + bears, moment + cross(arm, bears)
     return force, moment, tensions, pressed, follow
 
 
@@ -92,7 +92,7 @@ def rates(t: float, y: Floats) -> Floats:
     """Of the whole state."""
     force, moment, _, _, follow = forces(t, y)
     spin = y[10:13]
-    rolls = (moment @ axes(y[3:7]) - np.cross(spin, INERTIA * spin)) / INERTIA
+    rolls = (moment @ axes(y[3:7]) - cross(spin, INERTIA * spin)) / INERTIA
     return np.concatenate([y[7:10], turning(y[3:7], spin), force / MASS, rolls, follow.ravel()])
 
 

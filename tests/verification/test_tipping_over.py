@@ -16,6 +16,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from mechanics import Floats, G, adaptive, body, contact, document, end, free, rope, slider
+from rigid import cross
 
 MASS, HALF = 2000.0, np.array([0.6, 0.5, 1.2])
 INERTIA = (
@@ -45,7 +46,7 @@ def pull(time: float, place: Floats, turn: Floats, u: Floats, w: Floats) -> tupl
     hauled = HAULING * (begun * begun / (2 * RAMP) + max(0.0, time - RAMP))
     way = place + turn @ LUG - WINCH - [hauled, 0, 0]
     span = float(np.linalg.norm(way))
-    speed = u + turn @ np.cross(w, LUG) - [HAULING * begun / RAMP, 0, 0]
+    speed = u + turn @ cross(w, LUG) - [HAULING * begun / RAMP, 0, 0]
     stretch = span - LENGTH + TAU * float(way @ speed) / span
     return max(0.0, EA / LENGTH * stretch), -way / span
 
@@ -56,11 +57,11 @@ def rates(time: float, state: Floats, friction: float) -> Floats:
     anchors, turn = state[13:].reshape(4, 2), axes(q)
     tension, along = pull(time, place, turn, u, w)
     force = tension * along + [0, 0, -MASS * G]
-    moment = np.cross(turn @ LUG, tension * along)
+    moment = cross(turn @ LUG, tension * along)
     slipping = np.zeros((4, 2))
     for k, corner in enumerate(CORNERS):
         arm = turn @ corner
-        velocity = u + turn @ np.cross(w, corner)
+        velocity = u + turn @ cross(w, corner)
         normal = max(0.0, STIFFNESS * (-(place + arm)[2] - DAMPING_TIME * velocity[2]))
         deflection = (place + arm)[:2] - anchors[k]
         if normal == 0.0:
@@ -72,9 +73,9 @@ def rates(time: float, state: Floats, friction: float) -> Floats:
         carried = held * min(1.0, friction * normal / size) if size > 0.0 else held
         slipping[k] = (held - carried) / (STIFFNESS * DAMPING_TIME)
         push = np.array([-carried[0], -carried[1], normal])
-        force, moment = force + push, moment + np.cross(arm, push)
-    turning = (turn.T @ moment - np.cross(w, INERTIA * w)) / INERTIA
-    spun = np.concatenate([[-q[1:] @ w], q[0] * w + np.cross(q[1:], w)]) / 2
+        force, moment = force + push, moment + cross(arm, push)
+    turning = (turn.T @ moment - cross(w, INERTIA * w)) / INERTIA
+    spun = np.concatenate([[-q[1:] @ w], q[0] * w + cross(q[1:], w)]) / 2
     return np.concatenate([u, spun, force / MASS, turning, slipping.ravel()])
 
 

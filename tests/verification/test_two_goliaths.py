@@ -24,7 +24,7 @@ from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from mechanics import Floats, G
-from rigid import axes, turning
+from rigid import axes, cross, moments, turning
 
 DURATION = 4.0
 #: Heights of upper sheaves and of hooks, bearing to sheaves of the hook block; diameter, lane, lead line [m].
@@ -131,8 +131,8 @@ def rates(t: float, y: Floats) -> Floats:
     weight = np.array([0.0, 0.0, -G])
     hooks = now.pull / HOOK_BLOCK + weight
     np.add.at(hooks, AT, now.drawn / HOOK_BLOCK)
-    moment = now.turned.T @ np.cross(now.arms, -now.drawn).sum(axis=0)
-    spins = np.linalg.solve(INERTIA, moment - np.cross(now.spin, INERTIA @ now.spin))
+    moment = now.turned.T @ moments(now.arms, -now.drawn)
+    spins = np.linalg.solve(INERTIA, moment - cross(now.spin, INERTIA @ now.spin))
     hangs = np.bincount(OF, now.pull[:, 2] - ROPES * PARTS * REST)
     bends = (-STIFF * now.sag - DAMPS * now.sag_rate - hangs) / BENDS
     load = np.concatenate(

@@ -1,4 +1,5 @@
-//! All tests of the core through what it shows to others, as one program: what they share is compiled once.
+//! All tests of the core through what it shows to others: a module of the library where that is tested, see its
+//! `lib.rs`.
 
 mod allocation;
 mod coils;

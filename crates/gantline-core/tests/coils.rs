@@ -1,6 +1,6 @@
 //! What drums remember, and the derivatives of what they let go, by differences.
 
-use crate::rigs::{built, moved, seeds};
+use super::rigs::{built, cases, moved, seeds};
 use gantline_core::rope::coil::{Coil, Layers, MOST_PIECES};
 use gantline_core::stepper::coils::CoilTangent;
 use gantline_core::stepper::frame::Frame;
@@ -10,7 +10,7 @@ const KAPPA: f64 = 0.01;
 const STEP: f64 = 1e-6;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(cases(200))]
 
     /// The supplies' increments of a stage fulfil k = κ (∂ż/∂q φ + ∂ż/∂z k), ż = feeding · v, while drums wind up and
     /// climb from layer to layer.

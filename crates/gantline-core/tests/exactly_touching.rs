@@ -3,6 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use super::rigs::cases;
 use gantline_core::contact::shape::{Part, Shape};
 use gantline_core::tree::pose::Pose;
 use glam::{DMat3, DQuat, DVec3};
@@ -18,7 +19,7 @@ fn prism(sides: u32, radius: f64, length: f64) -> Vec<DVec3> {
 
 proptest! {
     // Of such places seven in a thousand were wrong.
-    #![proptest_config(ProptestConfig::with_cases(4000))]
+    #![proptest_config(cases(4000))]
 
     /// A prism over the top of a box, on its end, on a side or on an edge, is as far from it as it was put: the lowest
     /// of its corners less the top. They are round numbers half of the time.

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::rigs::hulls::{cuboid, prism, sphere};
+use super::rigs::cases;
+use super::rigs::hulls::{cuboid, prism, sphere};
 use gantline_core::hull::{Hull, Immersion, Mesh, Plane, Surface};
 use glam::{DMat3, DQuat, DVec3};
 use proptest::prelude::*;
@@ -222,7 +223,7 @@ fn lump(seeds: &[f64]) -> Mesh {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(cases(64))]
 
     /// Groups and columns against tetrahedra from one point of the plane, panel by panel; the pressure on the skin
     /// against both, with its moment.

@@ -1,8 +1,8 @@
 //! Added mass of bodies in waves on random trees: against rates of momenta and of energy along paths, and against that of still
 //! water. Its derivatives stand with those of all forces in `water.rs`.
 
-use crate::rigs::wet::{CLOSE, NOW, STEP, inverse, rates, wet};
-use crate::rigs::{moved, seeds};
+use super::rigs::wet::{CLOSE, NOW, STEP, inverse, rates, wet};
+use super::rigs::{cases, moved, seeds};
 use gantline_core::force::slow::Slowly;
 use gantline_core::force::{AnyForce, At, Force, twist_of};
 use gantline_core::tree::bias::Wrench;
@@ -12,7 +12,7 @@ use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(cases(100))]
 
     /// The wrench of added mass in waves against rates of the water's momenta along a path and as its axes turn, by differences:
     /// ṗ, and about P L̇ + v × P + U × (p − P), U the velocity of the slow place there and P the momentum of what is slow; and

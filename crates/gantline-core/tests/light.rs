@@ -1,5 +1,6 @@
 //! Rope over light sheaves: the division is a solution of its complementarity problem, and the only one.
 
+use super::rigs::cases;
 use gantline_core::rope::light::{Division, Spans};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -28,7 +29,7 @@ fn divided(given: Spans, way: &[i8]) -> Division {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4000))]
+    #![proptest_config(cases(4000))]
 
     /// c T/(1 + k T) = x + s₊ − s₋; every ratio of tensions within its bounds; rope passes only at one, and that way.
     #[test]

@@ -4,6 +4,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use super::rigs::cases;
 use gantline_core::contact::shape::{Part, Shape};
 use gantline_core::tree::pose::Pose;
 use glam::{DMat3, DQuat, DVec3};
@@ -38,7 +39,7 @@ fn nearest(shapes: [&Shape; 2], at: DVec3) -> Vec<DVec3> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(500))]
+    #![proptest_config(cases(500))]
 
     /// On the upper edge of a box beside its lowest line, `aside` to there: at both ends of that edge.
     #[test]

@@ -1,6 +1,6 @@
 //! Kinematics, mass matrix, bias and gradients against differences and first principles.
 
-use crate::rigs::{self, Passage, built, moved, seeds};
+use super::rigs::{self, Passage, built, cases, moved, seeds};
 use gantline_core::constraint::{Constraint, Law, Placed};
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
@@ -35,7 +35,7 @@ fn momenta(system: &System, frame: &Frame, v: &[f64]) -> Vec<(DVec3, DVec3)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(cases(200))]
 
     #[test]
     fn gradient_of_every_constraint_equals_differences(seeds in seeds()) {
@@ -223,7 +223,7 @@ fn steiner_term_of_a_rod_swung_about_its_end() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(cases(200))]
 
     /// ∂G/∂q of ropes and contacts against central differences of the gradient.
     #[test]
@@ -278,7 +278,7 @@ fn inverse_dynamics(system: &System, frame: &Frame, v: &[f64], rate: &[f64]) -> 
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(cases(200))]
 
     /// ∂τ/∂q and ∂τ/∂v against central differences, on trees with every joint type.
     #[test]
@@ -323,7 +323,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(500))]
+    #![proptest_config(cases(500))]
 
     /// A rope over real sheaves in space and through an eye: gradient against differences of its length, curvature
     /// against differences of its gradient, on trees with every joint type, whichever way it passes the sheaves.

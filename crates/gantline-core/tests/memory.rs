@@ -1,7 +1,7 @@
 //! Water that remembers, on random trees: its force, its answer to a motion within a step, and the derivatives of the motion
 //! that it follows, against differences.
 
-use crate::rigs::{Draw, moved, rig, seeds};
+use super::rigs::{Draw, cases, moved, rig, seeds};
 use gantline_core::build::build;
 use gantline_core::force::memory::{Memory, form, memories, resistance, states};
 use gantline_core::force::{self, AnyForce, under};
@@ -105,7 +105,7 @@ fn motion(system: &System, memory: &Memory, frame: &Frame, v: &[f64]) -> [f64; 6
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(cases(60))]
 
     /// ∂ν/∂q and ∂ν/∂v, in motion, against differences.
     #[test]

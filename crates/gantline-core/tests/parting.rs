@@ -1,8 +1,8 @@
 //! Random rigs whose ropes are cut and break and whose joints meet stops: they run to the end with either method, no
 //! rope carries more than it can, and the balance closes across it.
 
-use crate::rigs::runs::{SEED, drawing, drawn};
-use crate::rigs::{seeds, torture};
+use super::rigs::runs::{SEED, drawing, drawn};
+use super::rigs::{seeds, torture};
 use gantline_core::build::build;
 use gantline_core::event::{Event, EventKind, EventLog};
 use gantline_core::solver::complementarity::Mode;

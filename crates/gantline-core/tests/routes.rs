@@ -1,9 +1,9 @@
 //! Ropes over up to a hundred sheaves in space, with axes in any direction, radii over a decade, eyes between them and
 //! sheaves that the rope may leave: tangency, gradients, and refusals by name, on 10,000 random routes.
 //!
-//! Other seeds: `GANTLINE_ROUTE_SEEDS=1-20 cargo test --release --test all routes`.
+//! Other seeds: `GANTLINE_ROUTE_SEEDS=1-20 cargo test --release routes`.
 
-use crate::rigs::{rope_of, system_of};
+use super::rigs::{rope_of, system_of};
 use gantline_core::build::build;
 use gantline_core::rope::part::Part;
 use gantline_core::rope::tangency::NoTangent;

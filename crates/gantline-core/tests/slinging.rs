@@ -1,8 +1,8 @@
 //! Random rigs in which every other rope is put on, taken off and put on again: it carries nothing while it is off, what is
 //! recorded of it says so, and the balance closes across it. A rope that is too short where it is put on is an error.
 
-use crate::rigs::runs::{SEED, drawing};
-use crate::rigs::{seeds, torture};
+use super::rigs::runs::{SEED, drawing};
+use super::rigs::{seeds, torture};
 use gantline_core::build::build;
 use gantline_core::event::{Event, EventKind, EventLog};
 use gantline_core::solver::complementarity::Mode;

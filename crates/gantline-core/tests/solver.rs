@@ -1,5 +1,6 @@
 //! Factorisation against dense elimination; elimination order of a real rig.
 
+use super::rigs::cases;
 use gantline_core::solver::ldl::Ldl;
 use gantline_core::solver::ldu::Ldu;
 use gantline_core::solver::order::{Node, NodeKind, elimination_order};
@@ -38,7 +39,7 @@ fn idle(matrix: &mut [Vec<f64>], row: usize) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(cases(300))]
 
     /// Random quasidefinite matrices [A Gᵀ; G −S], the form of a step's matrix.
     #[test]
@@ -91,7 +92,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(cases(300))]
 
     /// Random matrices of symmetric structure and unsymmetric numbers. Blocks of neighbours that couple to the same
     /// others give columns that are taken together.

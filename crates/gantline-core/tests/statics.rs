@@ -1,6 +1,6 @@
 //! Statics against first principles: energies of random rigs, and what a search may cost.
 
-use crate::rigs::{built, moved, seeds, torture};
+use super::rigs::{built, cases, moved, seeds, torture};
 use gantline_core::build::build;
 use gantline_core::rope::coil::Layers;
 use gantline_core::statics::Statics;
@@ -29,7 +29,7 @@ fn line_of_curve(system: &System, here: &Potential) -> usize {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(cases(64))]
 
     /// ∂V/∂q is the derivative of V, and dᵀ K d its second derivative along the increment d; the drum's rope climbs.
     #[test]

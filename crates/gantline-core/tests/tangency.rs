@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::rigs::cases;
 use gantline_core::rope::seat::{FIRST_WRAP, fleet_angle, wrap_angle};
 use gantline_core::rope::tangency::{Circle, NoTangent, common_tangent};
 use glam::{DQuat, DVec3};
@@ -187,7 +188,7 @@ fn reach(start: &Circle, end: &Circle, marks: [DVec3; 2], moves: [(DQuat, DVec3)
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(10_000))]
+    #![proptest_config(cases(10_000))]
 
     #[test]
     fn tangents_in_space((start, end) in pair(), way in prop::array::uniform4(prop::array::uniform3(-1.0..1.0_f64))) {

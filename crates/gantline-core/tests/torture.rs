@@ -4,11 +4,11 @@
 //! The rigs are the same in every run. Others are looked through, and every failure listed, by
 //!
 //! ```text
-//! GANTLINE_TORTURE_SEEDS=1-20 cargo test --release --test all torture -- --ignored --nocapture
+//! GANTLINE_TORTURE_SEEDS=1-20 cargo test --release torture -- --ignored --nocapture
 //! ```
 
-use crate::rigs::runs::{SEED, adaptive_closes, del_stays_bounded, drawing, drawn};
-use crate::rigs::seeds;
+use super::rigs::runs::{SEED, adaptive_closes, del_stays_bounded, drawing, drawn};
+use super::rigs::seeds;
 use proptest::prelude::*;
 
 proptest! {

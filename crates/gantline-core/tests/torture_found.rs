@@ -1,6 +1,6 @@
 //! Random rigs that once failed, by seed and number as `torture.rs` draws them, each with its story.
 
-use crate::rigs::runs::{adaptive_closes, del_runs, del_stays_bounded, drawn};
+use super::rigs::runs::{adaptive_closes, del_runs, del_stays_bounded, drawn};
 
 /// Runs rig `number` of `seed`; it may take `most` steps.
 fn runs(seed: u64, number: u32, most: u64) {

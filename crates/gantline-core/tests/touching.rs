@@ -1,7 +1,7 @@
 //! Touches between bodies: their derivatives against differences on trees with every joint type, where shapes meet
 //! against geometry worked out by hand, and blocks that come to rest, slide and tip against closed forms.
 
-use crate::rigs::{Draw, moved, rig, seeds};
+use super::rigs::{Draw, cases, moved, rig, seeds};
 use gantline_core::Simulation;
 use gantline_core::build::build;
 use gantline_core::constraint::{AnyConstraint, Line, Moving, Placed};
@@ -117,7 +117,7 @@ fn unit(size: usize, dof: usize) -> Vec<f64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(cases(200))]
 
     /// ∂g/∂q and ∂G/∂q of all three rows against central differences of values and gradients.
     #[test]

@@ -1,7 +1,7 @@
 //! Forces of water, wind and waves and of mooring lines on random trees: against energies, rates of momentum, and differences.
 
-use crate::rigs::wet::{CLOSE, GROWN, NOW, STEP, inverse, rates, wet};
-use crate::rigs::{self, moved, seeds};
+use super::rigs::wet::{CLOSE, GROWN, NOW, STEP, inverse, rates, wet};
+use super::rigs::{self, cases, moved, seeds};
 use gantline_core::audit::gravity_energy;
 use gantline_core::build::build;
 use gantline_core::force::drag::Drag;
@@ -86,7 +86,7 @@ fn follow_differences(seeds: &[f64], make: impl Fn(&mut Frame)) -> Result<(), Te
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(cases(100))]
 
     /// M v̇ holds what is accelerated along: inverse dynamics is linear in the acceleration with the slope M.
     #[test]

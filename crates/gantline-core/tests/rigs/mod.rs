@@ -13,9 +13,16 @@ use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
 use gantline_core::system::System;
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence::WithSource;
 
 /// Numbers that a rig is made of, each in −1…1.
 pub type Seeds = Vec<f64>;
+
+/// So many random cases; seeds of those that failed are kept beside the file of the test.
+pub fn cases(cases: u32) -> ProptestConfig {
+    let beside = WithSource("proptest-regressions");
+    ProptestConfig { failure_persistence: Some(Box::new(beside)), ..ProptestConfig::with_cases(cases) }
+}
 
 /// Enough numbers for a rig.
 pub fn seeds() -> impl Strategy<Value = Seeds> {
