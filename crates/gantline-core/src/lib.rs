@@ -4,8 +4,7 @@
 //! [`state::State`], which a [`stepper`] moves on; [`record`] keeps columns of numbers over time. Start
 //! reading at [`stepper::del`]: the method on one page.
 
-// One test counts what is allocated, which is unsafe.
-#![cfg_attr(not(test), forbid(unsafe_code))]
+#![forbid(unsafe_code)]
 
 pub mod audit;
 pub mod build;

@@ -1,8 +1,5 @@
 //! No allocation in a step after warm-up, counted by the allocator itself.
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
-
 use gantline_core::build::build;
 use gantline_core::event::EventLog;
 use gantline_core::spec::{AdjusterSpec, SystemSpec};
@@ -11,34 +8,7 @@ use gantline_core::stepper::adaptive::{Adaptive, Tolerance};
 use gantline_core::stepper::del::Del;
 use gantline_core::stepper::explicit::Explicit;
 use gantline_core::stepper::frame::Frame;
-use gantline_core::system::System as SystemUnderTest;
-
-thread_local! {
-    static COUNT: Cell<u64> = const { Cell::new(0) };
-}
-
-struct Counting;
-
-// The only unsafe code of the project: it hands on to the system's allocator and counts.
-#[allow(unsafe_code)]
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        COUNT.with(|count| count.set(count.get() + 1));
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(pointer, layout) }
-    }
-
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        COUNT.with(|count| count.set(count.get() + 1));
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
+use gantline_core::system::System;
 
 /// A load swinging on two ropes over the ground, dropped so that ropes go slack and corners touch.
 const RIG: &str = include_str!("dropped_load.json");
@@ -70,8 +40,8 @@ const HAULED: &str = r#"{"gravity": [0, 0, -9.81], "bodies": [{
 fn count(
     warm: usize,
     counted: usize,
-    mut step: impl FnMut(&SystemUnderTest, &mut State, &mut Frame, &mut EventLog),
-    system: &SystemUnderTest,
+    mut step: impl FnMut(&System, &mut State, &mut Frame, &mut EventLog),
+    system: &System,
     mut state: State,
 ) -> (u64, usize) {
     let mut frame = Frame::new(system);
@@ -80,11 +50,13 @@ fn count(
     for _ in 0..warm {
         step(system, &mut state, &mut frame, &mut log);
     }
-    let (before, events) = (COUNT.with(Cell::get), log.events.len());
-    for _ in 0..counted {
-        step(system, &mut state, &mut frame, &mut log);
-    }
-    (COUNT.with(Cell::get) - before, log.events.len() - events)
+    let events = log.events.len();
+    let allocated = allocation_counter::measure(|| {
+        for _ in 0..counted {
+            step(system, &mut state, &mut frame, &mut log);
+        }
+    });
+    (allocated.count_total, log.events.len() - events)
 }
 
 #[test]
@@ -159,12 +131,12 @@ fn bodies_in_water_do_not_allocate() {
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);
     let mut adaptive = Adaptive::new(&system, &frame, Tolerance::default_of(&system));
-    let step = |system: &SystemUnderTest, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
+    let step = |system: &System, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
         adaptive.step(system, state, frame, log, 1e3).unwrap();
     };
     assert_eq!(count(10, 300, step, &system, state.clone()).0, 0);
     let mut del = Del::new(&system, 1e-3, true);
-    let step = |system: &SystemUnderTest, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
+    let step = |system: &System, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
         del.step(system, state, frame, log).unwrap();
     };
     assert_eq!(count(10, 3000, step, &system, state).0, 0);
@@ -173,7 +145,7 @@ fn bodies_in_water_do_not_allocate() {
 fn check_del(rig: &str, least: usize) {
     let (system, state) = build(&serde_json::from_str(rig).unwrap()).unwrap();
     let mut method = Del::new(&system, 1e-3, true);
-    let step = |system: &SystemUnderTest, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
+    let step = |system: &System, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
         method.step(system, state, frame, log).unwrap();
     };
     let (allocations, events) = count(10, 3000, step, &system, state);
@@ -189,7 +161,7 @@ fn steps_of_explicit_do_not_allocate() {
     spec.adjusters = vec![AdjusterSpec { name: "equalizer".into(), ropes, factor: 0.01 }];
     let (system, state) = build(&spec).unwrap();
     let mut method = Explicit::new(&system, 1e-3);
-    let step = |system: &SystemUnderTest, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
+    let step = |system: &System, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
         method.step(system, state, frame, log).unwrap();
     };
     let (allocations, events) = count(10, 3000, step, &system, state);
@@ -208,7 +180,7 @@ fn count_adaptive(rig: &str) -> (u64, usize) {
     let mut frame = Frame::new(&system);
     frame.update(&system, &state);
     let mut method = Adaptive::new(&system, &frame, Tolerance::default_of(&system));
-    let step = |system: &SystemUnderTest, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
+    let step = |system: &System, state: &mut State, frame: &mut Frame, log: &mut EventLog| {
         method.step(system, state, frame, log, 1e3).unwrap();
     };
     count(10, 300, step, &system, state)
@@ -216,7 +188,6 @@ fn count_adaptive(rig: &str) -> (u64, usize) {
 
 #[test]
 fn the_counter_counts() {
-    let counted = COUNT.with(Cell::get);
-    drop(vec![0.0_f64; 8]);
-    assert_eq!(COUNT.with(Cell::get), counted + 1);
+    let allocated = allocation_counter::measure(|| drop(std::hint::black_box(vec![0.0_f64; 8])));
+    assert_eq!(allocated.count_total, 1);
 }
