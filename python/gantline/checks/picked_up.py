@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Final
 
@@ -10,11 +11,15 @@ import numpy as np
 from gantline.checks.check import Check, Verdict
 from gantline.results import progress, series
 from gantline.results.loads.lift_off import hangs_from_the_start
+from gantline.results.loads.upending import TURNED_FROM
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.ropes.parting import PARTING
+from gantline.results.rotation import tilt
+from gantline.results.variable import FloatArray
+from gantline.units import format_quantity
 
-__all__ = ["picked_up", "what_helps"]
+__all__ = ["leans", "picked_up", "what_helps"]
 
 #: A load that has hung clear for so long was not just coming off; one that does bounces for less [s].
 _HUNG = 5.0
@@ -24,6 +29,8 @@ _HUNG_IN_WAVES = 15.0
 _BOUNCES = 0.5
 #: One that is lowered on past what it met comes lower than this there [m].
 _LOWER = 0.1
+#: What stands on springs, or on beams that are not quite level, tilts less as its slings go slack [rad].
+_TILTS = math.radians(0.5)
 #: Steps that set a load down, and that leave it where it is.
 _LOWERS, _LEAVES = ("lower", "pay_out"), ("hold",)
 #: What drops a load that comes down within a few seconds of it [s], and what helps or tells more.
@@ -89,6 +96,57 @@ def picked_up(recording: Recording) -> list[Check]:
             )
         )
     return checks
+
+
+def leans(recording: Recording) -> list[Check]:
+    """A warning for each load that is set down, tilts as it is lowered on, and ends leaning in its slings.
+
+    With its centre of gravity beyond the edge of what it stands on it turns about that edge, as far as its
+    hooks let it: a force of few percent of its weight holds it so, which no limit tells. Loads in hinges or
+    water, and those that are turned on purpose, are left out.
+    """
+    checks = []
+    for load in recording.rig.loads:
+        down = _set_down_for_good(recording, load)
+        is_held = load.in_water is not None or any(hinge.load == load.name for hinge in recording.rig.hinges)
+        if down is None or is_held or not series.ends_partly_lifted(recording, load):
+            continue
+        tilts = recording.column("load_tilt", load.name)
+        since = float(tilts[-1]) - _at(recording, tilts, down)
+        if since <= _TILTS + _vessels_tilt(recording, down) or tilts.max() > TURNED_FROM:
+            continue
+        share = float(recording.column("load_transferred", load.name)[-1])
+        said = f"set down at {down:.2f} s, it has tilted by {format_quantity(since, 'deg', 2)} more since"
+        hangs = f"{format_quantity(share, '%', 1)} of its weight still hangs in its slings"
+        remark = (
+            f"{said}, and {hangs}: it turns about the edge of what is below, and tips over as they are let "
+            "off; set it down with its centre of gravity well within what bears it"
+        )
+        meaning = "loads that are set down stand without their slings"
+        checks.append(
+            Check("stands_by_itself", Verdict.WARNING, meaning, element=load.name, time=down, remark=remark)
+        )
+    return checks
+
+
+def _set_down_for_good(recording: Recording, load: Load) -> float | None:
+    """When a step that lowers sets a load down that nothing but lowering moves from then on [s]."""
+    kinds = {step.step: step.acts_as for step in recording.rig.plan}
+    downs = [time for time, _, name in recording.events("set_down") if name == load.name]
+    if not downs or not any(kinds.get(step) in _LOWERS for step in _steps_at(recording, downs[-1])):
+        return None
+    later = [kinds.get(step) for step, (_, end) in progress.spans(recording).items() if end > downs[-1]]
+    return downs[-1] if set(later) <= {*_LOWERS, *_LEAVES} else None
+
+
+def _vessels_tilt(recording: Recording, since: float) -> float:
+    """The most that a vessel, on which a load may stand, has heeled and trimmed since a time [rad]."""
+    tilts = [tilt(recording.column("body_orientation", one.body)) for one in recording.rig.vessels]
+    return max((abs(float(one[-1]) - _at(recording, one, since)) for one in tilts), default=0.0)
+
+
+def _at(recording: Recording, values: FloatArray, time: float) -> float:
+    return float(np.interp(time, recording.time, values))
 
 
 def what_helps(recording: Recording, load: Load, time: float) -> str:
