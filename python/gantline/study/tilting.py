@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -13,6 +13,7 @@ import numpy.typing as npt
 from gantline.assembly.afloat.water import frozen
 from gantline.assembly.spatial import inertia_matrix
 from gantline.cad.mass_properties import point_inertia
+from gantline.checks import Check, Verdict, check_recording, governing
 from gantline.hydro.tank import liquid_in_box
 from gantline.results import series
 from gantline.results.alike import first_peak
@@ -44,6 +45,8 @@ _FARTHEST = 10.0
 _FIRST = 0.1
 #: What such a shift turns by more about plumb is not held there [rad].
 _FAR_ROUND = math.radians(30.0)
+#: What fails as planned counts once so much more of its limit is used [1].
+_MORE_USED = 1.001
 #: Of natural motions, as many times those known are asked for where they do not tell how a load tilts.
 _MORE = 4
 
@@ -259,7 +262,8 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
     """How far the centre of gravity of a lift's load may be elsewhere.
 
     The lift is solved anew with it moved, each way until something happens: no equilibrium, one that is not
-    stable, a sling goes slack, a sheave is beyond its travel, or the load tilts by more than its limit.
+    stable, a sling goes slack, a sheave is beyond its travel, the load tilts by more than its limit, or a
+    check of the equilibrium fails, such as that of the hook which then bears more.
 
     Args:
         scenario: The lift, without cases.
@@ -278,6 +282,7 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
         raise ValueError(f"{sentence}; state it in 'load.centre_of_gravity.at' to see how far it may move")
     (name,) = [one.body for one in rest.recording.rig.loads if one.name == load.name]
     plumb = axes(rest.recording.column("body_orientation", name)[-1])[2]
+    failed = {name: _used(one) for name, one in _failed(rest).items()}
     slack = {sling.name for sling in rest.recording.rig.slings if rest.tension(sling.rope) <= 0.0}
 
     def trouble(way: Floats, shift: float) -> str:
@@ -293,7 +298,7 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
             return problem.problems[0].sentence.partition(";")[0]
         except NoEquilibriumError as problem:
             return f"no equilibrium: {problem.cause} ({problem.element})"
-        return _trouble(question, Hanging(question, found), slack)
+        return _trouble(question, Hanging(question, found), slack, failed)
 
     return [_margin(name, partial(trouble, way), farthest) for name, way in _ways(plumb)]
 
@@ -330,8 +335,15 @@ def _margin(direction: str, trouble: Callable[[float], str], farthest: float) ->
     return Margin(direction, good, cause)
 
 
-def _trouble(question: Statics, hanging: Hanging, slack: set[str]) -> str:
-    """What is wrong with how a lift hangs that was found last, in words; empty if nothing."""
+def _trouble(question: Statics, hanging: Hanging, slack: set[str], failed: Mapping[str, float]) -> str:
+    """What is wrong with how a lift hangs that was found last, in words; empty if nothing.
+
+    Args:
+        question: The lift, of which that is the equilibrium found last.
+        hanging: How it hangs.
+        slack: Slings that are slack as planned.
+        failed: How much of their limits checks use that fail as planned [1], by their names.
+    """
     rest = hanging.rest
     if not rest.is_stable:
         turns = [one.of_body(hanging.load.body)[3:] for one in question.modes(rest.unstable)]
@@ -349,7 +361,25 @@ def _trouble(question: Statics, hanging: Hanging, slack: set[str]) -> str:
     tilt = float(rest.recording.column("load_tilt", hanging.load.name)[-1])
     if limit is not None and tilt > float(limit):
         return f"tilt beyond its limit of {format_quantity(float(limit), 'deg', 2)}"
-    return ""
+    # Of several hooks one bears more as the centre of gravity comes nearer, long before a sling goes slack.
+    worst = governing(
+        [one for one in _failed(rest).values() if _used(one) > _MORE_USED * failed.get(one.name, 0.0)]
+    )
+    if worst is None or worst.limit is None:
+        return ""
+    limit = format_quantity(worst.limit, worst.unit, worst.digits)
+    return f"{worst.name} of {worst.element} fails its limit of {limit}"
+
+
+def _failed(rest: Equilibrium) -> dict[str, Check]:
+    """Checks of the whole lift that an equilibrium fails by a value, by their names."""
+    checks = [one for one in check_recording(rest.recording) if one.verdict is Verdict.FAILED]
+    return {one.name: one for one in checks if one.value is not None}
+
+
+def _used(check: Check) -> float:
+    """How much of its limit is used [1]; infinite where no share says so."""
+    return math.inf if check.utilisation is None else check.utilisation
 
 
 def _depth(rest: Equilibrium, load: Load) -> float:
