@@ -165,13 +165,13 @@ def _back_on_supports(recording: Recording) -> Iterator[str]:
 
     `until: {supports: clear}` holds at the top of such a bounce, and the hook brakes there.
     """
-    kinds = {step.step: step.acts_as for step in recording.rig.plan}
+    lowers = _lowering(recording)
     first = lift_off_time(recording)
     for load in recording.rig.loads:
         weight = series.load_weight(recording, load)
         share = float(series.borne(recording, load)[-1] / weight[-1])
         spans = progress.spans(recording).items()
-        is_lowered = any(kinds.get(step) in _LOWERS and end > (first or 0.0) for step, (_, end) in spans)
+        is_lowered = any(step in lowers and end > (first or 0.0) for step, (_, end) in spans)
         if share > 0.0 and not is_lowered and first is not None:
             yield (
                 f"{load.name} comes off at {first:.4g} s and stands on its supports again, at the end with "
@@ -210,9 +210,10 @@ def came_down(recording: Recording) -> list[Check]:
 def _driven_against(recording: Recording) -> Iterator[Check]:
     """A warning for each load that hangs clear and meets what stands still, while no step lowers or moves it.
 
-    Wind does that, a tag line that is hauled or let go, or a swing. Where a rope has parted, that is told.
+    Wind does that, a tag line that is hauled or let go, a swing, or what is pumped from one end of the load
+    to the other. Where a rope has parted, that is told.
     """
-    kinds = {step.step: step.acts_as for step in recording.rig.plan}
+    lowers, within = _lowering(recording), _pumped_within(recording)
     spans = progress.spans(recording)
     lost = min((one.time for one in partings(recording) if one.kind not in PLANNED), default=np.inf)
     for load in recording.rig.loads:
@@ -221,14 +222,15 @@ def _driven_against(recording: Recording) -> Iterator[Check]:
             if name != load.name or kind not in ("lift_off", "set_down"):
                 continue
             steps = [step for step, (begin, end) in spans.items() if begin < time <= end]
-            is_lowered = any(kinds.get(step) in _LOWERS for step in steps)
+            is_lowered = any(step in lowers for step in steps)
             hung = 0.0 if since is None or kind == "lift_off" else time - since
             since = time if kind == "lift_off" else None
             stands = any(contact not in load.meets for contact in _met(recording, load, time))
             if hung >= _HUNG and stands and not is_lowered and time < lost:
                 where = f" in '{progress.BESIDE.join(steps)}'" if steps else ""
                 remark = f"it meets what is in its way{where}, after {hung:.3g} s of hanging clear: see"
-                remark = f"{remark} wind, tag lines and how it swings"
+                tilts = "how it tilts by what is pumped in it, " if within.intersection(steps) else ""
+                remark = f"{remark} {tilts}wind, tag lines and how it swings"
                 meaning = "loads that hang clear stay so until a step lowers them"
                 yield Check("stays_clear", Verdict.WARNING, meaning, element=name, time=time, remark=remark)
                 break
@@ -241,6 +243,7 @@ def _caught(recording: Recording) -> Iterator[Check]:
     again hoists it or takes a support away; what lays one down turns it.
     """
     kinds = {step.step: step.acts_as for step in recording.rig.plan}
+    lowers = _lowering(recording)
     spans = progress.spans(recording)
     removed = [one.removed_at for one in recording.rig.supports if one.removed_at is not None]
     raised = [begin for step, (begin, _) in spans.items() if kinds.get(step) == "hoist"]
@@ -252,7 +255,7 @@ def _caught(recording: Recording) -> Iterator[Check]:
             if kind == "set_down" and met is None and hangs:
                 steps = [step for step, (begin, end) in spans.items() if begin < time <= end]
                 stands = any(contact not in load.meets for contact in _met(recording, load, time))
-                met = time if stands and any(kinds.get(step) in _LOWERS for step in steps) else None
+                met = time if stands and any(step in lowers for step in steps) else None
             elif kind == "lift_off" and met is not None:
                 if any(met < moment <= time for moment in raised + removed):
                     met = None
@@ -267,6 +270,19 @@ def _caught(recording: Recording) -> Iterator[Check]:
                     yield replace(check, time=met)
                     break
             hangs = kind == "lift_off"
+
+
+def _lowering(recording: Recording) -> set[str]:
+    """Steps that lower a load, or that bring what it hangs from or stands over somewhere else."""
+    within = _pumped_within(recording)
+    return {one.step for one in recording.rig.plan if one.acts_as in _LOWERS and one.step not in within}
+
+
+def _pumped_within(recording: Recording) -> set[str]:
+    """Steps that pump from one tank of a load to another of it: that tilts it, and lowers it by nothing."""
+    own = [set(load.tanks) for load in recording.rig.loads]
+    pumps = [one for one in recording.rig.plan if one.pumps]
+    return {one.step for one in pumps if any(tanks.issuperset(one.pumps) for tanks in own)}
 
 
 def _went_on(recording: Recording, load: Load, begin: float, end: float) -> float:
