@@ -52,6 +52,7 @@ from gantline.assembly.doubts.strength import doubtful_strength
 from gantline.assembly.doubts.supports import check_under_load, doubtful_supports
 from gantline.assembly.doubts.tanks import doubtful_tanks
 from gantline.assembly.doubts.tilts import doubtful_tilts
+from gantline.assembly.doubts.travelling import doubtful_travelling
 from gantline.assembly.doubts.turns import doubtful_turns
 from gantline.assembly.doubts.vessels import doubtful_vessels
 from gantline.assembly.doubts.waits import doubtful_waits
@@ -282,6 +283,7 @@ def _doubts(
         *doubtful_drums(scenario),
         *doubtful_strength(scenario, rigging),
         *doubtful_ratings(scenario, rigging),
+        *doubtful_travelling(scenario, rigging),
         *doubtful_following(scenario, rigging, lifted),
         *doubtful_hinges(parts, scenario, rigging, lifted),
         *doubtful_beside(parts, scenario, rigging, lifted),
