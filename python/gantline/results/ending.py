@@ -11,7 +11,9 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any, Final
 
-from gantline.results import progress
+import numpy as np
+
+from gantline.results import progress, series
 from gantline.results.recording import Recording
 from gantline.results.stability import failure_of
 from gantline.results.status import INCOMPLETE
@@ -19,6 +21,8 @@ from gantline.units import format_quantity
 
 __all__ = ["ADVICE", "Ending", "ending_of", "waiting"]
 
+#: What a step waits for that is no variable of recordings, and follows from slings.
+_SPREAD: Final = "tension_spread"
 _STIFF: Final = (
     "give what meets or goes taut there the stiffness and 'damping_time' that it really has, and look for "
     "masses and stiffnesses in a wrong unit; 'gantline run LIFT --integrator del --step 1ms' gets past what "
@@ -189,8 +193,15 @@ def waiting(recording: Recording, under_way: Sequence[str]) -> tuple[str, str]:
     if not step.seen_by:
         return step.step, step.until
     variable, element, unit = step.seen_by
-    values = recording.column(variable, element)[recording.time >= progress.spans(recording)[step.step][0]]
-    if not values.size:
+    known = recording.time >= progress.spans(recording)[step.step][0]
+    if variable == _SPREAD:
+        named = [one for one in recording.rig.equalizers if one.name in element.split()]
+        equalizers = [one for one in named if one.slings]  # the lift file was checked: one of them has some
+        known &= np.all([series.are_taut(recording, one) for one in equalizers], axis=0)
+        values = np.max([series.tension_spread(recording, one) for one in equalizers], axis=0)[known]
+    else:
+        values = recording.column(variable, element)[known]
+    if not values.size or not known[-1]:
         return step.step, step.until
     last, least, most = (format_quantity(one, unit, 2) for one in (values[-1], values.min(), values.max()))
     return step.step, f"{step.until}: {last} then, {least} to {most} since it began"

@@ -217,6 +217,7 @@ class Step(FromJson):
             `brake_from`; empty of a hold.
         until: What it waits for, in words, such as `supports clear`; empty of one that waits for nothing.
         seen_by: Variable, its element, and a unit, by which that is seen; nothing where no single one has it.
+            `tension_spread` is no variable, and follows from slings; its equalizers have spaces between.
         moves: What it moves, as the lift file names it: hooks, trolleys, cranes, drums, lines.
         by: Way after which that is at rest [m or rad], negative back; None where it ends otherwise.
         to: Position in which it is at rest [m or rad], of hooks a height; None where it ends otherwise.

@@ -421,6 +421,13 @@ def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:
     return ratio
 
 
+def are_taut(recording: Recording, equalizer: Equalizer) -> BoolArray:
+    """Where all slings of one equalizer that are whole carry something, shape (time,)."""
+    tensions = np.array([recording.column("rope_tension", rope) for rope in equalizer.slings])
+    taut: BoolArray = np.all((tensions > 0.0) | ~are_whole(recording, equalizer.slings), axis=0)
+    return taut
+
+
 def is_loaded(recording: Recording, equalizer: Equalizer) -> BoolArray:
     """Where the slings of one equalizer carry a twentieth of their most together, shape (time,).
 

@@ -16,7 +16,8 @@ __all__ = ["waited_for"]
 def waited_for(scenario: Scenario, step: Any) -> Json:
     """The condition that ends a step, as `supports clear` and `hoist load of U1 above 40 t`; or nothing.
 
-    Where one variable of recordings has it, `seen_by` names that, its element, and a unit for people.
+    Where one variable of recordings has it, `seen_by` names that, its element, and a unit for people. So it
+    does of the tension spread, which tensions of slings have, with all equalizers that count, spaces between.
     """
     if step.until is None:
         return {}
@@ -35,6 +36,8 @@ def _seen_by(scenario: Scenario, until: Condition) -> tuple[str, str, str] | Non
         return "rope_tension", f"mooring.{until.mooring_tension.line}", "kN"
     if until.load_transferred is not None or until.supports is not None:
         return "load_transferred", load, "%"
+    if until.tension_spread is not None:
+        return "tension_spread", " ".join(until.of or scenario.equalizers or ()), "%"
     return None
 
 
