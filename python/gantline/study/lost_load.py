@@ -358,12 +358,19 @@ class _Curve:
     def _last_righted(self, low: float, high: float) -> float:
         """The angle up to which it is righted, between one at which it is and one at which it is not [rad].
 
-        By halves: where it lies over, the arm jumps.
+        By halves: where it lies over, the arm jumps, and shortly before that it may rest nowhere.
         """
         while high - low > _ANGLE:
             middle = 0.5 * (low + high)
-            low, high = (middle, high) if _is_righted(self.at(middle)) else (low, middle)
+            low, high = (middle, high) if self._rights_at(middle) else (low, middle)
         return low
+
+    def _rights_at(self, heel: float) -> bool:
+        """Whether it is righted at an angle [rad]; not where no attitude is found in which it rests."""
+        try:
+            return _is_righted(self.at(heel))
+        except CannotFloatError:
+            return False
 
     def first(self, what: Callable[[Heeled], float], looks: Sequence[Heeled]) -> float | None:
         """The first angle on the way along some looks where something is not below zero [rad]."""
