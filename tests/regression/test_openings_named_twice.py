@@ -88,8 +88,9 @@ def test_an_opening_in_another_plane_takes_nothing(opening: str) -> None:
 
 def test_openings_without_end_are_refused() -> None:
     """Time to sort them out grows with each that overlaps the others: the declared weight counts."""
-    cut = f"<ocx:CutBy>{''.join(at(1 + 0.01 * k, 1) for k in range(9))}</ocx:CutBy>"
+    around = [at(1 + x, 1 + y) for x in (-0.26, 0.26) for y in (-0.26, 0.26)]
+    cut = f"<ocx:CutBy>{''.join([*around, at(1, 1)])}</ocx:CutBy>"
     plate = W.plate("P1", W.polygon(SQUARE), declared=290.0, centre=(1.0, 1.0, 0.0))
     (part,) = read_ocx(W.file(W.panel("deck", plate, more=cut), holes=HOLE), "file").parts
     assert part.properties is None and part.counted is not None and part.counted.mass == 290.0
-    assert "one of its openings overlaps" in part.doubts[0]
+    assert "one of its openings overlaps 4 others" in part.doubts[0]

@@ -296,8 +296,8 @@ def test_files_outside_are_not_opened() -> None:
     bounded(lambda: f"{head}<ocxXML xmlns='{NEW}'>&x;</ocxXML>".encode(), "has a document type declaration")
 
 
-def test_a_million_parts_are_too_many() -> None:
-    bounded(lambda: W.file("<ocx:Plate/>" * 1_000_000), "has more than 100000 parts")
+def test_very_many_parts_are_too_many() -> None:
+    bounded(lambda: W.file("<ocx:Plate/>" * 100_001), "has more than 100000 parts")
 
 
 def test_elements_within_elements_without_end_are_too_deep() -> None:

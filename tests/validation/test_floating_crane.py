@@ -468,8 +468,11 @@ def test_tanks_that_are_filled_on_one_side_capsize_it() -> None:
         for place, (tank, amount) in enumerate(amounts.items())
     )
     text = hanging(640.0, pumps + "  - {step: end, hold: until_end}\n", 10.0)
+    # How its slings snatch while it goes over took most of the time: it is over within 0.1 s of when it is to
+    # the usual tolerances, 171.0 s.
+    coarse = {"tension_tolerance": 100e3, "position_tolerance": 0.01}
     with pytest.raises(SimulationError) as failed:
-        Simulation(read(text)).run()
+        Simulation(read(text), **coarse).run()
     message = str(failed.value)
     assert "barge: it has capsized over its port side" in message
     assert "barge.deck_edge went under at" in message

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import accumulate
 
 import numpy as np
 import numpy.typing as npt
@@ -67,7 +68,10 @@ def each_once(openings: Sequence[Opening]) -> list[Opening]:
         taken = [
             other
             for other in map(_triangles, others)
-            if sum(_shared(triangle, other) for triangle in triangles) > _SLIVER * own
+            if any(
+                total > _SLIVER * own
+                for total in accumulate(_shared(triangle, other) for triangle in triangles)
+            )
         ]
         if not taken:
             found.append(opening)
