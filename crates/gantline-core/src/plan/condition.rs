@@ -115,26 +115,33 @@ pub enum Condition {
 impl Condition {
     /// True where it holds.
     pub fn holds(&self, seen: &Seen) -> bool {
+        self.lacks(seen) <= 0.0
+    }
+
+    /// What it lacks to hold, in its own unit: nothing, or less, where it does; infinite where nothing tells how much.
+    pub fn lacks(&self, seen: &Seen) -> f64 {
         let tension = |row: &usize| (seen.tension)(*row).max(0.0);
+        let transferred = |group: &usize, weight: &f64| 1.0 - seen.support[*group].borne / weight;
         match self {
-            Self::LoadTransferred { group, weight, at_least } => {
-                1.0 - seen.support[*group].borne / weight >= *at_least
+            Self::LoadTransferred { group, weight, at_least } => at_least - transferred(group, weight),
+            Self::LoadReturned { group, weight, at_most } => transferred(group, weight) - at_most,
+            Self::Clear(group) => seen.support[*group].pressed,
+            Self::Touched(group) => match seen.support[*group].pressed {
+                pressed if pressed > 0.0 => -pressed,
+                _ => f64::INFINITY,
+            },
+            Self::TensionAbove { rows, bound } => bound - rows.iter().map(tension).sum::<f64>(),
+            Self::TensionBelow { rows, bound } => rows.iter().map(tension).sum::<f64>() - bound,
+            Self::Plumb { falls, cosine } => {
+                most(falls.iter().map(|one| cosine - one.cosine(seen.kinematics)))
             }
-            Self::LoadReturned { group, weight, at_most } => {
-                1.0 - seen.support[*group].borne / weight <= *at_most
-            }
-            Self::Clear(group) => seen.support[*group].pressed <= 0.0,
-            Self::Touched(group) => seen.support[*group].pressed > 0.0,
-            Self::TensionAbove { rows, bound } => rows.iter().map(tension).sum::<f64>() >= *bound,
-            Self::TensionBelow { rows, bound } => rows.iter().map(tension).sum::<f64>() <= *bound,
-            Self::Plumb { falls, cosine } => falls.iter().all(|one| one.cosine(seen.kinematics) >= *cosine),
-            Self::Spread { groups, at_most } => groups.iter().all(|rows| {
+            Self::Spread { groups, at_most } => most(groups.iter().map(|rows| {
                 let (mut low, mut high, mut sum) = (f64::INFINITY, 0.0_f64, 0.0);
                 for value in rows.iter().map(tension) {
                     (low, high, sum) = (low.min(value), high.max(value), sum + value);
                 }
-                low > 0.0 && (high - low) * rows.len() as f64 <= at_most * sum
-            }),
+                if low > 0.0 { (high - low) * rows.len() as f64 - at_most * sum } else { f64::INFINITY }
+            })),
             Self::Attitude { body, angle, above, bound } => {
                 let turned = seen.kinematics.pose[*body].rotation;
                 let found = match angle {
@@ -142,10 +149,16 @@ impl Condition {
                     AttitudeSpec::Trim => turned.x_axis.z.asin(),
                     AttitudeSpec::Tilt => turned.z_axis.truncate().length().atan2(turned.z_axis.z),
                 };
-                if *above { found >= *bound } else { found <= *bound }
+                if *above { bound - found } else { found - bound }
             }
         }
     }
+}
+
+/// The largest; no number where one of them is none.
+fn most(values: impl Iterator<Item = f64>) -> f64 {
+    let larger = |most: f64, value: f64| if most.is_nan() || value <= most { most } else { value };
+    values.fold(f64::NEG_INFINITY, larger)
 }
 
 #[cfg(test)]

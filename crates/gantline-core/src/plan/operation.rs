@@ -311,9 +311,19 @@ impl PlanState {
 
     /// True where a step under way waits for a condition that holds by what is `seen`.
     pub fn is_fulfilled(&self, plan: &Plan, seen: &Seen) -> bool {
+        self.lacks(plan, seen) <= 0.0
+    }
+
+    /// The least that a condition lacks to hold, by what is `seen`, of those for which steps under way wait, see
+    /// [`super::condition::Condition::lacks`]; infinite where none does.
+    pub fn lacks(&self, plan: &Plan, seen: &Seen) -> f64 {
         let waits = |index: &usize| matches!(self.phases[*index], Phase::UntilCondition(_));
-        !self.stopped
-            && (self.stage..self.begun).filter(waits).any(|index| is_met(&plan.steps[index], Some(seen)))
+        let under_way = (self.stage..self.begun).filter(|_| !self.stopped).filter(waits);
+        let lacks = under_way.filter_map(|index| match &plan.steps[index].until {
+            Until::Condition(condition) => Some(condition.lacks(seen)),
+            _ => None,
+        });
+        lacks.fold(f64::INFINITY, f64::min)
     }
 
     /// How many steps have begun.

@@ -2,6 +2,7 @@
 //! answers to what is uncertain. What the border hands on.
 
 mod lost;
+mod pace;
 mod way;
 
 use glam::DVec3;

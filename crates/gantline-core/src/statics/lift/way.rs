@@ -1,5 +1,6 @@
 //! The way of a lift at rest to a time of its plan: at once, or from rest to rest where what has been matters.
 
+use super::pace::{LONGEST, MET, Pace, SHORTEST};
 use super::{GoesOn, StaticLift, placed};
 use crate::event::{Event, EventKind, EventLog};
 use crate::plan::condition::{Seen, Support};
@@ -11,18 +12,16 @@ use crate::statics::{NoEquilibrium, Rest, Statics};
 use crate::stepper::frame::Frame;
 use crate::stepper::{flows, slinging};
 use crate::system::System;
+use crate::tree::kinematics::Kinematics;
 
 /// Time between looks at the condition of a step while another one ends [s].
 const LOOK: f64 = 0.1;
-/// Farthest look ahead: where a condition holds there, what lies before it is looked at by halves [s].
+/// Farthest look ahead: where a condition holds there, what lies before it is looked at [s].
 const AHEAD: f64 = 16.0 * LOOK;
-/// Longest and shortest part of a plan that is followed at once; when a condition is met is known to the latter [s].
-const LONGEST: f64 = 5.0;
-const SHORTEST: f64 = 1e-3;
 /// How much too short a sling may seem where it is put on, since friction of sheaves is left out there [m].
 const REACH: f64 = 0.01;
 /// Unstretched rope, wound in one part, that may be in doubt [m]: the error is of second order in it.
-const DOUBT: f64 = 1e-6;
+const DOUBT: f64 = 1e-5;
 
 /// Where a lift that was followed has come by, so that the same way need not be gone twice: where steps of its plan began or
 /// ended, and how far it got last. No part before these ends because of the time that was asked for: whoever goes on from there
@@ -42,7 +41,7 @@ pub(super) struct Trail {
 /// A place on the way.
 #[derive(Debug, Clone)]
 struct Mark {
-    stride: f64,
+    pace: Pace,
     state: State,
     statics: Statics,
     events: Vec<Event>,
@@ -101,7 +100,7 @@ impl StaticLift {
     }
 
     /// From rest to rest, the start being where `increment` has brought it; no farther than to where `until` is known, if
-    /// that is given. A condition is met within `SHORTEST` of where it begins to hold: what holds for less than `AHEAD`,
+    /// that is given. A condition is met within `MET` of where it begins to hold: what holds for less than `AHEAD`,
     /// and not at its end, may be missed.
     pub(super) fn follow(
         &mut self,
@@ -112,13 +111,13 @@ impl StaticLift {
         goes_on: GoesOn,
     ) -> Result<Rest, NoEquilibrium> {
         self.trail.is_of(increment, losses);
-        let (mut rest, mut stride) = match self.trail.before(time) {
+        let (mut rest, mut pace) = match self.trail.before(time) {
             Some(mark) => (None, self.take_up(mark)),
-            None => (Some(self.set_out(losses)?), LONGEST),
+            None => (Some(self.set_out(losses)?), Pace::new()),
         };
-        let leave = |stride, state: &State, statics: &Statics, events: &[Event], slides: &[(f64, usize)]| {
+        let leave = |pace, state: &State, statics: &Statics, events: &[Event], slides: &[(f64, usize)]| {
             let (state, statics, slides) = (state.clone(), statics.clone(), slides.to_vec());
-            Mark { stride, state, statics, events: events.to_vec(), slides }
+            Mark { pace, state, statics, events: events.to_vec(), slides }
         };
         let mut last = None;
         let mut before = self.state.clone();
@@ -127,24 +126,26 @@ impl StaticLift {
         while state.time < time && until.is_none_or(|until| until.time(log).is_none()) {
             unless_stopped(goes_on)?;
             before.copy_from(state);
-            let (now, stride_before) = (state.time, stride);
+            let (now, pace_before) = (state.time, pace);
             let frame = placed(system, state);
             flows::supports(system, &frame.kinematics, (&state.spots, &state.tension), &mut support);
             // What is due now begins now, so that it is known what that waits for.
             let known = log.events.len();
             flows::advance_plan(system, state, &frame, (now.next_up(), &support), log);
             let waits = state.plan.waits_for_condition();
-            stride = stride.min(if waits { AHEAD } else { LONGEST });
+            pace.stride = pace.stride.min(if waits { AHEAD } else { LONGEST });
             let mut due = state.plan.next_time(&system.plan, now);
             if waits {
                 // Nothing but the condition may come in between.
-                stride = if due < now + stride { stride.min(LOOK) } else { stride };
+                pace.stride = if due < now + pace.stride { pace.stride.min(LOOK) } else { pace.stride };
                 due = f64::INFINITY;
             }
+            pace.waits(log.events.len(), now, || lacks(system, state, &frame.kinematics, &support));
+            let stride = pace.next(now);
             let end = (now + stride).min(due);
             // The way goes on past the time that is asked for; only where it does is there a part that ends at that time.
             let next = if last.is_some() { end.min(time) } else { end };
-            let mark = || leave(stride_before, &before, statics, &log.events[..known], slides);
+            let mark = || leave(pace_before, &before, statics, &log.events[..known], slides);
             let left = (next > time).then(mark);
             if last.is_none() {
                 trail.keep(log.events.len(), mark);
@@ -158,14 +159,25 @@ impl StaticLift {
             statics.may_slide = is_short;
             let found = statics.follow(system, state, losses);
             statics.may_slide = true;
-            let is_late = found.is_ok() && waits && is_fulfilled(system, state, &mut support);
-            let is_good = is_short || (found.is_ok() && statics.doubt <= DOUBT && !is_late);
+            let lack =
+                if found.is_ok() && waits { lacks_now(system, state, &mut support) } else { f64::INFINITY };
+            let is_late = lack <= 0.0;
+            let is_good = match is_late {
+                true => next - now <= MET,
+                false => is_short || (found.is_ok() && statics.doubt <= DOUBT),
+            };
             if is_good && next <= time {
                 found?;
                 note(slides, statics, next);
                 rest = None;
+                if is_late {
+                    pace.is_met()
+                } else {
+                    pace.look(next, lack)
+                }
                 // The doubt is of second order in the length of a part: twice as long, four times as much.
-                stride *= if statics.doubt > 0.25 * DOUBT { 1.0 } else { 2.0 };
+                let is_whole = stride == pace.stride;
+                pace.stride *= if statics.doubt <= 0.25 * DOUBT && is_whole { 2.0 } else { 1.0 };
                 continue;
             }
             statics.slid.clear();
@@ -174,11 +186,15 @@ impl StaticLift {
             statics.resume(system, state);
             if is_good {
                 last = left;
+                pace = pace_before;
+            } else if is_late {
+                pace.look(next, lack);
+                pace.is_late_by(next);
             } else {
-                stride = 0.5 * (next - now);
+                pace.stride = 0.5 * (next - now);
             }
         }
-        trail.last = last.or_else(|| Some(leave(stride, state, statics, &log.events, slides)));
+        trail.last = last.or_else(|| Some(leave(pace, state, statics, &log.events, slides)));
         rest.map_or_else(|| self.statics.rest(&self.system, &self.state), Ok)
     }
 
@@ -191,12 +207,12 @@ impl StaticLift {
         Ok(rest)
     }
 
-    /// To where it has been before; how long the next part may be [s].
-    fn take_up(&mut self, mark: Mark) -> f64 {
-        let Mark { stride, state, statics, events, slides } = mark;
+    /// To where it has been before; how far it goes from there at once.
+    fn take_up(&mut self, mark: Mark) -> Pace {
+        let Mark { pace, state, statics, events, slides } = mark;
         (self.state, self.statics, self.slides) = (state, statics, slides);
         self.log.events = events;
-        stride
+        pace
     }
 }
 
@@ -227,13 +243,18 @@ fn unless_stopped(goes_on: GoesOn) -> Result<(), NoEquilibrium> {
     Err(NoEquilibrium { element: "the search".to_owned(), cause: "it was stopped".to_owned() })
 }
 
-/// Whether a step under way waits for what holds now.
-fn is_fulfilled(system: &System, state: &State, support: &mut [Support]) -> bool {
+/// What a condition lacks to hold now, see [`crate::plan::operation::PlanState::lacks`].
+fn lacks_now(system: &System, state: &State, support: &mut [Support]) -> f64 {
     let kinematics = &placed(system, state).kinematics;
     flows::supports(system, kinematics, (&state.spots, &state.tension), support);
+    lacks(system, state, kinematics, support)
+}
+
+/// The same by what supports do.
+fn lacks(system: &System, state: &State, kinematics: &Kinematics, support: &[Support]) -> f64 {
     let tension =
         |row: usize| flows::tension_at(system, kinematics, (row, &state.tension), [&state.q, &state.v]);
-    state.plan.is_fulfilled(&system.plan, &Seen { support, tension: &tension, kinematics })
+    state.plan.lacks(&system.plan, &Seen { support, tension: &tension, kinematics })
 }
 
 /// Slings that are put on from here on have to reach: what holds a load before it hangs on them is where `state` has it.
