@@ -22,14 +22,15 @@ LINE = "line: {at: [5 m, 0 m, 2 m], to: [60 m, 0 m, 6 m], rope: tag, pull: 3 kN}
 
 
 def test_a_load_slides_where_its_friction_finds_no_balance() -> None:
-    """Clear of the ground friction holds nothing: it hangs as without friction."""
+    """There it is told; clear of the ground friction holds nothing: it hangs as without friction."""
     statics = Statics(parse_scenario(LIFT.replace("to: [60 m, 0 m, 6 m]", "to: [60 m, 100 m, 6 m]")))
+    # From 4.43 s to 4.46 s there is none; a way in longer parts may pass by what slides within one of them.
+    there = statics.equilibrium(4.45, losses="held")
+    [(moment, name)] = there.slides
+    assert name == "load" and 4.35 < moment <= 4.45
+    assert there.to_json()["slides"] == [{"time": moment, "name": "load"}]
     held = statics.equilibrium(20.0, losses="held")
     assert held.contacts == ()
-    [(moment, name)] = held.slides
-    # Its slings are taut at 3.5 s; 1.5 s later, at 5 m/min, it would be clear with falls as stiff as 0.1 m.
-    assert name == "load" and 3.5 < moment < 5.0
-    assert held.to_json()["slides"] == [{"time": moment, "name": "load"}]
     free = statics.equilibrium(20.0)
     for rope in ("sling.A", "sling.B", "sling.C", "sling.D", "tag.line"):
         # Two searches, each within 1e-9 of the forces, of what four slings of 100 MN share.

@@ -21,7 +21,7 @@ const AHEAD: f64 = 16.0 * LOOK;
 /// How much too short a sling may seem where it is put on, since friction of sheaves is left out there [m].
 const REACH: f64 = 0.01;
 /// Unstretched rope, wound in one part, that may be in doubt [m]: the error is of second order in it.
-const DOUBT: f64 = 1e-5;
+const DOUBT: f64 = 2e-6;
 
 /// Where a lift that was followed has come by, so that the same way need not be gone twice: where steps of its plan began or
 /// ended, and how far it got last. No part before these ends because of the time that was asked for: whoever goes on from there
