@@ -59,9 +59,13 @@ def stability(recording: Recording) -> list[Check]:
     return checks_of(recording, "hangs_stably")
 
 
-@pytest.mark.parametrize(("high", "plan"), [(0.03, PLAN), (0.047, PLAN), (0.03, SET_DOWN)])
+@pytest.mark.parametrize("high", [0.03, 0.035, 0.047, 0.0485])
+@pytest.mark.parametrize("plan", [PLAN, SET_DOWN])
 def test_one_that_rolls_is_no_go(high: float, plan: str) -> None:
-    """Set down again before the run ends, too."""
+    """Set down again before the run ends, too, whether or not its edge may lean on the ground, just below.
+
+    Where parts of the way of statics ended by chance while it leant, three of twelve heights had a warning.
+    """
     recording = run(high, plan)
     [check] = stability(recording)
     assert (check.element, check.verdict) == ("pipe", Verdict.FAILED)
@@ -75,12 +79,6 @@ def test_nothing_is_said_of_one_that_keeps_upright(high: float, plan: str) -> No
     recording = run(high, plan)
     assert recording.rig.loads[0].resting
     assert not stability(recording)
-
-
-def test_one_that_leans_on_the_ground_at_rest_is_a_warning() -> None:
-    """By statics its edge rolls on to the ground, a few millimetres below: it does not hang so."""
-    [check] = stability(run(0.047, SET_DOWN))
-    assert (check.element, check.verdict) == ("pipe", Verdict.WARNING)
 
 
 def test_a_run_that_has_not_asked_is_a_warning() -> None:
