@@ -223,7 +223,7 @@ def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Findi
     for rating in rig.ratings:
         element = rating.name if rating.level == "hook" else f"{rating.level} {rating.name}"
         if not rating.rated_capacity:
-            yield Missing(element, "rated capacity not known")
+            yield Missing(element, "rated capacity not known", is_strength=True)
             continue
         variable = "hoist_load" if rating.includes_hook_block else "hook_load"
         force = hook_force(recording, rating.hooks, variable, during)

@@ -158,7 +158,7 @@ def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Findin
         holder = recording.rig.with_lugs(one.of)
         lug = holder.lugs.get(one.name) if holder is not None else None
         if lug is None or not lug.capacity:
-            yield Missing(one.element, "lug capacity not known")
+            yield Missing(one.element, "lug capacity not known", is_strength=True)
         else:
             yield from over(one.force, lug.capacity, one.element, raised)
     for load in recording.rig.loads:

@@ -44,10 +44,12 @@ class Missing:
     Attributes:
         element: Its name.
         reason: What is not known, or why it has no value.
+        is_strength: Whether what it may bear is not known, which the lift file could say.
     """
 
     element: str
     reason: str
+    is_strength: bool = False
 
 
 @dataclass(frozen=True)

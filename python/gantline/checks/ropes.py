@@ -71,7 +71,7 @@ def _factor(
     recording: Recording, during: BoolArray, rope: str, strength: float | None, element: str
 ) -> Iterator[Finding]:
     if strength is None:
-        yield Missing(element, _NO_STRENGTH)
+        yield Missing(element, _NO_STRENGTH, is_strength=True)
         return
     highest = peak_at_upper_end(recording, rope, during)
     if highest is not None and highest.tension > 0.0:

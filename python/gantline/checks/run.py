@@ -138,7 +138,7 @@ def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> d
 class _Outcome:
     """What a measure found: all values and the governing one, that between samples, and what is not a value.
 
-    `of` are the elements that have a value.
+    `of` are the elements that have a value; it lacks strength where what some of them may bear is not known.
     """
 
     values: tuple[Found, ...]
@@ -147,6 +147,7 @@ class _Outcome:
     between: float | None
     refused: tuple[Refused, ...]
     missing: str
+    lacks_strength: bool
     cautions: tuple[str, ...]
 
 
@@ -162,6 +163,7 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
         between=pick((one.between for one in values if one.between is not None), default=None),
         refused=tuple(one for one in findings if isinstance(one, Refused)),
         missing=_reasons(one for one in findings if isinstance(one, Missing)),
+        lacks_strength=any(isinstance(one, Missing) and one.is_strength for one in findings),
         cautions=tuple(dict.fromkeys(one.text for one in findings if isinstance(one, Caution))),
     )
 
@@ -254,6 +256,9 @@ def _of_nothing(
     check = replace(check, is_vain=is_own and is_given and not missing and not found.cautions)
     is_asked = is_given and check.name not in rig.assumed_limits
     check = _without_value(recording, check, missing, _NOTHING, is_asked=is_asked)
+    if found.lacks_strength:
+        # Nobody need ask for that: of a lug whose capacity is known beside it this would be a warning too.
+        check = replace(check, verdict=Verdict.WARNING)
     if not found.cautions:
         return check
     return replace(check, verdict=Verdict.WARNING, remark=_joined([check.remark, *found.cautions]))
