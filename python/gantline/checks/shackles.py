@@ -14,6 +14,7 @@ from functools import cache
 
 import numpy as np
 
+from gantline.checks.design_weight import design_ratio
 from gantline.checks.forces import (
     DYNAMIC,
     NO_DYNAMIC,
@@ -24,10 +25,12 @@ from gantline.checks.forces import (
     factor,
     kilonewton,
     sling_forces,
+    to_design,
 )
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused
 from gantline.results import series
 from gantline.results.gear import Sling
+from gantline.results.loads.hung_so import never_hung_so
 from gantline.results.recording import Recording
 from gantline.results.ropes.upper_end import own_weight
 from gantline.results.strength import Shackle, SideLoad
@@ -119,12 +122,14 @@ class _Moment:
         time: When it acts [s]; None by the rule.
         angle: Side load angle [rad].
         force: The force that it is of.
+        ratio: By what it is raised to the design weight [1].
     """
 
     load: float
     time: float | None
     angle: float
     force: Force
+    ratio: float = 1.0
 
 
 def _moments(
@@ -147,11 +152,16 @@ def _moments(
         tension = series.sling_tension(recording, sling)
         if end == "top":
             tension = tension + own_weight(recording, sling.rope)
-        worst = _worst(chart, tension, angles, during)
+        ratios = np.ones(len(tension))
+        if force.static is not None and not force.is_heavier:
+            ratio = design_ratio(recording, sling.to_load, force.window)
+            ratios = np.where(never_hung_so(recording), ratio, 1.0)
+        worst = _worst(chart, ratios * tension, angles, during)
         near = int(np.argmin(np.abs(recording.time - force.time)))
-        moments.append(_Moment(force.peak, force.time, float(angles[near]), force))
-        at_worst = float(tension[worst]), float(recording.time[worst]), float(angles[worst])
-        moments.append(_Moment(*at_worst, force))
+        highest = force.peak * force.peak_ratio
+        moments.append(_Moment(highest, force.time, float(angles[near]), force, force.peak_ratio))
+        time, ratio = float(recording.time[worst]), float(ratios[worst])
+        moments.append(_Moment(float(tension[worst]) * ratio, time, float(angles[worst]), force, ratio))
     return moments
 
 
@@ -166,7 +176,8 @@ def _dynamic(
             return
         strength, text = _strength(recording, shackle, left, one.angle)
         own = f" with {OWN_WEIGHT}" if one.force.own_weight > 0.0 else ""
-        said, other = f"peak {kilonewton(one.load)}{own}", one.force.rule_text
+        peak = f"peak {kilonewton(one.load / one.ratio)}{own}{to_design(one.ratio)}"
+        said, other = peak, one.force.rule_text
         if one.time is None:
             said = one.force.rule_text or one.force.static_text
             other = "" if one.force.peak is None else f"peak {kilonewton(one.force.peak)}{own}"
