@@ -21,7 +21,7 @@ from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
 from gantline.results.alike import earliest_peak
 from gantline.results.gear import Compensator, Sling, Spreader
-from gantline.results.loads.hung_so import has_hung_as_heavy
+from gantline.results.loads.hung_so import has_hung_as_heavy, never_hung_so
 from gantline.results.loads.skew import skew_loads
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
@@ -72,6 +72,8 @@ class Force:
         is_heavier: Whether more is left to bear of the loads at the peak, by water or with what is in tanks,
             than in any time that they hung still: `static` is then of less, and the peak without contingency
             and factors.
+        peak_ratio: By what the peak is raised to the design weight [1]; 1 but of a time as which the loads
+            never hung still, so that no static value has what it is of.
     """
 
     static: float | None
@@ -87,6 +89,7 @@ class Force:
     lacks_static: bool = False
     is_under_other_pins: bool = False
     is_heavier: bool = False
+    peak_ratio: float = 1.0
 
     @property
     def caution(self) -> str:
@@ -98,9 +101,14 @@ class Force:
         return UNRAISED_UNDER_PINS if self.is_under_other_pins else ""
 
     @property
+    def raised_peak(self) -> float | None:
+        """The simulated peak, raised where no static value has it [N]; None of an equilibrium."""
+        return None if self.peak is None else self.peak * self.peak_ratio
+
+    @property
     def dynamic(self) -> float | None:
         """The largest of rule, simulated peak and static force [N]; None if there is no rule and no peak."""
-        known = [force for force in (self.rule, self.peak) if force is not None]
+        known = [force for force in (self.rule, self.raised_peak) if force is not None]
         if known and self.static is not None and self.counts_static:
             known.append(self.static)
         return max(known, default=None)
@@ -113,18 +121,20 @@ class Force:
     @property
     def moment(self) -> float | None:
         """When the governing force acts [s]; None if it is static, or by the rule."""
-        return self.time if self.peak is not None and self.peak == self.dynamic else None
+        return self.time if self.peak is not None and self.raised_peak == self.dynamic else None
 
     @property
     def text(self) -> str:
         """How the governing force comes about."""
         parts = [self.rule_text] if self.rule is not None else []
-        if self.rule is None and self.static is not None and self.static == self.dynamic != self.peak:
+        if self.rule is None and self.static is not None and self.static == self.dynamic != self.raised_peak:
             parts = [self.static_text]
         if self.peak is not None:
-            parts.append(f"peak {kilonewton(self.peak - self.own_weight)}")
+            highest = f"peak {kilonewton(self.peak - self.own_weight)}"
             if self.own_weight > 0.0:
-                parts[-1] += f" + {OWN_WEIGHT} {kilonewton(self.own_weight)}"
+                highest += f" + {OWN_WEIGHT} {kilonewton(self.own_weight)}"
+                highest = f"({highest})" if self.peak_ratio > 1.0 else highest
+            parts.append(f"{highest}{to_design(self.peak_ratio)}")
         if not parts:
             return self.static_text
         return parts[0] if len(parts) == 1 else f"max({', '.join(parts)})"
@@ -170,7 +180,10 @@ def sling_forces(
         if skew is not None and rule is not None:
             perfect = skew.force if skew.perfect is None else skew.perfect
             force = _with_skew(recording, force, perfect, sling.to_load, rule)
-        forces[sling.name] = _with_peak(recording, force, sling.rope, during)
+        force = _with_peak(recording, force, sling.rope, during)
+        ratio = design_ratio(recording, sling.to_load, force.window)
+        tension = series.tightest_tension(recording, sling.rope)
+        forces[sling.name] = _with_raised_peak(recording, force, tension, during, ratio)
     return forces
 
 
@@ -201,9 +214,11 @@ def force_together(
         found += [_sum(alone, share), *(replace(one, peak=None, time=None) for one in alone)]
     force = max(found, key=lambda one: one.rule or one.static or 0.0)
     force = _with_peak_of(recording, force, together, during)
+    ratio = max(design_ratio(recording, sling.to_load, force.window) for sling in slings)
     # Peaks of each alone are the same whatever the window.
-    highest = max([force, *alone], key=lambda one: one.peak or 0.0)
-    return _under_pins(recording, replace(force, peak=highest.peak, time=highest.time))
+    highest = max([force, *alone], key=lambda one: one.raised_peak or 0.0)
+    force = replace(force, peak=highest.peak, time=highest.time, peak_ratio=highest.peak_ratio)
+    return _under_pins(recording, _with_raised_peak(recording, force, together, during, ratio))
 
 
 def _sum(forces: Sequence[Force], share: float) -> Force:
@@ -293,7 +308,10 @@ def hook_force(
     falls = series.static_value(recording, total - hook_load, window) or 0.0
     more = _to_design_weight(recording, names, window)
     force = replace(_hook_force(recording, static, more, falls), window=window)
-    return _with_peak_of(recording, force, total, during)
+    force = _with_peak_of(recording, force, total, during)
+    if static is None or force.static is None or not static + falls:
+        return force
+    return _with_raised_peak(recording, force, total, during, force.static / (static + falls))
 
 
 def _to_design_weight(recording: Recording, hooks: Sequence[str], window: BoolArray) -> float:
@@ -377,7 +395,7 @@ def _raised(recording: Recording, values: FloatArray, ratio: float, window: Bool
     static = series.static_value(recording, values, window)
     if static is None:
         return _without_static(recording, ratio)
-    text = f"static {kilonewton(static)}{_to_design(ratio)}"
+    text = f"static {kilonewton(static)}{to_design(ratio)}"
     return with_rule(recording, Force(static * ratio, text, window=window))
 
 
@@ -401,11 +419,11 @@ def raised_of_capacity(
     for found in extreme(recording, ratios * force / capacity, during, element):
         ratio = float(np.interp(found.time or 0.0, recording.time, ratios))
         simulated = kilonewton(found.value / ratio * capacity)
-        raised = f"({simulated}{_to_design(ratio)})" if ratio > 1.0 else simulated
+        raised = f"({simulated}{to_design(ratio)})" if ratio > 1.0 else simulated
         yield replace(found, formula=f"{raised} / {kilonewton(capacity)}")
 
 
-def _to_design(ratio: float) -> str:
+def to_design(ratio: float) -> str:
     """In words, how a force of the simulated weight is raised; nothing where that is the design weight."""
     return f" x {ratio:.4g} to the design weight" if ratio > 1.0 else ""
 
@@ -436,7 +454,12 @@ def at_upper_end(recording: Recording, rope: str, force: Force, during: BoolArra
     if force.static is not None and own is not None:
         text = f"({force.static_text} + {OWN_WEIGHT} {kilonewton(own)})"
         force = with_rule(recording, replace(force, static=force.static + own, static_text=text))
-    highest = peak_at_upper_end(recording, rope, during) if force.peak is not None else None
+    if force.peak is None:
+        return force
+    if force.peak_ratio > 1.0:
+        hangs = float(np.interp(force.time or 0.0, recording.time, more))
+        return replace(force, peak=force.peak + hangs, own_weight=hangs)
+    highest = peak_at_upper_end(recording, rope, during)
     if highest is None:
         return force
     return replace(force, peak=highest.tension, time=highest.time, own_weight=highest.own_weight)
@@ -450,7 +473,7 @@ def _with_skew(recording: Recording, force: Force, perfect: float, load: str | N
     if force.static is None:
         return force
     ratio = design_ratio(recording, load, force.window)
-    by_rule = f"{kilonewton(perfect)} with perfect lengths{_to_design(ratio)} x {rule:.4g}"
+    by_rule = f"{kilonewton(perfect)} with perfect lengths{to_design(ratio)} x {rule:.4g}"
     text = f"max({force.static_text}, {by_rule})"
     static = max(force.static, perfect * ratio * rule)
     return with_rule(recording, Force(static, text, factors=(SKEW,), window=force.window))
@@ -471,13 +494,29 @@ def _under_pins(recording: Recording, force: Force) -> Force:
     A sling that is slack under pins, and takes its share once they are pulled, has no static force then: a
     factor of the rule on that is one on nothing.
     """
-    if force.peak is None or force.static is None or force.peak != force.dynamic:
+    if force.peak is None or force.static is None or force.raised_peak != force.dynamic:
         return force
     if not _raises(recording):
         return force
     still = np.any(series.quiet_windows(recording), axis=0)
     alike = still & pinned_as_at(recording, force.time or 0.0)
     return force if alike.any() else replace(force, is_under_other_pins=True)
+
+
+def _with_raised_peak(
+    recording: Recording, force: Force, values: FloatArray, during: BoolArray, ratio: float
+) -> Force:
+    """With the largest of its values [N] as which the loads never hung still, raised, where that governs.
+
+    What slings and hooks bear as a load is turned, or goes from one to another, is static but for a little,
+    and goes with the weight; no static value of a hold has it.
+    """
+    if recording.is_equilibrium or force.static is None or force.is_heavier or ratio <= 1.0:
+        return force
+    highest = series.peak(recording, values, during & never_hung_so(recording))
+    if highest is None or highest[0] * ratio <= (force.dynamic or 0.0):
+        return force
+    return replace(force, peak=highest[0], time=highest[1], peak_ratio=ratio)
 
 
 def _raises(recording: Recording) -> bool:

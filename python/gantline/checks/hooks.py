@@ -22,9 +22,9 @@ from gantline.units import format_quantity
 
 #: Levels of rated capacities, that of most first.
 _LEVELS = ("crane", "trolley", "hook")
-#: Share of its largest load from which the pull at a hook counts, and how many times its upright part what
-#: pulls along a hook's own ropes may be before it is told [1]; 1.05 is 18 deg.
-_BEARS, _ASLANT = 0.25, 1.05
+#: How many times the largest upright part of it what pulls along a hook's own ropes may be before it is told
+#: [1]; 1.05 is 18 deg.
+_ASLANT = 1.05
 #: Difference of two levels that nobody reads, who reads them in mm [m]: one that stays rings in its ropes.
 _LEVEL = 0.5e-3
 _PARTED = "its falls have parted"
@@ -244,13 +244,13 @@ def _aslant(recording: Recording, during: BoolArray, names: Sequence[str]) -> It
     """
     for hook in (one for one in hooks_that_stay(recording) if one.name in names):
         upright, aside = recording.column("hook_load", hook.name), pull_aside(recording, hook)
-        counts = during & (upright > _BEARS * np.max(upright, initial=0.0))
-        if not counts.any():
-            continue
-        most = float(np.max(aside[counts] / upright[counts]))
-        times = float(np.hypot(1.0, most))
-        if times > _ASLANT:
-            lean = format_quantity(float(np.arctan(most)), "deg", 0)
+        along = np.where(during, np.hypot(upright, aside), 0.0)
+        compared = float(np.max(upright[during], initial=0.0))
+        at = int(np.argmax(along))
+        # What a hook bears aslant while it bears little, as two slings go taut before two, is not compared.
+        if along[at] > _ASLANT * compared > 0.0:
+            lean = format_quantity(float(np.arctan2(aside[at], upright[at])), "deg", 0)
+            times = float(along[at]) / compared
             yield Caution(
                 f"{hook.name} is pulled {lean} aside, and what is compared is the upright part: along the "
                 f"pull, which a chain hoist is rated for, it is up to {times:.3g} times as much"

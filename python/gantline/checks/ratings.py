@@ -8,7 +8,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from gantline.checks.forces import UNRAISED, UNRAISED_IN_WATER, Force, factor, hook_force, kilonewton
+from gantline.checks.design_weight import design_ratio
+from gantline.checks.forces import (
+    UNRAISED,
+    UNRAISED_IN_WATER,
+    Force,
+    factor,
+    hook_force,
+    kilonewton,
+    to_design,
+)
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
 from gantline.results.cranes.rating import (
@@ -25,6 +34,7 @@ from gantline.results.cranes.rating import (
 )
 from gantline.results.cranes.rating_chart import RatingChart
 from gantline.results.loads.hinges import is_shut
+from gantline.results.loads.hung_so import never_hung_so
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.variable import BoolArray, FloatArray
@@ -158,17 +168,32 @@ def _of_row(
         )
         yield Refused(element, reason)
         return
-    used = np.where(loaded, kept * load / np.where(loaded, rated, 1.0), 0.0)
+    ratios = _ratios(recording, chart, hooks)
+    used = np.where(loaded, kept * ratios * load / np.where(loaded, rated, 1.0), 0.0)
     names = (SEVERAL,) if kept > 1 else ()
 
     def text(at: int) -> str:
         raised = f" x {kept:.4g}" if kept > 1 else ""
         of_row = f"{share * 100:.4g} % of " if share < 1 else ""
         row = f"{of_row}{kilonewton(rated[at] / share)} at {shown_places(chart, hooks, places[at])}"
-        return f"{kilonewton(load[at])}{raised} / {row}"
+        return f"{kilonewton(load[at])}{to_design(float(ratios[at]))}{raised} / {row}"
 
     for found in extreme(recording, used, loaded, element, text):
         yield replace(found, factors=names)
+
+
+def _ratios(recording: Recording, chart: RatingChart, hooks: Sequence[str]) -> FloatArray:
+    """By what the load of a chart is raised to the design weight at each sample, shape (time,) [1].
+
+    Where the loads hung still as they hang then, a hold has that, and it is 1. Hook blocks and falls weigh
+    what they weigh.
+    """
+    hangs = np.sum([recording.column("hook_load", name) for name in hooks], axis=0)
+    whole = hangs
+    if chart.includes_hook_block:
+        whole = np.sum([recording.column("hoist_load", name) for name in hooks], axis=0)
+    more = (design_ratio(recording) - 1.0) * np.clip(hangs / np.where(whole > 0.0, whole, np.inf), 0.0, 1.0)
+    return np.where(never_hung_so(recording), 1.0 + more, 1.0)
 
 
 def _by_rule(

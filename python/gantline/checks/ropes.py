@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from gantline.checks.forces import (
     OWN_WEIGHT,
@@ -19,7 +19,7 @@ from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, c
 from gantline.checks.moorings import moors_by_its_limit
 from gantline.checks.slings import bending_factor, bending_text, no_slings, sling_bend
 from gantline.results import series
-from gantline.results.gear import Rope
+from gantline.results.gear import Rope, Sling
 from gantline.results.recording import Recording
 from gantline.results.ropes.upper_end import peak_at_upper_end
 from gantline.results.variable import BoolArray
@@ -29,6 +29,7 @@ _NO_SAFETY = (
     "neither limits nor rules say how far below its breaking force a sling has to stay: "
     "write 'sling_factor_on_breaking_force' under 'limits'"
 )
+_NONE_HELD = "the rules have factors on the breaking force of slings, and no sling is held against it"
 _OVER_EYES = "bends about eyes or luffing sheaves, whose diameter is not known"
 _EYES_TAKE = (
     "bending about its own diameter takes half of a rope's strength; "
@@ -103,8 +104,16 @@ def load_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[
             sling = slings.get(rope.name)
             force = forces[sling.name] if sling is not None else rope_force(recording, rope.name, during)
             yield from _load(recording, rope, at_upper_end(recording, rope.name, force, during))
+    if not absent and slings and not any(_is_held(recording, slings, rope) for rope in recording.rig.ropes):
+        yield Caution(_NONE_HELD)
     if not absent and any(rope.over_eyes and rope.minimum_breaking_force for rope in recording.rig.ropes):
         yield Caution(_EYES_TAKE)
+
+
+def _is_held(recording: Recording, slings: Mapping[str, Sling], rope: Rope) -> bool:
+    """Whether a rope is a sling whose breaking force and bending are known."""
+    is_known = rope.name in slings and rope.minimum_breaking_force is not None
+    return is_known and not isinstance(_bending(recording, rope), str)
 
 
 def _load(recording: Recording, rope: Rope, force: Force) -> Iterator[Finding]:

@@ -8,10 +8,13 @@ over an extension sheave has one at each lower end: what counts is the larger an
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
+from gantline.checks.design_weight import design_ratio
 from gantline.checks.forces import (
     DYNAMIC,
     NO_DYNAMIC,
@@ -22,10 +25,12 @@ from gantline.checks.forces import (
     factor,
     kilonewton,
     sling_forces,
+    to_design,
 )
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused
 from gantline.results import series
 from gantline.results.gear import Sling
+from gantline.results.loads.hung_so import never_hung_so
 from gantline.results.recording import Recording
 from gantline.results.ropes.upper_end import own_weight
 from gantline.results.strength import Shackle, SideLoad
@@ -44,24 +49,31 @@ def remaining(chart: SideLoad, angle: float) -> float | None:
 
 def static_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Static load of a shackle over its working load limit, reduced for side load."""
-    forces = sling_forces(recording, during)
-    chart = recording.rig.shackle_side_load
-    for sling, end, shackle in _shackles(recording):
-        element, force = f"{sling.name} {end}", _at_end(recording, sling, end, forces[sling.name], during)
-        if not shackle.working_load_limit:
+    for sling, end, shackle, holds in _shackles(recording, during):
+        element = f"{sling.name} {end}"
+        limit = shackle.working_load_limit
+        if not limit:
             yield Missing(element, "working load limit not known")
-        elif force.static is None:
+        elif holds[0].force.static is None:
             yield Missing(element, NO_STATIC)
         else:
-            angle = _static_angle(recording, force.window, sling, end)
-            left = remaining(chart, angle)
-            limit = shackle.working_load_limit
-            if left is None:
-                yield from _beyond(element, angle)
-            else:
-                text = f"{force.static_text} / ({_limit(limit, left, angle)})"
-                factors = tuple(name for name in force.factors if name != DYNAMIC)
-                yield Found(force.static / (limit * left), element, formula=text, factors=factors)
+            yield max((_of_limit(recording, element, limit, hold) for hold in holds), key=_share)
+
+
+def _of_limit(recording: Recording, element: str, limit: float, hold: _Hold) -> Found | Refused:
+    """Static load of a hold [N] over what side load leaves of a working load limit [N]."""
+    assert hold.force.static is not None  # asked of loads that hung still
+    left = remaining(recording.rig.shackle_side_load, hold.angle)
+    if left is None:
+        return _beyond(element, hold.angle)
+    text = f"{hold.force.static_text} / ({_limit(limit, left, hold.angle)})"
+    factors = tuple(name for name in hold.force.factors if name != DYNAMIC)
+    return Found(hold.force.static / (limit * left), element, formula=text, factors=factors)
+
+
+def _share(finding: Found | Refused) -> float:
+    """The share of a strength that is used [1]; what a chart does not know comes first."""
+    return finding.value if isinstance(finding, Found) else np.inf
 
 
 def dynamic_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -70,16 +82,15 @@ def dynamic_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     These are working load limit times the rule's dynamic amplification factor (reduced for side load),
     minimum breaking force over the rule's factor on it, and proof load; 0027/ND rev 11, 8.2.6.
     """
-    forces = sling_forces(recording, during)
-    for sling, end, shackle in _shackles(recording):
-        element, force = f"{sling.name} {end}", _at_end(recording, sling, end, forces[sling.name], during)
+    for sling, end, shackle, holds in _shackles(recording, during):
+        element, force = f"{sling.name} {end}", holds[0].force
         if not shackle.working_load_limit:
             yield Missing(element, "working load limit not known")
         elif force.dynamic is None:
             yield Missing(element, NO_DYNAMIC)
         else:
-            moments = _moments(recording, during, sling, end, force)
-            yield from _dynamic(recording, element, shackle, force, moments)
+            moments = _moments(recording, during, sling, end, holds)
+            yield from _dynamic(recording, element, shackle, moments)
             if force.caution:
                 yield Caution(force.caution)
 
@@ -89,51 +100,91 @@ def _at_end(recording: Recording, sling: Sling, end: str, force: Force, during: 
     return at_upper_end(recording, sling.rope, force, during) if end == "top" else force
 
 
-#: A force [N], when it acts [s] (None by the rule), and its side load angle [rad].
-_Moment = tuple[float, float | None, float]
+@dataclass(frozen=True)
+class _Hold:
+    """How a shackle is pulled while the loads hang still.
+
+    Attributes:
+        force: What it bears.
+        angle: Side load angle [rad].
+    """
+
+    force: Force
+    angle: float
 
 
-def _moments(recording: Recording, during: BoolArray, sling: Sling, end: str, force: Force) -> list[_Moment]:
-    """By the rule with the angle at rest; the peak; and the sample at which side load leaves least.
+@dataclass(frozen=True)
+class _Moment:
+    """A load of a shackle.
+
+    Attributes:
+        load: [N].
+        time: When it acts [s]; None by the rule.
+        angle: Side load angle [rad].
+        force: The force that it is of.
+        ratio: By what it is raised to the design weight [1].
+    """
+
+    load: float
+    time: float | None
+    angle: float
+    force: Force
+    ratio: float = 1.0
+
+
+def _moments(
+    recording: Recording, during: BoolArray, sling: Sling, end: str, holds: Sequence[_Hold]
+) -> list[_Moment]:
+    """By the rule with angles at rest; the peak; and the sample at which side load leaves least.
 
     Without a rule the static force takes its place: that of the design weight may be more than the peak.
     """
     chart = recording.rig.shackle_side_load
     moments: list[_Moment] = []
-    still = force.rule if force.rule is not None else force.static if force.counts_static else None
-    if still is not None:
-        moments.append((still, None, _static_angle(recording, force.window, sling, end)))
+    for hold in holds:
+        of = hold.force
+        still = of.rule if of.rule is not None else of.static if of.counts_static else None
+        if still is not None:
+            moments.append(_Moment(still, None, hold.angle, of))
+    force = holds[0].force
     if force.peak is not None and force.time is not None:
         angles = _angles(recording, sling, end)
         tension = series.sling_tension(recording, sling)
         if end == "top":
             tension = tension + own_weight(recording, sling.rope)
-        worst = _worst(chart, tension, angles, during)
+        ratios = np.ones(len(tension))
+        if force.static is not None and not force.is_heavier:
+            ratio = design_ratio(recording, sling.to_load, force.window)
+            ratios = np.where(never_hung_so(recording), ratio, 1.0)
+        worst = _worst(chart, ratios * tension, angles, during)
         near = int(np.argmin(np.abs(recording.time - force.time)))
-        moments.append((force.peak, force.time, float(angles[near])))
-        moments.append((float(tension[worst]), float(recording.time[worst]), float(angles[worst])))
+        highest = force.peak * force.peak_ratio
+        moments.append(_Moment(highest, force.time, float(angles[near]), force, force.peak_ratio))
+        time, ratio = float(recording.time[worst]), float(ratios[worst])
+        moments.append(_Moment(float(tension[worst]) * ratio, time, float(angles[worst]), force, ratio))
     return moments
 
 
 def _dynamic(
-    recording: Recording, element: str, shackle: Shackle, force: Force, moments: list[_Moment]
+    recording: Recording, element: str, shackle: Shackle, moments: Sequence[_Moment]
 ) -> Iterator[Finding]:
     found: list[Found] = []
-    own = f" with {OWN_WEIGHT}" if force.own_weight > 0.0 else ""
-    for load, time, angle in moments:
-        left = remaining(recording.rig.shackle_side_load, angle)
+    for one in moments:
+        left = remaining(recording.rig.shackle_side_load, one.angle)
         if left is None:
-            yield from _beyond(element, angle)
+            yield _beyond(element, one.angle)
             return
-        strength, text = _strength(recording, shackle, left, angle)
-        said, other = f"peak {kilonewton(load)}{own}", force.rule_text
-        if time is None:
-            said = force.rule_text or force.static_text
-            other = "" if force.peak is None else f"peak {kilonewton(force.peak)}{own}"
+        strength, text = _strength(recording, shackle, left, one.angle)
+        own = f" with {OWN_WEIGHT}" if one.force.own_weight > 0.0 else ""
+        peak = f"peak {kilonewton(one.load / one.ratio)}{own}{to_design(one.ratio)}"
+        said, other = peak, one.force.rule_text
+        if one.time is None:
+            said = one.force.rule_text or one.force.static_text
+            other = "" if one.force.peak is None else f"peak {kilonewton(one.force.peak)}{own}"
         formula = f"{said} / {text}{f'; {other}' if other else ''}"
-        factors = (*force.factors, *([_BREAKING] if "MBF" in text else []))
-        found.append(Found(load / strength, element, time, formula, factors))
-    yield max(found, key=lambda one: one.value)
+        factors = (*one.force.factors, *([_BREAKING] if "MBF" in text else []))
+        found.append(Found(one.load / strength, element, one.time, formula, factors))
+    yield max(found, key=_share)
     if factor(recording, _BREAKING) is not None and not shackle.minimum_breaking_force:
         yield Caution(f"minimum breaking force of {shackle.name} not known, which the rule asks for")
 
@@ -160,9 +211,11 @@ def _limit(limit: float, left: float, angle: float) -> str:
     return f"WLL {kilonewton(limit)}{aside}"
 
 
-def _beyond(element: str, angle: float) -> Iterator[Finding]:
+def _beyond(element: str, angle: float) -> Refused:
     """The chart says nothing of so large an angle."""
-    yield Refused(element, f"pulled {format_quantity(angle, 'deg', 1)} aside, beyond the chart of side loads")
+    return Refused(
+        element, f"pulled {format_quantity(angle, 'deg', 1)} aside, beyond the chart of side loads"
+    )
 
 
 def _worst(chart: SideLoad, tension: FloatArray, angles: FloatArray, during: BoolArray) -> int:
@@ -190,7 +243,22 @@ def _static_angle(recording: Recording, window: BoolArray | None, sling: Sling, 
     return series.static_value(recording, _angles(recording, sling, end), window) or 0.0
 
 
-def _shackles(recording: Recording) -> Iterator[tuple[Sling, str, Shackle]]:
+def _shackles(recording: Recording, during: BoolArray) -> Iterator[tuple[Sling, str, Shackle, list[_Hold]]]:
+    """Shackles, with how each is pulled where its sling bears most at rest, then where side load leaves less.
+
+    A load that is turned may pull a shackle with less force farther aside at another of its hold points.
+    """
+    most = sling_forces(recording, during)
+    windows = series.quiet_windows(recording)
+    of_window = cache(lambda at: sling_forces(recording, during, windows[at]))
+    chart = recording.rig.shackle_side_load
     for sling in recording.rig.slings:
         for end, shackle in sling.shackles.items():
-            yield sling, end, shackle
+            angle = _static_angle(recording, most[sling.name].window, sling, end)
+            holds = [_Hold(_at_end(recording, sling, end, most[sling.name], during), angle)]
+            for at, window in enumerate(windows):
+                aside = _static_angle(recording, window, sling, end)
+                if aside > angle and remaining(chart, aside) != remaining(chart, angle):
+                    force = _at_end(recording, sling, end, of_window(at)[sling.name], during)
+                    holds.append(_Hold(force, aside))
+            yield sling, end, shackle, holds

@@ -12,7 +12,7 @@ from gantline.results.ropes.parting import DETACHED, PARTING, while_there
 from gantline.results.ropes.pinned import pinned_as_at
 from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["has_hung_as_heavy", "has_hung_so", "left_by_water", "tells_dynamics"]
+__all__ = ["has_hung_as_heavy", "has_hung_so", "left_by_water", "never_hung_so", "tells_dynamics"]
 
 #: By what share of a load more is left to bear than while it hung still, which is no dynamics then [1].
 _HEAVIER = 0.02
@@ -50,6 +50,29 @@ def has_hung_so(recording: Recording, time: float, *, of_slings: bool = False) -
     still &= series.turned_as_at(recording, after)
     around = (on[:, place, np.newaxis] for place in (max(after - 1, 0), after))
     return any(bool(((on == then).all(axis=0) & still).any()) for then in around)
+
+
+def never_hung_so(recording: Recording) -> BoolArray:
+    """Samples as which the loads never hung still, in the slings of then and turned as then, shape (time,).
+
+    None of loads that hung still at no time, of which nothing static is known, and of loads in water, which
+    hang with other weights there.
+    """
+    return recording.kept("never_hung_so", lambda: _found_never(recording))
+
+
+def _found_never(recording: Recording) -> BoolArray:
+    windows = series.quiet_windows(recording)
+    if not windows or any(load.in_water is not None for load in recording.rig.loads):
+        return np.zeros(len(recording.time), dtype=np.bool_)
+    on = while_there(recording, [sling.rope for sling in recording.rig.slings], [DETACHED])
+    alike = np.zeros(len(recording.time), dtype=np.bool_)
+    for window in windows:
+        at = int(np.flatnonzero(window)[-1])
+        with_these = (on == on[:, at, np.newaxis]).all(axis=0)
+        so = shut_as_at(recording, float(recording.time[at])) & series.turned_as_at(recording, at)
+        alike |= window | (with_these & so)
+    return ~alike
 
 
 def has_hung_as_heavy(recording: Recording, time: float) -> bool:
