@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from itertools import permutations
 
-from column_in_waves import MASS, column
+from column_in_waves import FACTOR, MASS, STRENGTH, column
 from gantline.checks import Check, Verdict, foremost, governing, verdict_of
 from gantline.cli.seas_table import seas_table
 from gantline.results.file.saved_seas import SavedSeas
@@ -35,8 +35,9 @@ def test_what_parted_leads_in_any_order() -> None:
 def test_in_a_sea() -> None:
     """Half in the water a column of 981 kN weighs some 780 kN, in waves more and less: 800 kN break it."""
     assert 780e3 < 800e3 < MASS * G
-    breaks = ("damping_time: 20 ms", "damping_time: 20 ms, minimum_breaking_force: 800 kN, breaks_at: 800 kN")
-    found = run_seas(parse_scenario(changed(column(least="20 kN"), breaks)), heights=[2.0], periods=[6.0])
+    breaks = (STRENGTH, ", minimum_breaking_force: 800 kN, breaks_at: 800 kN")
+    lift = parse_scenario(changed(column(least="20 kN"), breaks, (FACTOR, "")))
+    found = run_seas(lift, heights=[2.0], periods=[6.0])
     (record,) = found.seas[0].records
     assert record.failed[:2] == ("smallest_sling_tension_when_clear", "rope_factor_on_breaking_force")
     assert record.governing is not None

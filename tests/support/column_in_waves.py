@@ -12,6 +12,8 @@ SIDE, HEIGHT = 2.0, 10.0
 AXIAL_STIFFNESS, LENGTH = 400e6, 29.9
 #: Of the lower end, by which the sling would be without force [m].
 DEPTH = 4.9
+#: What its sling bears, and how much less it has to stay.
+STRENGTH, FACTOR = ", minimum_breaking_force: 5 MN", "  sling_factor_on_breaking_force: 3\n"
 
 ALIKE = "{height: 1 m, period: 40 s, direction: 0 deg}"
 SEA = "{significant_height: 1 m, peak_period: 7 s, direction: 0 deg, components: 20}"
@@ -34,7 +36,7 @@ water: {{level: 0 m, density: {RHO} kg/m^3}}
 waves:
   swell: {waves}
 ropes:
-  hawser: {{axial_stiffness: {AXIAL_STIFFNESS} N, damping_time: 20 ms}}
+  hawser: {{axial_stiffness: {AXIAL_STIFFNESS} N, damping_time: 20 ms{STRENGTH}}}
 load:
   name: column
   shape: {{box: [{SIDE} m, {SIDE} m, {HEIGHT} m]}}
@@ -45,14 +47,18 @@ load:
   in_water: {{displaced_volume: 40 m^3, added_mass: [0 t, 0 t, 0 t], drag_coefficients: [1, 1, 1]}}
   lugs: {{L1: {{at: [0 m, 0 m, 10 m], capacity: 150 t}}}}
 cranes:
-  A: {{type: fixed_hook, at: [0 m, 0 m, 35 m], hoist: {{speed: 0.1 m/s, acceleration: 0.1 m/s^2}}}}
+  A:
+    type: fixed_hook
+    at: [0 m, 0 m, 35 m]
+    rated_capacity: 150 t
+    hoist: {{speed: 0.1 m/s, acceleration: 0.1 m/s^2}}
 slings:
   S1: {{from: A, to: column.L1, length: {LENGTH} m, rope: hawser}}
 plan:
   - {{step: hold, hold: until_end}}
 limits:
   smallest_sling_tension_when_clear: {least}
-{more}"""
+{FACTOR}{more}"""
 
 
 def least_tension(height: float, period: float) -> float:

@@ -131,7 +131,7 @@ def test_rated_capacity_counts_though_nobody_sets_a_limit() -> None:
     assert (found.verdict, found.source) == (Verdict.FAILED, "by definition")
     rig["hooks"][0]["rated_capacity"] = None
     found = checked("hoist_load_of_rated_capacity", rig)
-    assert (found.verdict, found.remark) == (Verdict.NOT_CHECKED, "rated capacity not known: test_hook")
+    assert (found.verdict, found.remark) == (Verdict.WARNING, "rated capacity not known: test_hook")
 
 
 def test_an_equalizer_is_rated_for_what_hangs_still() -> None:

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from column_in_waves import ALIKE, SEA, column
+from column_in_waves import ALIKE, SEA, STRENGTH, column
 from gantline import Simulation, simulate
 from gantline.checks import Check, Outcome, Verdict, check_recording
 from gantline.cli.seas_table import seas_table
@@ -186,7 +186,10 @@ def test_ctrl_c_keeps_what_there_is(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_lift_whose_gear_is_not_known_gives_no_verdict() -> None:
-    given = parse_scenario(column(SEA, duration="20 s").replace(", capacity: 150 t", ""))
+    text = column(SEA, duration="20 s")
+    for strength in (", capacity: 150 t", "    rated_capacity: 150 t\n", STRENGTH):
+        text = text.replace(strength, "")
+    given = parse_scenario(text)
     found = run_seas(given, heights=[0.5, 1.0])
     assert outcomes(found) == ["NO VERDICT", "NO VERDICT"]
     assert found.allowed_height(0.0, 7.0) is None
