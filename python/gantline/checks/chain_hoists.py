@@ -17,6 +17,6 @@ def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[
     forces = sling_forces(recording, during)
     for one in recording.rig.chain_hoists:
         if not one.rated_capacity:
-            yield Missing(one.name, "rated capacity not known")
+            yield Missing(one.name, "rated capacity not known", is_strength=True)
         else:
             yield from over(forces[one.name], one.rated_capacity, one.name)

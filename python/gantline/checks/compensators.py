@@ -26,7 +26,7 @@ def peak_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[
     for one in recording.rig.compensators:
         slings = slings_below(recording, one)
         if not one.rated_capacity:
-            yield Missing(one.name, "rated capacity not known")
+            yield Missing(one.name, "rated capacity not known", is_strength=True)
         elif slings:
             force = sum_force(recording, borne(recording, one), slings[0].to_load, during)
             yield from over(force, one.rated_capacity, one.name)

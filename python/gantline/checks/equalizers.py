@@ -76,7 +76,7 @@ def hanging_of_capacity(
 ) -> Iterator[Finding]:
     """Static vertical force of slings over the rated capacity of the lifting gear from which they hang."""
     if not gear.rated_capacity:
-        yield Missing(gear.name, "rated capacity not known")
+        yield Missing(gear.name, "rated capacity not known", is_strength=True)
     elif slings:
         vertical = [series.sling_upright(recording, sling) for sling in slings]
         force = sum_force(recording, np.sum(vertical, axis=0), slings[0].to_load, during)

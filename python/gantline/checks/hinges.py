@@ -28,7 +28,7 @@ def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Findi
     """Force between load and hinge, whichever way, raised to the design weight, over its rated capacity."""
     for hinge in recording.rig.hinges:
         if hinge.rated_capacity is None:
-            yield Missing(hinge.name, "rated capacity not known")
+            yield Missing(hinge.name, "rated capacity not known", is_strength=True)
             continue
         ratios = largest_ratios(recording, [hinge.load])
         force = hinge_force(recording, hinge)

@@ -45,7 +45,7 @@ _FARTHEST = 10.0
 _FIRST = 0.1
 #: What such a shift turns by more about plumb is not held there [rad].
 _FAR_ROUND = math.radians(30.0)
-#: What fails as planned counts once so much more of its limit is used [1].
+#: What fails as planned counts where this much more of its limit is used [1]: less is rounding.
 _MORE_USED = 1.001
 #: Of natural motions, as many times those known are asked for where they do not tell how a load tilts.
 _MORE = 4
@@ -105,13 +105,26 @@ class Margin:
 
     Attributes:
         direction: `up`, or along one of the load's own axes, such as `+x`; not of the one nearest to plumb.
-        distance: How far [m], to a millimetre.
+        distance: How far [m], to a millimetre; none where what a check fails as planned grows that way.
         cause: What happens then, in words; empty where nothing does within 10 m.
     """
 
     direction: str
     distance: float
     cause: str
+
+
+@dataclass(frozen=True)
+class _Trouble:
+    """What is wrong with a lift whose centre of gravity is elsewhere.
+
+    Attributes:
+        cause: In words; empty if nothing.
+        is_planned: Whether it is wrong as planned too, and less.
+    """
+
+    cause: str = ""
+    is_planned: bool = False
 
 
 def tilting_of(question: Statics, rest: Equilibrium, modes: Sequence[Mode]) -> list[Tilting]:
@@ -263,7 +276,8 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
 
     The lift is solved anew with it moved, each way until something happens: no equilibrium, one that is not
     stable, a sling goes slack, a sheave is beyond its travel, the load tilts by more than its limit, or a
-    check of the equilibrium fails, such as that of the hook which then bears more.
+    check of the equilibrium fails, such as that of the hook which then bears more. There is no margin to where
+    a check gets worse that fails as planned.
 
     Args:
         scenario: The lift, without cases.
@@ -285,7 +299,7 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
     failed = {name: _used(one) for name, one in _failed(rest).items()}
     slack = {sling.name for sling in rest.recording.rig.slings if rest.tension(sling.rope) <= 0.0}
 
-    def trouble(way: Floats, shift: float) -> str:
+    def trouble(way: Floats, shift: float) -> _Trouble:
         moved = [value + shift * float(part) for value, part in zip(at, way, strict=True)]
         texts = {f"load.centre_of_gravity.at.{name}": si_text(value, "length")
                  for name, value in zip("xyz", moved, strict=True)}  # fmt: skip
@@ -294,10 +308,10 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
             found = question.equilibrium(rest.time)
         except ScenarioError as problem:
             if problem.problems[0].path == _CENTRE:
-                return "nothing; further on it is outside the load"
-            return problem.problems[0].sentence.partition(";")[0]
+                return _Trouble("nothing; further on it is outside the load")
+            return _Trouble(problem.problems[0].sentence.partition(";")[0])
         except NoEquilibriumError as problem:
-            return f"no equilibrium: {problem.cause} ({problem.element})"
+            return _Trouble(f"no equilibrium: {problem.cause} ({problem.element})")
         return _trouble(question, Hanging(question, found), slack, failed)
 
     return [_margin(name, partial(trouble, way), farthest) for name, way in _ways(plumb)]
@@ -313,13 +327,13 @@ def _ways(plumb: Floats) -> Iterator[tuple[str, Floats]]:
             yield f"−{axis}", -np.eye(3)[place]
 
 
-def _margin(direction: str, trouble: Callable[[float], str], farthest: float) -> Margin:
+def _margin(direction: str, trouble: Callable[[float], _Trouble], farthest: float) -> Margin:
     """The least shift with trouble, by doubling and halving."""
-    cause = trouble(0.0)
-    if cause:
-        return Margin(direction, 0.0, cause)
+    least = trouble(0.0)
+    if least.cause:
+        return Margin(direction, 0.0, least.cause)
     good, bad = 0.0, _FIRST
-    while not (cause := trouble(min(bad, farthest))):
+    while not (least := trouble(min(bad, farthest))).cause:
         good = min(bad, farthest)
         if good == farthest:
             return Margin(direction, farthest, "")
@@ -328,15 +342,15 @@ def _margin(direction: str, trouble: Callable[[float], str], farthest: float) ->
     while bad - good > _TO:
         middle = 0.5 * (good + bad)
         found = trouble(middle)
-        if found:
-            bad, cause = middle, found
+        if found.cause:
+            bad, least = middle, found
         else:
             good = middle
-    return Margin(direction, good, cause)
+    return Margin(direction, 0.0 if least.is_planned else good, least.cause)
 
 
-def _trouble(question: Statics, hanging: Hanging, slack: set[str], failed: Mapping[str, float]) -> str:
-    """What is wrong with how a lift hangs that was found last, in words; empty if nothing.
+def _trouble(question: Statics, hanging: Hanging, slack: set[str], failed: Mapping[str, float]) -> _Trouble:
+    """What is wrong with how a lift hangs that was found last.
 
     Args:
         question: The lift, of which that is the equilibrium found last.
@@ -350,25 +364,27 @@ def _trouble(question: Statics, hanging: Hanging, slack: set[str], failed: Mappi
         # Nothing holds the heading below one hook: wind that turns it takes nothing from how it tilts.
         turns_alone = not rest.swinging and all(_is_about_plumb(turn) for turn in turns)
         if not turns_alone or len(hanging.hooks()) > 1:
-            return "unstable"
+            return _Trouble("unstable")
     newly = [name for name in hanging.slack() if name not in slack]
     if newly:
-        return f"{', '.join(newly)} slack"
+        return _Trouble(f"{', '.join(newly)} slack")
     beyond = hanging.beyond_travel()
     if beyond is not None:
-        return beyond
+        return _Trouble(beyond)
     limit = rest.recording.rig.limits.get("load_tilt")
     tilt = float(rest.recording.column("load_tilt", hanging.load.name)[-1])
     if limit is not None and tilt > float(limit):
-        return f"tilt beyond its limit of {format_quantity(float(limit), 'deg', 2)}"
+        return _Trouble(f"tilt beyond its limit of {format_quantity(float(limit), 'deg', 2)}")
     # Of several hooks one bears more as the centre of gravity comes nearer, long before a sling goes slack.
     worst = governing(
         [one for one in _failed(rest).values() if _used(one) > _MORE_USED * failed.get(one.name, 0.0)]
     )
     if worst is None or worst.limit is None:
-        return ""
+        return _Trouble()
     limit = format_quantity(worst.limit, worst.unit, worst.digits)
-    return f"{worst.name} of {worst.element} fails its limit of {limit}"
+    is_planned = worst.name in failed
+    planned = " as planned, and by more" if is_planned else ""
+    return _Trouble(f"{worst.name} of {worst.element} fails its limit of {limit}{planned}", is_planned)
 
 
 def _failed(rest: Equilibrium) -> dict[str, Check]:
