@@ -109,7 +109,7 @@ class Upright:
             down = G + (slings - between) / rod  # of the rod
             return [v, u, w, up, up + down, (slings + ground) / load - G]
 
-        found = solve_ivp(rates, (0.0, times[-1]), start, "Radau", times, rtol=1e-7, atol=1e-9, max_step=0.02)
+        found = solve_ivp(rates, (0.0, times[-1]), start, "LSODA", times, rtol=1e-7, atol=1e-9, max_step=0.02)
         assert found.success
         pulls = [self.forces(hook, t, y)[0] for t, y in zip(found.t, found.y.T, strict=True)]
         return np.array(pulls), found.y[1]
