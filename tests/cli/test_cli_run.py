@@ -143,7 +143,7 @@ def test_a_file_where_the_folder_should_be(tmp_path: Path) -> None:
 
 def test_a_simulation_that_cannot_go_on(core: type[FakeCore], tmp_path: Path) -> None:
     core.fails_at = 2
-    result = run("lift.yaml", "-o", tmp_path / "out")
+    result = run("lift.yaml", "-o", tmp_path / "out", "--no-plots", "--no-report")
     assert result.exit_code == 3
     assert "could not go on at t = 2.000 s at sling.S1: a pivot is zero" in result.stderr
     assert (tmp_path / "out" / "state.bin").read_bytes() == b"2"

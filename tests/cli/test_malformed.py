@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from ruamel.yaml import YAML
+import yaml
 from typer.testing import CliRunner
 
 from boom_lift import TACKLES, boom_lift
@@ -36,7 +36,7 @@ BASES = {
     "luffing": by_a_boom(luffed_along(17.0), inwards=True, angle=60.0, duration=60.0),
     "tail": by_crawlers(TAIL, duration=60.0),
 }
-CASES = YAML(typ="safe").load(Path(__file__).with_name("malformed.yaml"))
+CASES = yaml.load(Path(__file__).with_name("malformed.yaml").read_bytes(), yaml.CSafeLoader)
 UTF_16 = ": looks like UTF-16, two bytes for each letter; save the file as UTF-8"
 NEEDED = "a lift file or its folder is needed"
 

@@ -46,7 +46,7 @@ def run() -> Recording:
     begin, end = text.index("plan:\n"), text.index("watch:\n")
     text = text[:begin] + plan + STAND + text[end:]
     for given, other in (
-        ("duration: 300 s", "duration: 160 s"),
+        ("duration: 300 s", "duration: 110 s"),
         ("significant_height: 0.8 m", "significant_height: 2 m"),
         ("{type: hook_300, height: 30 m}", "{type: hook_300, height: 29 m}"),
     ):

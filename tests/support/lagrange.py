@@ -130,11 +130,12 @@ class Lagrange:
         mass = weighed @ jacobian.reshape(count, -1).T
         right = weighed @ (_FALL - bend).ravel()
         right += self.force(time, q, v)
-        told = self.driven or {}
+        if not self.driven:
+            return np.concatenate([v, np.linalg.solve(mass, right)])
         acceleration = np.zeros(count)
-        for index, law in told.items():
+        for index, law in self.driven.items():
             acceleration[index] = law(time)
-        free = [index for index in range(count) if index not in told]
+        free = [index for index in range(count) if index not in self.driven]
         right = right - mass @ acceleration
         acceleration[free] = np.linalg.solve(mass[np.ix_(free, free)], right[free])
         return np.concatenate([v, acceleration])

@@ -55,7 +55,8 @@ def margin(within: str, value: float, dimension: str) -> float:
 def stale_of(lift: str, recording: Recording) -> dict[str, list[str]]:
     """What pages show of the table of a lift and is otherwise, by where it stands."""
     shown = [one for one in SHOWN if lift_that_runs(one.command) == lift]
-    differs = {str(one): stale(one, table_of(recording)) for one in shown}
+    table = table_of(recording) if shown else ""
+    differs = {str(one): stale(one, table) for one in shown}
     return {place: lines for place, lines in differs.items() if lines}
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 
 from mechanics import Floats, G, Xyz
@@ -53,30 +51,28 @@ def about(mass: float, place: Floats) -> Floats:
     return mass * (place @ place * np.eye(3) - np.outer(place, place))
 
 
-def point_of(body: Floats, place: Floats) -> tuple[Floats, Floats]:
-    """Where a point of a body is [m] and how fast it moves [m/s], in the world.
+def points_of(body: Floats, places: Floats) -> tuple[Floats, Floats]:
+    """Where points of a body are [m] and how fast they move [m/s], in the world, shape (n, 3).
 
     Args:
         body: Centre of gravity [m], attitude, velocity [m/s], spin in its own axes [rad/s], shape (13,).
-        place: Of the point, from the centre of gravity, in the body's axes [m].
+        places: Of the points, from the centre of gravity, in the body's axes, shape (n, 3) [m].
     """
-    turned = axes(body[3:7])
-    return body[:3] + turned @ place, body[7:10] + turned @ cross(body[10:13], place)
+    back = axes(body[3:7]).T
+    return body[:3] + places @ back, body[7:10] + places @ across(body[10:13]).T @ back
 
 
-def rates_of(body: Floats, mass: float, inertia: Floats, pulls: Iterable[tuple[Floats, Floats]]) -> Floats:
-    """Rates of a body, as `point_of` has it, by Newton and Euler: its weight and pulls [N] at points [m].
+def rates_of(body: Floats, mass: float, inertia: Floats, pulls: Floats, points: Floats) -> Floats:
+    """Rates of a body, as `points_of` has it, by Newton and Euler: its weight and pulls [N] at points [m].
 
     Args:
-        body: As `point_of` has it.
+        body: As `points_of` has it.
         mass: [kg].
         inertia: About the centre of gravity, shape (3, 3) [kg m²].
-        pulls: In the world, with the points where they act.
+        pulls: In the world, shape (n, 3).
+        points: Where they act, shape (n, 3).
     """
-    force, moment = np.array([0.0, 0.0, -mass * G]), np.zeros(3)
-    for pull, point in pulls:
-        force = force + pull
-        moment = moment + cross(point - body[:3], pull)
     spin = body[10:13]
-    own = axes(body[3:7]).T @ moment - cross(spin, inertia @ spin)
-    return np.concatenate([body[7:10], turning(body[3:7], spin), force / mass, np.linalg.solve(inertia, own)])
+    own = moments(points - body[:3], pulls) @ axes(body[3:7]) - cross(spin, inertia @ spin)
+    falls = pulls.sum(axis=0) / mass - (0.0, 0.0, G)
+    return np.concatenate([body[7:10], turning(body[3:7], spin), falls, np.linalg.solve(inertia, own)])

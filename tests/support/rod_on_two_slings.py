@@ -18,7 +18,7 @@ FILE = Path(__file__).parents[1] / "validation" / "rod_on_two_slings.csv"
 ROD, DIAMETER, MASS = 0.1958, 0.00683, 0.056
 #: Of each sling from the middle of the rod [m].
 ASIDE = 0.0750
-AMPLITUDES = np.linspace(0.1, 1.5, 15)
+AMPLITUDES = np.linspace(0.1, 1.5, 8)
 
 
 @dataclass(frozen=True)

@@ -210,6 +210,7 @@ def test_raked_barge() -> None:
         raked_barge((60.0, 20.0, 6.0), 31.0, 2.0)
 
 
+@pytest.mark.usefixtures("occt_loaded")
 def test_triangles_of_a_step_hull_are_close(tmp_path: Path) -> None:
     """A round pontoon, half immersed: πr²/2 L, and the waterplane of its box.
 

@@ -16,9 +16,10 @@ from gantline.cad.geometry import read_geometry
 from gantline.cad.mass_properties import MassProperties
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
-pytestmark = pytest.mark.skipif(
-    not DATA.exists(), reason="the files lie in ../shared/data beside the project"
-)
+pytestmark = [
+    pytest.mark.skipif(not DATA.exists(), reason="the files lie in ../shared/data beside the project"),
+    pytest.mark.usefixtures("occt_loaded"),
+]
 STEEL = 7850.0
 
 

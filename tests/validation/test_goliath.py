@@ -167,16 +167,15 @@ def test_swing_after_the_traverse_is_small(recording: Recording) -> None:
 
 def incident(more: str, *changes: tuple[str, str]) -> Recording:
     """The lift with a further section and changes, until a little after."""
-    text = FILE.read_text(encoding="utf-8")
-    shorter = (("duration: 1060 s", "duration: 350 s"), ("sample_interval: 0.1 s", "sample_interval: 20 ms"))
-    text = changed(text, *shorter, *changes)
+    text = changed(FILE.read_text(encoding="utf-8"), ("duration: 1060 s", "duration: 350 s"), *changes)
     begin = text.index("cases:")
     return Simulation(parse_scenario(text[:begin] + more + text[text.index("limits:") :], str(FILE))).run()
 
 
 @pytest.fixture(scope="module")
 def stopped() -> Recording:
-    return incident("emergency_stop: {in_step: hoist, after: 20 s}\n")
+    denser = ("sample_interval: 0.1 s", "sample_interval: 20 ms")
+    return incident("emergency_stop: {in_step: hoist, after: 20 s}\n", denser)
 
 
 def test_an_emergency_stop_at_full_hoist_speed_runs_through(stopped: Recording) -> None:

@@ -3,7 +3,7 @@
 In the x-z plane, with every rope as docs/concepts/flows.md, rope.md and winch.md have it: a boom that turns
 as its drive says; from its tip a rope over half a turn on a hook block, which may slip there by (F5) and
 (F6), back to a drum at the tip, which takes rope in by (WI2); two slings from the hook to a beam; at its
-other end a rope with a curve, (R5), and one of one stiffness that is cut. scipy's DOP853 integrates hook,
+other end a rope with a curve, (R5), and one of one stiffness that is cut. scipy's LSODA integrates hook,
 beam, rope that passes the sheave and rope on the drum, from one stop of the sheave to the next.
 """
 
@@ -230,7 +230,7 @@ def own(times: Floats) -> tuple[Floats, dict[str, Floats], int]:
         stop = next(one for one in breaks if one > now + 1e-12)
         part = solve_ivp(
             lambda t, s, model=model, stuck=stuck, side=side: model.at(t, s, stuck, side)["rates"],
-            (now, stop), y, "DOP853", dense_output=True, events=event, rtol=1e-9, atol=1e-10,
+            (now, stop), y, "LSODA", dense_output=True, events=event, rtol=1e-9, atol=1e-10,
             first_step=1e-6, max_step=0.02,
         )  # fmt: skip
         inside = np.flatnonzero((times >= now - 1e-12) & (times <= part.t[-1] + 1e-12))

@@ -46,17 +46,10 @@ lifts = pytest.mark.parametrize("name", LIFTS)
 short_lifts = pytest.mark.parametrize("name", [name for name in LIFTS if name != "goliath"])
 
 
-def another_run(name: str, folder: Path) -> bytes:
+def unbroken_run(name: str, folder: Path) -> bytes:
     """The saved recording of a run from start to end in this process, each time anew."""
     simulation = Simulation(SCENARIOS / name, duration=LIFTS[name][0])
     return simulation.run().save(folder / "whole.nc").read_bytes()
-
-
-@cache
-def whole_run(name: str) -> bytes:
-    """The same of one run, with which all others are compared."""
-    with TemporaryDirectory() as folder:
-        return another_run(name, Path(folder))
 
 
 def other_process(name: str, folder: Path, state: Path | None = None) -> bytes:
@@ -69,41 +62,45 @@ def other_process(name: str, folder: Path, state: Path | None = None) -> bytes:
 
 
 @cache
-def saved_in_the_middle(name: str) -> bytes:
-    """The state of a run at its break."""
+def run_with_a_break(name: str) -> tuple[bytes, bytes]:
+    """The state of a run at its break, and its saved recording, with which all others are compared."""
     duration, pause = LIFTS[name]
     simulation = Simulation(SCENARIOS / name, duration=duration)
     reached = simulation.run(until=pause).time[-1]
     assert pause - 0.021 < reached < duration, "it pauses at the end of the step that reaches the break"
-    return simulation.save()
+    state = simulation.save()
+    with TemporaryDirectory() as folder:
+        return state, simulation.run().save(Path(folder) / "whole.nc").read_bytes()
 
 
 @short_lifts
 def test_two_runs_give_the_same_bytes(name: str, tmp_path: Path) -> None:
-    """Recordings of two runs, byte by byte."""
-    assert another_run(name, tmp_path) == whole_run(name)
+    """Recordings of a run from start to end and of one that pauses on its way, byte by byte."""
+    assert unbroken_run(name, tmp_path) == run_with_a_break(name)[1]
 
 
 @lifts
 def test_two_processes_give_the_same_bytes(name: str, tmp_path: Path) -> None:
-    """Recordings of this process and of another one with another hash seed, byte by byte."""
-    assert other_process(name, tmp_path) == whole_run(name)
+    """Recordings of this process, with a pause, and of another one with another hash seed, byte by byte."""
+    assert other_process(name, tmp_path) == run_with_a_break(name)[1]
 
 
 @short_lifts
 def test_a_run_taken_up_again_gives_the_same_bytes(name: str, tmp_path: Path) -> None:
-    """Recordings of a run without a break and of one saved in the middle and restored, byte by byte."""
+    """Recordings of a run that went on and of one saved in the middle and restored, byte by byte."""
+    state, whole = run_with_a_break(name)
     other = Simulation(SCENARIOS / name, duration=LIFTS[name][0])
-    other.restore(saved_in_the_middle(name))
-    assert other.run().save(tmp_path / "other.nc").read_bytes() == whole_run(name)
+    other.restore(state)
+    assert other.run().save(tmp_path / "other.nc").read_bytes() == whole
 
 
 @lifts
 def test_a_run_taken_up_by_another_process_gives_the_same_bytes(name: str, tmp_path: Path) -> None:
     """The same with the state restored in another process, byte by byte."""
+    saved, whole = run_with_a_break(name)
     state = tmp_path / "state"
-    state.write_bytes(saved_in_the_middle(name))
-    assert other_process(name, tmp_path, state) == whole_run(name)
+    state.write_bytes(saved)
+    assert other_process(name, tmp_path, state) == whole
 
 
 METHODS = [
@@ -141,7 +138,7 @@ def test_restoring_goes_back(tmp_path: Path) -> None:
     state = simulation.save()
     simulation.run(until=pause + 15.0)
     simulation.restore(state)
-    assert simulation.run().save(tmp_path / "back.nc").read_bytes() == whole_run("equalizer")
+    assert simulation.run().save(tmp_path / "back.nc").read_bytes() == unbroken_run("equalizer", tmp_path)
 
 
 def test_a_state_of_another_lift_is_refused() -> None:

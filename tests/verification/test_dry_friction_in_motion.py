@@ -1,7 +1,7 @@
 """Dry friction in motion, against equations in which it is a steep function of speed.
 
 F tanh(v/u) with u far below every speed is dry friction that creeps a little where it should hold: scipy's
-Radau solves that. What it creeps is u times the duration; an own solution with ten times the u tells the
+LSODA solves that. What it creeps is u times the duration; an own solution with ten times the u tells the
 rest.
 
 Hinges of a chain with friction in each: which of them hold and which slip is one problem, for what one
@@ -50,7 +50,7 @@ def test_hinges_of_a_chain_hold_and_slip(seed: int) -> None:
 
     times = np.linspace(0, duration, 101)
     start = np.concatenate([angles, speeds])
-    own = solve_ivp(rates, (0, duration), start, "Radau", times, rtol=1e-8, atol=1e-10).y.T
+    own = solve_ivp(rates, (0, duration), start, "LSODA", times, rtol=1e-8, atol=1e-10).y.T
     links = [
         body(
             f"link{k}",
@@ -99,7 +99,7 @@ def test_loads_bounce_over_a_sheave_that_loses(heavier: float, speed: float) -> 
         return np.concatenate([state[3:], tension / [light, heavier] - G, [turning]])
 
     times = np.linspace(0, duration, 17)
-    own = solve_ivp(rates, (0, duration), [0, 0, 0, speed, 0.3, 0], "Radau", times, rtol=1e-8, atol=1e-10).y.T
+    own = solve_ivp(rates, (0, duration), [0, 0, 0, speed, 0.3, 0], "LSODA", times, rtol=1e-8, atol=1e-10).y.T
     bodies = [
         body("light", slider(velocity=speed), light, position=(-radius, 0, -depth)),
         body("heavy", slider(velocity=0.3), heavier, position=(radius, 0, -depth)),

@@ -9,7 +9,6 @@ DOP853 solves that from where the lift file has the load, and the sheaves where 
 from __future__ import annotations
 
 import itertools
-import math
 
 import numpy as np
 import pytest
@@ -18,7 +17,7 @@ from scipy.integrate import solve_ivp
 from gantline.assembly import assemble
 from gantline.scenario import parse_scenario
 from mechanics import Floats, G, adaptive
-from rigid import axes, cross, turning
+from rigid import across, axes, cross, moments, turning
 
 LOAD, TOP = 60e3, 4.0
 SIZE, CENTRE = np.array([8.0, 6.0, 3.0]), np.array([0.25, -0.2, 1.5])
@@ -89,43 +88,38 @@ def test_a_load_on_sheaves_under_sheaves(depth: int, height: float) -> None:
     joints = {one["name"]: one["joint"] for one in system["bodies"]}
     joints["load"] |= {"velocity": SPEED.tolist(), "angular_velocity": SPIN.tolist()}
     names, weights = list(over), np.array(list(masses.values()))
-    arms = {name: place - CENTRE for name, place in lugs.items()}
-    routes = [(TOP, ["hook", "X1"])] + [(length, [a, one, b]) for one, (length, (a, b)) in over.items()]
+    arms = np.array(list(lugs.values())) - CENTRE
+    routes = [["hook", "X1"], *([a, one, b] for one, (_, (a, b)) in over.items())]
+    lengths = np.array([TOP, *(length for length, _ in over.values())])
+    legs = [(k, a, b) for k, route in enumerate(routes) for a, b in itertools.pairwise(route)]
+    # Of each leg its sling, and the points that it pulls ahead, 1, and back, -1.
+    sling_of = np.array([[k == sling for sling, _, _ in legs] for k in range(len(routes))], dtype=float)
+    ends = np.array(
+        [[float(name == a) - float(name == b) for _, a, b in legs] for name in ("hook", *names, *lugs)]
+    )
 
-    def tensions(time: float, state: Floats) -> tuple[list[float], dict[str, Floats], Floats]:
-        """Of all slings, forces where they end, rotation of the load."""
+    def tensions(time: float, state: Floats) -> tuple[Floats, Floats, Floats]:
+        """Of all slings, forces on hook, sheaves and lugs, rotation of the load."""
         place, q, speed, spin = np.split(state[:13], [3, 7, 10])
         rotation, moved = axes(q), state[13:].reshape(2, -1, 3)
         risen = ACCELERATION * min(time, RAMP) ** 2 / 2 + HOIST * max(0.0, time - RAMP)
-        places = {"hook": np.array([0, 0, height + risen]), **dict(zip(names, moved[0], strict=True))}
-        speeds = {"hook": np.array([0, 0, ACCELERATION * min(time, RAMP)])}
-        speeds |= dict(zip(names, moved[1], strict=True))
-        for name, arm in arms.items():
-            places[name] = place + rotation @ arm
-            speeds[name] = speed + rotation @ cross(spin, arm)
-        pulls = {name: np.zeros(3) for name in places}
-        found = []
-        for length, route in routes:
-            ways = [places[b] - places[a] for a, b in itertools.pairwise(route)]
-            spans = [math.sqrt(way @ way) for way in ways]
-            along = [way / span for way, span in zip(ways, spans, strict=True)]
-            rate = sum(
-                float(u @ (speeds[b] - speeds[a])) for u, a, b in zip(along, route, route[1:], strict=False)
-            )
-            stretch = sum(spans) - length
-            found.append(max(0.0, EA / length * (stretch + TAU * rate)))
-            for u, a, b in zip(along, route, route[1:], strict=False):
-                pulls[a] = pulls[a] + found[-1] * u
-                pulls[b] = pulls[b] - found[-1] * u
-        return found, pulls, rotation
+        hook = np.array([[[0, 0, height + risen]], [[0, 0, ACCELERATION * min(time, RAMP)]]])
+        on_load = np.stack([place + arms @ rotation.T, speed + arms @ across(spin).T @ rotation.T])
+        places, speeds = np.concatenate([hook, moved, on_load], axis=1)
+        ways = -ends.T @ places
+        spans = np.sqrt((ways * ways).sum(axis=1))
+        along = ways / spans[:, None]
+        rate = -(along * (ends.T @ speeds)).sum(axis=1)
+        stretch = sling_of @ (spans + TAU * rate) - lengths
+        found = np.maximum(0.0, EA / lengths * stretch)
+        return found, ends @ ((found @ sling_of)[:, None] * along), rotation
 
     def rates(time: float, state: Floats) -> Floats:
         _, pulls, rotation = tensions(time, state)
-        spin = state[10:13]
-        force = sum((pulls[name] for name in arms), np.array([0, 0, -LOAD * G]))
-        moment = sum((cross(arm, rotation.T @ pulls[name]) for name, arm in arms.items()), np.zeros(3))
-        spun = (moment - cross(spin, INERTIA * spin)) / INERTIA
-        sheaves = np.array([pulls[name] for name in names]) / weights[:, None] - [0, 0, G]
+        spin, on_lugs = state[10:13], pulls[1 + len(names) :]
+        force = on_lugs.sum(axis=0) - (0, 0, LOAD * G)
+        spun = (moments(arms, on_lugs @ rotation) - cross(spin, INERTIA * spin)) / INERTIA
+        sheaves = pulls[1 : 1 + len(names)] / weights[:, None] - [0, 0, G]
         half = state[13:].reshape(2, -1)
         return np.concatenate(
             [state[7:10], turning(state[3:7], spin), force / LOAD, spun, half[1], sheaves.ravel()]

@@ -168,10 +168,10 @@ def test_a_mass_between_two_lines_against_an_integration_of_its_own(
         rates,
         (0.0, 12.0),
         (0.0, velocity),
-        "DOP853",
+        "LSODA",
         recording.time,
-        rtol=1e-10,
-        atol=1e-9,
+        rtol=1e-11,
+        atol=1e-11,
         max_step=5e-3,
     )
     way = recording.column("body_position", "mass")[:, 0]

@@ -22,7 +22,7 @@ from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from mechanics import Floats
-from rigid import point_of, rates_of
+from rigid import points_of, rates_of
 
 #: Module and bar: mass [kg], inertia about the centre of gravity [kg m²].
 MODULE, BAR = 80e3, 4e3
@@ -38,14 +38,20 @@ SLINGS = {
     "B": ("bar", (0, -1.6, -0.25), "module", (-7, -1.5, 4), 7.02, 25e6, 12e-3),
     "C": ("h2", (0, 0, 0), "module", (7, 0.2, 4), 8.1, 15e6, 10e-3),
 }
-#: The same ends from the centres of gravity, that of the bar in the middle of it [m].
-ENDS_OF = {
-    name: (np.array(upper, float), np.array(lower, float) - (CENTRE if below == "module" else 0.0))
-    for name, (_, upper, below, lower, *_) in SLINGS.items()
+LENGTHS, STIFFNESSES, DAMPINGS = np.array([sling[4:] for sling in SLINGS.values()]).T
+#: Which ends are on a hook or body, 0 above and 1 below, and of which slings.
+ENDS_ON = {
+    body: np.nonzero(np.array([(sling[0] == body, sling[2] == body) for sling in SLINGS.values()]).T)
+    for body in ("h1", "h2", "module", "bar")
 }
+#: Where they are from the centre of gravity, that of the bar in its middle (n, 3) [m].
+ENDS_FROM = np.array(
+    [[sling[1] for sling in SLINGS.values()], [sling[3] for sling in SLINGS.values()]], float
+)
+PLACES = {"module": ENDS_FROM[ENDS_ON["module"]] - CENTRE, "bar": ENDS_FROM[ENDS_ON["bar"]]}
 #: Where hooks start [m], how far up each goes [m] and how fast [m/s], from when [s]; all with 0.5 m/s².
 HOOKS = {"h1": ((-7.0, 0.0, 20.0), 7.0, 0.8), "h2": ((7.0, 0.0, 17.0), -5.6, 0.6)}
-BEGINS, ACCELERATION, CUT, ENDS = 1.0, 0.5, 11.0, 14.0
+BEGINS, ACCELERATION, CUT, LASTS = 1.0, 0.5, 11.0, 14.0
 
 LIFT = """\
 format: 1
@@ -109,32 +115,30 @@ def hook_at(hook: str, time: float) -> tuple[Floats, Floats]:
     return np.array([*place[:2], place[2] + up]), np.array([0.0, 0.0, speed])
 
 
-def pulls(time: float, state: Floats) -> dict[str, tuple[float, Floats, Floats, Floats]]:
-    """Tension of each sling that is there [N], its way down, and its ends in the world [m]."""
-    bodies = {"module": state[:13], "bar": state[13:]}
-    hooks = {hook: hook_at(hook, time) for hook in HOOKS}
-    found = {}
-    for name, (above, _, below, _, length, stiffness, damping) in SLINGS.items():
-        if name == "A" and time >= CUT:
-            continue
-        upper, lower = ENDS_OF[name]
-        one = hooks[above] if above in HOOKS else point_of(bodies[above], upper)
-        other = point_of(bodies[below], lower)
-        way = other[0] - one[0]
-        size = math.sqrt(way @ way)
-        stretch = size - length + damping * float(way @ (other[1] - one[1])) / size
-        found[name] = (stiffness / length * max(0.0, stretch), way / size, one[0], other[0])
-    return found
+def pulls(time: float, state: Floats) -> tuple[Floats, Floats, Floats]:
+    """Tensions of slings (5,) [N], their ways down (5, 3), both ends of each in the world (2, 5, 3) [m]."""
+    places, speeds = np.empty((2, 5, 3)), np.empty((2, 5, 3))
+    for hook in HOOKS:
+        places[ENDS_ON[hook]], speeds[ENDS_ON[hook]] = hook_at(hook, time)
+    for body, own in (("module", state[:13]), ("bar", state[13:])):
+        places[ENDS_ON[body]], speeds[ENDS_ON[body]] = points_of(own, PLACES[body])
+    ways, apart = places[1] - places[0], speeds[1] - speeds[0]
+    sizes = np.sqrt((ways * ways).sum(axis=1))
+    stretches = sizes - LENGTHS + DAMPINGS * (ways * apart).sum(axis=1) / sizes
+    tensions = STIFFNESSES / LENGTHS * np.maximum(0.0, stretches)
+    if time >= CUT:
+        tensions[list(SLINGS).index("A")] = 0.0
+    return tensions, ways / sizes[:, None], places
 
 
 def rates(time: float, state: Floats) -> Floats:
     """Of module and bar."""
-    on: dict[str, list[tuple[Floats, Floats]]] = {"module": [], "bar": [], "h1": [], "h2": []}
-    for name, (tension, way, top, bottom) in pulls(time, state).items():
-        on[SLINGS[name][0]].append((tension * way, top))
-        on[SLINGS[name][2]].append((-tension * way, bottom))
-    module = rates_of(state[:13], MODULE, INERTIA, on["module"])
-    return np.concatenate([module, rates_of(state[13:], BAR, BAR_INERTIA, on["bar"])])
+    tensions, ways, places = pulls(time, state)
+    # Down at the upper ends, up at the lower ones.
+    forces = tensions[:, None] * np.stack([ways, -ways])
+    on = {body: (forces[at], places[at]) for body, at in ENDS_ON.items()}
+    module = rates_of(state[:13], MODULE, INERTIA, *on["module"])
+    return np.concatenate([module, rates_of(state[13:], BAR, BAR_INERTIA, *on["bar"])])
 
 
 @pytest.fixture(scope="module")
@@ -151,7 +155,7 @@ def test_module_and_bar_move_as_their_own_equations_say(recording: Recording) ->
     ]
     state = np.concatenate([start[0], np.zeros(6), start[1], np.zeros(6)])
     assert state[:3] == pytest.approx([0.6, 0.1, 7.0])
-    breaks = sorted({0.0, *kinks("h1"), *kinks("h2"), CUT, ENDS})
+    breaks = sorted({0.0, *kinks("h1"), *kinks("h2"), CUT, LASTS})
     times, states = [0.0], [state]
     for begin, end in pairwise(breaks):
         asked = recording.time[(recording.time > begin) & (recording.time < end - 1e-9)]
@@ -172,8 +176,8 @@ def test_module_and_bar_move_as_their_own_equations_say(recording: Recording) ->
         assert np.abs(both.sum(axis=1)).min() > 1 - within**2
     # Found: 2e-7 of the largest. At the cut itself a sample may be of either side.
     clear = np.abs(recording.time - CUT) > 1e-9
-    for name in SLINGS:
-        wanted = np.array([pulls(t, y).get(name, (0.0,))[0] for t, y in zip(times, own, strict=True)])
+    tensions = np.array([pulls(t, y)[0] for t, y in zip(times, own, strict=True)])
+    for name, wanted in zip(SLINGS, tensions.T, strict=True):
         found = recording.column("rope_tension", f"sling.{name}")
         assert found[clear] == pytest.approx(wanted[clear], abs=1e-6 * wanted.max())
 

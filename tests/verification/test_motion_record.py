@@ -36,8 +36,8 @@ def recorded(folder: Path, samples: Any, interval: float, **given: Any) -> Path:
     return written(folder, lift_of(vessel, **given))
 
 
-@pytest.mark.parametrize("method", ["adaptive", "del"])
-def test_it_moves_as_its_record_has_it(tmp_path: Path, method: str) -> None:
+@pytest.mark.parametrize(("method", "step"), [("adaptive", {}), ("del", {"step": "10 ms"})])
+def test_it_moves_as_its_record_has_it(tmp_path: Path, method: str, step: dict[str, str]) -> None:
     """From its mean, and once it has grown: over three mean periods of its slowest motion.
 
     The waves that it is taken for leave 0.1 % rms of it out. Of the record nothing is told between samples;
@@ -49,7 +49,7 @@ def test_it_moves_as_its_record_has_it(tmp_path: Path, method: str) -> None:
         samples,
         INTERVAL,
         duration="190 s",
-        simulation={"sample_interval": "0.07 s", "integrator": method},
+        simulation={"sample_interval": "0.07 s", "integrator": method, **step},
     )
     run = simulate(path)
     found, want = motion_of(run, "barge", AT), motion(run.time) + ASIDE - samples.mean(axis=0)

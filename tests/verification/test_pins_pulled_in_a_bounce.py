@@ -23,7 +23,7 @@ from scipy.integrate import solve_ivp
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from mechanics import Floats, G
-from rigid import axes, point_of, rates_of
+from rigid import axes, points_of, rates_of
 
 MASS, INERTIA = 300e3, 1e3 * np.diag([3100.0, 3200.0, 5100.0])
 CENTRE = np.array([0.2, 0.1, 2.4])
@@ -96,16 +96,14 @@ def forces(time: float, state: Floats) -> tuple[Floats, Floats, Floats, float]:
     signs = ACCELERATION * np.array([1, -1, -1, 1])
     height, rise = HOOK + float(signs @ ages**2) / 2, float(signs @ ages)
     ahead, aside = np.array([math.cos(turn), math.sin(turn)]), np.array([-math.sin(turn), math.cos(turn)])
-    tensions, ways, ends = np.zeros(5), np.zeros((5, 3)), np.zeros((5, 3))
-    for k in range(5):
-        top = np.append(ALONG[k] * ahead, height - BELOW - travel[k])
-        moves = np.append(ALONG[k] * rate * aside, rise - speed[k])
-        ends[k], lug_moves = point_of(load, LUGS[k] - CENTRE)
-        way = top - ends[k]
-        size = float(np.linalg.norm(way))
-        ways[k] = way / size
-        stretch = size - LENGTHS[k] + DAMPING * float(ways[k] @ (moves - lug_moves))
-        tensions[k] = SLING / LENGTHS[k] * max(0.0, stretch)
+    tops = np.column_stack([np.outer(ALONG, ahead), height - BELOW - travel])
+    moves = np.column_stack([np.outer(ALONG, rate * aside), rise - speed])
+    ends, lug_moves = points_of(load, LUGS - CENTRE)
+    ways = tops - ends
+    sizes = np.sqrt((ways * ways).sum(axis=1))
+    ways /= sizes[:, None]
+    stretches = sizes - LENGTHS + DAMPING * (ways * (moves - lug_moves)).sum(axis=1)
+    tensions = SLING / LENGTHS * np.maximum(0.0, stretches)
     pull = EQUALIZING / ROUTE * max(0.0, 2 * float(travel.sum() + DAMPING * speed.sum()))
     return tensions, ways, ends, pull
 
@@ -113,7 +111,7 @@ def forces(time: float, state: Floats) -> tuple[Floats, Floats, Floats, float]:
 def rates(time: float, state: Floats, is_free: bool, lifted: float) -> Floats:
     """Of the load, the frame's turn and the sheaves' travel; the hook's acceleration upwards is `lifted`."""
     tensions, ways, ends, pull = forces(time, state)
-    load = rates_of(state[:13], MASS, INERTIA, zip(tensions[:, None] * ways, ends, strict=True))
+    load = rates_of(state[:13], MASS, INERTIA, tensions[:, None] * ways, ends)
     aside = np.array([-math.sin(state[13]), math.cos(state[13]), 0.0])
     turning = -float(ALONG * tensions @ (ways @ aside)) / (FRAME + SHEAVE * float(ALONG @ ALONG))
     down = (tensions * ways[:, 2] - 2 * pull) / SHEAVE + G + lifted

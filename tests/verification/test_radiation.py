@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.integrate import simpson
 
 import waves
 from afloat import DRAFT, KG, LENGTH
@@ -47,14 +48,14 @@ def test_the_kernel_is_the_cosine_transform_of_damping(tmp_path: Path) -> None:
     """
     waves.database(tmp_path, waves.radiated)
     memory = fitted(tmp_path)
-    fine = np.linspace(0.0, 400.0, 200_001)
+    fine = np.linspace(0.0, 400.0, 20_001)
     damping = memory.damping(fine)[:, 2, 2]
     time = np.array([0.0, 0.7, 2.0, 5.0, 11.0])
     wanted = [2 / math.pi * np.trapezoid(damping * np.cos(fine * t), fine) for t in time]
     kernel = memory.kernel(time)[:, 2, 2]
     assert kernel == pytest.approx(np.array(wanted), abs=5e-3 * kernel[0])
-    long = np.linspace(0.0, 400.0, 400_001)
-    assert np.trapezoid(memory.kernel(long)[:, 2, 2], long) == pytest.approx(0.0, abs=1e-5 * kernel[0])
+    long = np.linspace(0.0, 400.0, 40_001)
+    assert simpson(memory.kernel(long)[:, 2, 2], long) == pytest.approx(0.0, abs=1e-5 * kernel[0])
 
 
 def test_no_motion_gains_energy_at_any_frequency(tmp_path: Path) -> None:

@@ -44,7 +44,7 @@ def test_sheaves_run_into_their_stops() -> None:
     duration = 0.5
     times = np.linspace(0, duration, 51)
     start = [0.0, 0.0, 0.0, DEPTH, *SPEEDS, SINKS]
-    own = solve_ivp(rates, (0, duration), start, "DOP853", times, rtol=1e-10, atol=1e-11, max_step=2e-4).y.T
+    own = solve_ivp(rates, (0, duration), start, "LSODA", times, rtol=1e-10, atol=1e-11, max_step=2e-4).y.T
     stops = {"lower": ENDS[0], "upper": ENDS[1], "stiffness": STOP, "damping_time": STOPPED}
     route, bodies, ropes = [end(None, (-RADIUS, 0, 0))], [], []
     for i, speed in enumerate(SPEEDS):

@@ -11,14 +11,13 @@ DOP853 solves weight, arm and what the winch has paid out.
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from scipy.spatial.transform import Rotation
 
 from mechanics import Floats, G, adaptive, body, document, drum, end, flow, hinge, point, rope, sheave
+from rigid import across
 
 MASS, HUNG, HUNG_EA, HUNG_TAU = 800.0, 7.995, 3e6, 0.01
 EA, TAU = 500e3, 0.02
@@ -30,18 +29,19 @@ START = np.array([1.0, 0.3, -8.0])
 DURATION, RAMP, DIFFERENCE = 4.0, 0.5, 1e-5
 
 
-def touching(away: Floats, first: Floats, second: Floats, sense: float) -> tuple[float, float]:
-    """Angle at which a line from `away`, from the centre, touches the circle, and its length.
+def touching(place: Floats, sense: float) -> tuple[float, float]:
+    """Angle at which a line from a place touches the circle, and its length.
 
+    The place is seen from the centre, along two directions in the plane of the circle and out of it.
     `sense` is 1 where it comes in, -1 where it goes out.
     """
-    x, y = float(away @ first), float(away @ second)
+    x, y, z = place.tolist()
     middle, aside = math.atan2(y, x), math.acos(RADIUS / math.hypot(x, y))
     for angle in (middle + aside, middle - aside):
-        radius = RADIUS * (math.cos(angle) * first + math.sin(angle) * second)
-        along = math.cos(angle) * second - math.sin(angle) * first
-        if sense * float((radius - away) @ along) > 0.0:
-            return angle, math.dist(radius, away)
+        cosine, sine = math.cos(angle), math.sin(angle)
+        # Where it touches less the place, along (-sin, cos).
+        if sense * (x * sine - y * cosine) > 0.0:
+            return angle, math.hypot(RADIUS * cosine - x, RADIUS * sine - y, z)
     raise AssertionError("one of both leads that way")
 
 
@@ -79,20 +79,22 @@ def test_weight_and_arm_move_as_the_length_of_the_line_says(seed: int) -> None:
         drives=[{"name": "winch.drive", "ramps": [{"at": 0.0, "duration": RAMP, "velocity": speed}]}],
     )
 
-    @lru_cache(maxsize=3)
-    def sheave_at(angle: float) -> tuple[Floats, Floats, Floats, float, float]:
-        """Centre, both directions in its plane, and where and how long the line goes out of it."""
-        turn = Rotation.from_rotvec(turns_about * angle)
-        normal = turn.apply(axis / np.linalg.norm(axis))
-        first = np.cross(normal, [1.0, 0.0, 0.0])
-        first /= np.linalg.norm(first)
-        second = np.cross(normal, first)
-        centre = ARM + turn.apply(CENTRE)
-        return centre, first, second, *touching(ARM + turn.apply(WINCH) - centre, first, second, -1.0)
+    normal = axis / np.linalg.norm(axis)
+    first = np.cross(normal, [1.0, 0.0, 0.0])
+    first /= np.linalg.norm(first)
+    # Rows: two directions in the plane of the circle and its normal, in the axes of the arm.
+    plane = np.array([first, np.cross(normal, first), normal])
+    spun = across(turns_about)
+    # Of the winch, which goes along: the same at any angle.
+    goes, after = touching(plane @ (WINCH - CENTRE), -1.0)
+
+    def seen(place: Floats, angle: float) -> Floats:
+        """A place from the centre, in the plane of the circle and out of it."""
+        back = np.eye(3) - math.sin(angle) * spun + (1.0 - math.cos(angle)) * (spun @ spun)
+        return np.asarray(plane @ (back @ (place - ARM) - CENTRE))
 
     def length(place: Floats, angle: float) -> float:
-        centre, first, second, goes, after = sheave_at(angle)
-        comes, before = touching(place - centre, first, second, 1.0)
+        comes, before = touching(seen(place, angle), 1.0)
         return before + after + RADIUS * ((goes - comes) % (2.0 * math.pi))
 
     def gradient(place: Floats, angle: float) -> Floats:

@@ -8,7 +8,7 @@ load is a rigid body on slings S; girders bend under more than their hook blocks
     T = EA/L (Λ − L + τ (p ℓ˙ − (1 + ε/2) L̇))      Λ = p ℓ + arcs + lead line,  L̇ = −p v/(1 + ε)
 
 v how fast a hook is hoisted, upper sheaves where trolleys, travel and girder have them. Half turns of the
-upper sheaves go on to the next lane, 0.15 m aside. scipy's DOP853 solves that, and corners bear by moments
+upper sheaves go on to the next lane, 0.15 m aside. scipy's LSODA solves that, and corners bear by moments
 about the rails: of weights, and of the pulls −n p T ū with all their parts, where they act.
 """
 
@@ -239,7 +239,7 @@ def own(recording: Recording) -> Floats:
     """States at the samples, shape (time, state)."""
     start = [*START.ravel(), *[0.0] * 9, *CENTRE, 1.0, *[0.0] * 9, *[NATURAL] * 3, *[0.0] * 4]
     solved = solve_ivp(
-        rates, (0, DURATION), start, "DOP853", recording.time, rtol=1e-11, atol=1e-12, max_step=5e-3
+        rates, (0, DURATION), start, "LSODA", recording.time, rtol=1e-11, atol=1e-12, max_step=5e-3
     )
     return np.asarray(solved.y.T)
 
