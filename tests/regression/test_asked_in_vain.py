@@ -43,9 +43,12 @@ def test_a_limit_that_nothing_can_be_held_against_warns(names: list[str]) -> Non
 
 
 def test_what_nobody_asks_for_is_not_checked() -> None:
-    """All of a capacity that is not known: that limit is by definition, the lift file does not name it."""
-    found = one(lugs_without("L1", "L2", "L3", "L4", "L5"), "lug_load_of_capacity")
-    assert (found.verdict, found.limit) == (Verdict.NOT_CHECKED, 1.0)
+    """Factors of a rule that the lift file does not name; a capacity need not be asked for."""
+    lift = lugs_without("L1", "L2", "L3", "L4", "L5")
+    by_rule = one(lift, "rope_load_of_breaking_force")
+    assert (by_rule.verdict, by_rule.limit) == (Verdict.NOT_CHECKED, 1.0)
+    lugs = one(lift, "lug_load_of_capacity")
+    assert (lugs.verdict, lugs.limit) == (Verdict.WARNING, 1.0)
 
 
 def test_what_an_equilibrium_cannot_know_is_not_checked() -> None:

@@ -21,9 +21,7 @@ from gantline.study import run_seas
 from lift_text import changed
 
 #: The sling carries some 780 kN; 1.7 MN are 2.2 times that, less than the 2.3 below which ropes warn.
-WEAK = changed(
-    column(ALIKE, duration="20 s"), (STRENGTH, ", minimum_breaking_force: 1.7 MN"), (FACTOR, "")
-)
+WEAK = changed(column(ALIKE, duration="20 s"), (STRENGTH, ", minimum_breaking_force: 1.7 MN"), (FACTOR, ""))
 
 
 @pytest.fixture(scope="module")

@@ -276,8 +276,8 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
 
     The lift is solved anew with it moved, each way until something happens: no equilibrium, one that is not
     stable, a sling goes slack, a sheave is beyond its travel, the load tilts by more than its limit, or a
-    check of the equilibrium fails, such as that of the hook which then bears more. There is no margin to where
-    a check gets worse that fails as planned.
+    check of the equilibrium fails, such as that of the hook which then bears more. There is no margin to
+    where a check gets worse that fails as planned.
 
     Args:
         scenario: The lift, without cases.
