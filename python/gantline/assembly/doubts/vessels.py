@@ -1,4 +1,4 @@
-"""What cannot well be meant of vessels: inertia out of scale, damping twice."""
+"""What cannot well be meant of vessels and their lines: inertia out of scale, damping twice, buried ends."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from gantline.assembly.parts import Parts
 from gantline.scenario import Scenario
 from gantline.scenario.afloat.vessel import Vessel
 from gantline.scenario.errors import Doubt
+from gantline.scenario.loads.structures import BoxStructure
 from gantline.units import format_by_size, format_quantity
 
 __all__ = ["doubtful_vessels"]
@@ -40,6 +41,8 @@ _PERIODS = (3.0, 600.0)
 _SLACK = (2.0, 20.0)
 #: Fairleads and turrets lie so far below a keel at the most [m].
 _UNDER_KEEL = 2.0
+#: Bollards stand on a quay or at its edge: no end of a line is deeper within a box than this [m].
+_BURIED = 1.0
 
 
 def doubtful_vessels(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
@@ -60,6 +63,7 @@ def doubtful_vessels(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
         ):
             yield Doubt((*path, *key), f"{name} {sentence}")
         yield from _under_keel(scenario, name, vessel)
+    yield from _buried(parts, scenario)
     yield from _long_lines(parts, scenario)
 
 
@@ -159,6 +163,24 @@ def _under_keel(scenario: Scenario, name: str, vessel: Vessel) -> Iterator[Doubt
                     f"mooring line {line} ends {deep} below the keel of {name}; heights count up from it"
                 )
                 yield Doubt(("mooring_lines", line, key), sentence)
+
+
+def _buried(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
+    """Lines that end within a quay: the sign of a height, or one that counts from another zero."""
+    boxes = {
+        name: np.array([one.x, one.y, one.z])
+        for name, one in (scenario.structures or {}).items()
+        if isinstance(one, BoxStructure)
+    }
+    for line, one in (scenario.mooring_lines or {}).items():
+        for key, body, end in (("fairlead", one.vessel, one.fairlead), ("to", one.holder, one.to)):
+            at = parts.place(body, end)
+            for name, extents in boxes.items():
+                deep = float(np.min(np.concatenate([at - extents[:, 0], extents[:, 1] - at])))
+                if deep > _BURIED:
+                    below = format_quantity(extents[2, 1] - float(at[2]), "m", 1)
+                    sentence = f"mooring line {line} ends inside {name}, {below} below its top"
+                    yield Doubt(("mooring_lines", line, key), f"{sentence}, as no bollard stands")
 
 
 def _long_lines(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
