@@ -67,12 +67,12 @@ def test_what_hangs_is_held_against_its_rated_capacity(run: Recording) -> None:
     assert checks["compensator_peak_of_rated_capacity"].value == pytest.approx(peak, rel=1e-3)
 
 
-def test_one_of_unknown_capacity_is_not_checked() -> None:
-    """Neither what hangs from it nor the peak of that; the rest of it is."""
+def test_one_of_unknown_capacity_is_a_warning() -> None:
+    """Neither what hangs from it nor the peak of that is held against anything; the rest of it is checked."""
     text = ("    rated_capacity: 100 t                          # of all that hangs below it\n", "")
     checks = checks_of(simulate(lift(text), duration=20.0))
     for name in ("compensator_load_of_rated_capacity", "compensator_peak_of_rated_capacity"):
-        assert (checks[name].verdict, checks[name].value) == (Verdict.NOT_CHECKED, None)
+        assert (checks[name].verdict, checks[name].value) == (Verdict.WARNING, None)
         assert checks[name].remark == "rated capacity not known: PHC"
     assert checks["compensator_stroke_margin"].value is not None
     assert doubts(text) == []
