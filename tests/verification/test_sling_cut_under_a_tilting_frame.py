@@ -9,7 +9,7 @@ frame's axes, spin ω, pulls f of the slings, T of the equalizing rope, N of the
     W r̈ = W g − Σ f         I ω̇ = −Σ b × f − ω × I ω         in the load's axes, b the arms of its lugs
     T = EA/L max(0, 2 Σ x + 2 τ Σ ẋ)         f = EA/L max(0, e + τ ė)
 
-Half turns stay under their fixed sheaves, so all parts of the rope are along the guides. scipy's DOP853
+Half turns stay under their fixed sheaves, so all parts of the rope are along the guides. scipy's LSODA
 solves it, from the start to the cut, and on from where a tension comes to the breaking force.
 """
 
@@ -167,11 +167,11 @@ def solved(times: Floats) -> tuple[Floats, Floats, list[tuple[float, int]]]:
             rig.rates,
             (at, CUT if at < CUT else DURATION),
             y,
-            "DOP853",
+            "LSODA",
             events=strength,
             rtol=1e-10,
-            atol=1e-11,
-            max_step=2e-3,
+            atol=1e-12,
+            max_step=0.02,
             dense_output=True,
         )
         at, y = float(part.t[-1]), part.y[:, -1]
