@@ -61,7 +61,7 @@ def water(time: float, z: float, v: float) -> tuple[float, float]:
     decays = (OMEGA * np.exp(KAPPA * np.minimum(ats, 0.0))).tolist()
     volume, added, drag = SHARE * VOLUME, SHARE * ADDED[2], SHARE * DRAG[2]
     force = all_wet = 0.0
-    # On plain numbers: arrays of so few take three times as long.
+    # On plain numbers: arrays of so few take longer.
     for (cos, sin), below, shares in zip(waves, depths.tolist(), share(depths, LAYER).tolist(), strict=True):
         pace = dg * cos + g * OMEGA * sin - v
         for decay, depth, wet in zip(decays, below, shares, strict=True):
