@@ -9,12 +9,14 @@ from mechanics import Floats, G, Xyz
 
 def axes(attitude: Floats) -> Floats:
     """Rotation from the body's axes to the world's, shape (3, 3), of a quaternion, w first."""
-    w, x, y, z = (attitude / np.sqrt(attitude @ attitude)).tolist()
+    w, x, y, z = attitude.tolist()
+    # Two over its square, which need not be one.
+    k = 2 / (w * w + x * x + y * y + z * z)
     return np.array(
         [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+            [1 - k * (y * y + z * z), k * (x * y - w * z), k * (x * z + w * y)],
+            [k * (x * y + w * z), 1 - k * (x * x + z * z), k * (y * z - w * x)],
+            [k * (x * z - w * y), k * (y * z + w * x), 1 - k * (x * x + y * y)],
         ]
     )
 

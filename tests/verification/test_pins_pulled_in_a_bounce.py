@@ -128,7 +128,7 @@ def test_sheaves_let_go_in_a_bounce_move_as_their_own_equations_say() -> None:
     for (begin, end), lifted in zip(pairwise((0.0, *KINKS[:3], ENDS)), (0.0, 1.0, 0.0, -1.0), strict=True):
         asked = recording.time[(recording.time > begin + 1e-9) & (recording.time < end - 1e-9)]
         run = solve_ivp(
-            rates, (begin, end), state, "LSODA", [*asked, end], rtol=1e-11, atol=1e-12, max_step=0.01,
+            rates, (begin, end), state, "LSODA", [*asked, end], rtol=1e-10, atol=1e-11, max_step=0.01,
             args=(begin >= KINKS[0], lifted * ACCELERATION),
         )  # fmt: skip
         states.extend(run.y.T)

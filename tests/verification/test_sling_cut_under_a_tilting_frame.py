@@ -9,7 +9,7 @@ frame's axes, spin ω, pulls f of the slings, T of the equalizing rope, N of the
     W r̈ = W g − Σ f         I ω̇ = −Σ b × f − ω × I ω         in the load's axes, b the arms of its lugs
     T = EA/L max(0, 2 Σ x + 2 τ Σ ẋ)         f = EA/L max(0, e + τ ė)
 
-Half turns stay under their fixed sheaves, so all parts of the rope are along the guides. scipy's DOP853
+Half turns stay under their fixed sheaves, so all parts of the rope are along the guides. scipy's LSODA
 solves it, from the start to the cut, and on from where a tension comes to the breaking force.
 """
 
@@ -47,6 +47,7 @@ LENGTHS = np.array(
     ]
 )
 DOWNWARDS = np.array([0.0, 0.0, -1.0])
+ACROSS_DOWN = across(DOWNWARDS)
 BODY = SPINS + about(FRAME, CENTRE * DOWNWARDS)
 
 
@@ -75,19 +76,19 @@ class Rig:
         """Of the whole state."""
         frame, spin, x, speed, attitude, rolls = y[:4], y[4:7], y[7:10], y[10:13], y[16:20], y[23:26]
         p, pulls, arms = self.pulls(y)[:3]
-        turned = axes(frame)
+        turned, whirl = axes(frame), across(spin)
         weight = G * DOWNWARDS @ turned
         rope = EQUALIZING / ROPE * max(0.0, float(2 * x.sum() + TAU * 2 * speed.sum()))
         stops = np.maximum(0.0, STOP * (x - DOWN + STOPPED * speed))
         stops -= np.maximum(0.0, STOP * (UP - x - STOPPED * speed))
-        turns = p @ (across(spin) @ across(spin)).T + 2 * np.outer(speed, across(spin) @ DOWNWARDS)
+        turns = p @ (whirl @ whirl).T + 2 * np.outer(speed, whirl @ DOWNWARDS)
         forces = pulls @ turned + SHEAVE * (weight - turns)
         mass, right = SHEAVE * np.eye(6), np.empty(6)
         mass[:3, :3] = BODY + SHEAVE * ((p * p).sum() * np.eye(3) - p.T @ p)
-        mass[:3, 3:] = SHEAVE * (p @ across(DOWNWARDS)).T
+        mass[:3, 3:] = SHEAVE * (p @ ACROSS_DOWN).T
         mass[3:, :3] = mass[:3, 3:].T
-        right[:3] = moments(p, forces) - across(spin) @ BODY @ spin
-        right[:3] += across(CENTRE * DOWNWARDS) @ (FRAME * weight)
+        right[:3] = moments(p, forces) - whirl @ BODY @ spin
+        right[:3] += CENTRE * FRAME * ACROSS_DOWN @ weight
         right[3:] = forces @ DOWNWARDS - 2 * rope - stops
         faster = np.linalg.solve(mass, right)
         moment = moments(arms, -pulls) @ axes(attitude) - across(rolls) @ INERTIA @ rolls
@@ -167,11 +168,11 @@ def solved(times: Floats) -> tuple[Floats, Floats, list[tuple[float, int]]]:
             rig.rates,
             (at, CUT if at < CUT else DURATION),
             y,
-            "DOP853",
+            "LSODA",
             events=strength,
             rtol=1e-10,
-            atol=1e-11,
-            max_step=2e-3,
+            atol=1e-12,
+            max_step=0.02,
             dense_output=True,
         )
         at, y = float(part.t[-1]), part.y[:, -1]

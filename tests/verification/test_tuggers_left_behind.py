@@ -3,7 +3,7 @@
 The motor asks for hauling at u(t) and pulls no more than P. Where it holds, ṡ = u, as long as the line needs
 no more than P; where it slips, m s̈ = T − P, until ṡ comes down to u. What winds up is stretched as the line
 is, L̇ = ṡ/(1 + max(ε, 0)), (WI2), also while it is slack; what comes off is what went on last, and below that
-rope that was wound under P: L is then a function of s. The damper pulls as in (F3) and (F4). scipy's DOP853
+rope that was wound under P: L is then a function of s. The damper pulls as in (F3) and (F4). scipy's LSODA
 goes from one of these events to the next: slack, taut, slips, holds, and turns round.
 """
 
@@ -98,7 +98,7 @@ class Own:
                 events.append(ends(lambda t, y: y[5], y[5] > 0.0))
             until = STARTS_IN if time < STARTS_IN else DURATION
             part = solve_ivp(
-                self.rates, (time, until), y, "DOP853", rtol=1e-9, atol=1e-10, max_step=0.02,
+                self.rates, (time, until), y, "LSODA", rtol=1e-8, atol=1e-9, max_step=0.02,
                 events=events, dense_output=True,
             )  # fmt: skip
             covered = (times >= time) & (times <= part.t[-1] + 1e-9)
