@@ -16,15 +16,15 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from gantline.checks.below_hooks import to_design_weight
 from gantline.checks.design_weight import design_ratio
 from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
 from gantline.results.alike import earliest_peak
-from gantline.results.gear import Compensator, Sling, Spreader
+from gantline.results.gear import Sling
 from gantline.results.loads.hung_so import has_hung_as_heavy, never_hung_so
 from gantline.results.loads.skew import skew_loads
 from gantline.results.recording import Recording
-from gantline.results.rig import Load
 from gantline.results.ropes.pinned import pinned_as_at
 from gantline.results.ropes.upper_end import own_weight, peak_at_upper_end
 from gantline.results.variable import BoolArray, FloatArray
@@ -271,7 +271,7 @@ def _hoist_ratio(recording: Recording, hooks: Sequence[str], window: BoolArray) 
     loads = [series.static_value(recording, recording.column("hoist_load", hook), window) for hook in hooks]
     return max(
         (
-            1.0 + _to_design_weight(recording, [hook], window) / load
+            1.0 + to_design_weight(recording, [hook], window) / load
             for hook, load in zip(hooks, loads, strict=True)
             if load
         ),
@@ -306,60 +306,12 @@ def hook_force(
     window = series.greatest_static(recording, total)[1] if window is None else window
     static = series.static_value(recording, hook_load, window)
     falls = series.static_value(recording, total - hook_load, window) or 0.0
-    more = _to_design_weight(recording, names, window)
+    more = to_design_weight(recording, names, window)
     force = replace(_hook_force(recording, static, more, falls), window=window)
     force = _with_peak_of(recording, force, total, during)
     if static is None or force.static is None or not static + falls:
         return force
     return _with_raised_peak(recording, force, total, during, force.static / (static + falls))
-
-
-def _to_design_weight(recording: Recording, hooks: Sequence[str], window: BoolArray) -> float:
-    """What hooks together bear more with the design weight, while the load hangs still [N]."""
-    rig = recording.rig
-    more = by_slings = 0.0
-    for sling in (one for one in rig.slings if rig.hook_of(one) in hooks):
-        share = series.static_value(recording, series.sling_upright(recording, sling), window) or 0.0
-        gear = _gear_below(recording, sling, window)
-        more += (design_ratio(recording, sling.to_load, window) - 1.0) * max(share - gear, 0.0)
-        by_slings += share
-    for load in rig.loads:
-        more -= (design_ratio(recording, load.name) - 1.0) * _liquid(recording, load, hooks, window)
-    if any(hook.bears_mechanics for hook in rig.hooks if hook.name in hooks):
-        hook_load = np.sum([recording.column("hook_load", name) for name in hooks], axis=0)
-        static = series.static_value(recording, hook_load, window) or 0.0
-        # What hangs there by other ropes is not known: all of it is raised, gear too.
-        more += (design_ratio(recording, window=window) - 1.0) * (static - by_slings)
-    return more
-
-
-def _liquid(recording: Recording, load: Load, hooks: Sequence[str], window: BoolArray | None) -> float:
-    """What weighs in tanks of a load that hangs still in some hooks alone, in air [N]; nothing of others."""
-    rig = recording.rig
-    others = {rig.hook_of(one) for one in rig.slings} & {hook.name for hook in rig.hooks} - set(hooks)
-    if window is None or not load.tanks or others or load.other_ropes or rig.hinges:
-        return 0.0
-    if series.is_wet(recording)[window].any():
-        return 0.0
-    liquid = series.load_weight(recording, load) - load.weight
-    return series.static_value(recording, liquid, window) or 0.0
-
-
-def _gear_below(recording: Recording, sling: Sling, window: BoolArray | None) -> float:
-    """What a sling bears of spreaders and compensators, by vertical forces while the load hangs still [N]."""
-    below = 0.0
-    every: list[Spreader | Compensator] = [*recording.rig.spreaders, *recording.rig.compensators]
-    for gear in every:
-        if gear.name in sling.lugs_of:
-            upright = {
-                one.name: series.static_value(recording, series.sling_upright(recording, one), window) or 0.0
-                for one in recording.rig.slings
-                if gear.name in one.lugs_of
-            }
-            hanging = [one for one in recording.rig.slings if recording.rig.gear_above(one) == gear]
-            weight = gear.weight + sum(_gear_below(recording, one, window) for one in hanging)
-            below += weight * upright[sling.name] / (sum(upright.values()) or 1.0)
-    return below
 
 
 def sum_force(recording: Recording, values: FloatArray, load: str | None, during: BoolArray) -> Force:
