@@ -52,6 +52,31 @@ NO_DYNAMIC = f"an equilibrium has no peak, and the rules no {DYNAMIC}"
 
 
 @dataclass(frozen=True)
+class OnTheWay:
+    """A force at a time as which the loads never hung still, which is static but for a little.
+
+    Attributes:
+        peak: As simulated [N].
+        time: When that was [s].
+        ratio: By what it is raised to the design weight [1].
+    """
+
+    peak: float
+    time: float
+    ratio: float
+
+    @property
+    def raised(self) -> float:
+        """With the design weight [N]."""
+        return self.peak * self.ratio
+
+    @property
+    def text(self) -> str:
+        """The same in words."""
+        return f"peak {kilonewton(self.peak)}{to_design(self.ratio)}"
+
+
+@dataclass(frozen=True)
 class Force:
     """A force of one element.
 
@@ -74,6 +99,8 @@ class Force:
             and factors.
         peak_ratio: By what the peak is raised to the design weight [1]; 1 but of a time as which the loads
             never hung still, so that no static value has what it is of.
+        on_the_way: The largest force of such a time, where it is more than `static`: for what is rated for
+            static forces alone.
     """
 
     static: float | None
@@ -90,6 +117,7 @@ class Force:
     is_under_other_pins: bool = False
     is_heavier: bool = False
     peak_ratio: float = 1.0
+    on_the_way: OnTheWay | None = None
 
     @property
     def caution(self) -> str:
@@ -316,8 +344,9 @@ def hook_force(
 
 def sum_force(recording: Recording, values: FloatArray, load: str | None, during: BoolArray) -> Force:
     """Static and dynamic force of a series that goes with the weight of a load, shape (time,) [N]."""
-    force = _force(recording, values, load)
-    return _with_peak_of(recording, force, values, during)
+    force = _with_peak_of(recording, _force(recording, values, load), values, during)
+    ratio = design_ratio(recording, load, force.window)
+    return _with_raised_peak(recording, force, values, during, ratio)
 
 
 def _hook_force(recording: Recording, static: float | None, more: float, falls: float) -> Force:
@@ -463,10 +492,14 @@ def _with_raised_peak(
     What slings and hooks bear as a load is turned, or goes from one to another, is static but for a little,
     and goes with the weight; no static value of a hold has it.
     """
-    if recording.is_equilibrium or force.static is None or force.is_heavier or ratio <= 1.0:
+    if recording.is_equilibrium or force.static is None or force.is_heavier:
         return force
     highest = series.peak(recording, values, during & never_hung_so(recording))
-    if highest is None or highest[0] * ratio <= (force.dynamic or 0.0):
+    if highest is None:
+        return force
+    if highest[0] * ratio > force.static:
+        force = replace(force, on_the_way=OnTheWay(*highest, ratio))
+    if ratio <= 1.0 or highest[0] * ratio <= (force.dynamic or 0.0):
         return force
     return replace(force, peak=highest[0], time=highest[1], peak_ratio=ratio)
 
