@@ -2,8 +2,8 @@
 
 The design weight was held against the chart of a crane that lifts alone all the way, of cranes that lift
 together at their holds only. Two crawler cranes hold 200 t at 16 m, 80 and 120 t by moments, luff out to
-19.8 m and come back: with a contingency of 1.15 and 1.2 kept back for two cranes, (138 + 7) t x 1.2 = 174 t hang by
-the rule where 170 t are rated. The check had 127 t x 1.2, 89 %, ok, unless the plan held there.
+19.8 m and come back: with a contingency of 1.15 and 1.2 kept back for two cranes, (138 + 7) t x 1.2 = 174 t
+hang by the rule where 170 t are rated. The check had 127 t x 1.2, 89 %, ok, unless the plan held there.
 """
 
 from __future__ import annotations
