@@ -290,6 +290,24 @@ def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
     return _with_peak(recording, force, rope, during)
 
 
+def force_of_weight(recording: Recording, rope: str, during: BoolArray) -> Force | None:
+    """Force of a rope at its upper end with the design weight, without factors of a rule on its lengths.
+
+    None of mooring and tag lines, in which the weight of a load has no share that is known.
+    """
+    if rope in recording.rig.outer_ropes:
+        return None
+    sling = next((one for one in recording.rig.slings if one.rope == rope), None)
+    if sling is None:
+        force = rope_force(recording, rope, during)
+    else:
+        force = _force(recording, series.sling_tension(recording, sling), sling.to_load)
+        ratio = design_ratio(recording, sling.to_load, force.window)
+        tension = series.tightest_tension(recording, rope)
+        force = _with_raised_peak(recording, force, tension, during, ratio)
+    return at_upper_end(recording, rope, force, during)
+
+
 def _rope_of(segment: str) -> str:
     return segment.rpartition("/")[0]
 
@@ -435,6 +453,9 @@ def at_upper_end(recording: Recording, rope: str, force: Force, during: BoolArra
     if force.static is not None and own is not None:
         text = f"({force.static_text} + {OWN_WEIGHT} {kilonewton(own)})"
         force = with_rule(recording, replace(force, static=force.static + own, static_text=text))
+    if (way := force.on_the_way) is not None:
+        hangs = float(np.interp(way.time, recording.time, more))
+        force = replace(force, on_the_way=replace(way, peak=way.peak + hangs))
     if force.peak is None:
         return force
     if force.peak_ratio > 1.0:
