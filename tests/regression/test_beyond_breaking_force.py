@@ -36,10 +36,11 @@ def test_a_sling_beyond_its_breaking_force_is_no_go() -> None:
     checks = checked(STRONG.replace("diameter: 44 mm", "diameter: 10 mm"))
     found = breaking(checks)
     # 0.356 x 10 mm x 10 mm x 1960 N/mm^2 (EN 12385-4, 6x36 with steel core) over 40 t on four slings of 8.6 m
-    # to lugs 2.5 m and 1.5 m beside the hook; they stretch by 1.4 %, and ring by as much at lift-off.
+    # to lugs 2.5 m and 1.5 m beside the hook; they stretch by 1.4 %, and ring by as much at lift-off;
+    # with the contingency of 1.15 that is 1.7 times what breaks them, at rest.
     strength = 0.356 * 10.0**2 * 1960.0
     tension = 40e3 * 9.81 / (4.0 * math.sqrt(1.0 - (2.5**2 + 1.5**2) / 8.6**2))
-    assert found.value == pytest.approx(strength / tension, rel=0.03)
+    assert found.value == pytest.approx(strength / (1.15 * tension), rel=0.03)
     assert (found.verdict, found.limit) == (Verdict.FAILED, 1.0)
     assert verdict_of(checks).startswith("NO-GO")
 

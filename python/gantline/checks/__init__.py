@@ -13,6 +13,7 @@ from gantline.checks.check import (
     past_limits,
     verdict_of,
 )
+from gantline.checks.crawlers import highest_pressure, highest_tipping
 from gantline.checks.ends import end_of_step
 from gantline.checks.limits import LIMITS
 from gantline.checks.lug_figures import LugFigures, lug_figures
@@ -36,6 +37,8 @@ __all__ = [
     "foremost",
     "governing",
     "has_failed",
+    "highest_pressure",
+    "highest_tipping",
     "hold_points",
     "hook_readings",
     "lug_figures",

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
 
 from gantline.checks.alarms import FALLS
+from gantline.checks.below_hooks import hoist_ratios
 from gantline.checks.forces import kilonewton
 from gantline.checks.measure import Finding, Found, Missing, Refused, extreme
 from gantline.results import series
 from gantline.results.cranes.boom import Boom
-from gantline.results.cranes.crane import Crane
+from gantline.results.cranes.crane import Crane, corner_loads
 from gantline.results.cranes.pulled_aside import hooks_that_stay, pull_aside
 from gantline.results.gear import Hook
 from gantline.results.recording import Recording
@@ -124,15 +126,33 @@ def distance_margin(recording: Recording, during: BoolArray) -> Iterator[Finding
 
 
 def corner_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Load of a corner of a crane by moments; rails push and do not pull."""
+    """Load of a corner of a crane by moments, with the design weight; rails push and do not pull."""
     for crane in recording.rig.cranes:
-        for name in crane.corners:
+        raised = _raised_corners(recording, crane)
+        for name, design in zip(crane.corners, raised.T, strict=True):
             load = recording.column("corner_load", name)
-            lifted = np.flatnonzero(during & (load < 0.0))
+            lifted = np.flatnonzero(during & (np.minimum(load, design) < 0.0))
             if lifted.size:
                 at = float(recording.time[lifted[0]])
                 yield Refused(name, f"it would lift off its rail at {at:.2f} s: the crane tips")
-            yield from extreme(recording, load, during, name)
+            for found in extreme(recording, np.maximum(load, design), during, name):
+                simulated = float(np.interp(found.time or 0.0, recording.time, load))
+                is_raised = found.value > simulated * (1.0 + 1e-9)
+                text = f"{kilonewton(simulated)} simulated, with the design weight {kilonewton(found.value)}"
+                yield replace(found, formula=text if is_raised else "")
+
+
+def _raised_corners(recording: Recording, crane: Crane) -> FloatArray:
+    """Loads of the corners with the design weight in all hooks, shape (time, 4) [N]."""
+    names = [hook.name for _, hook in crane.hooks]
+    ratios = {name: hoist_ratios(recording, [name]) for name in names}
+    if all((ratio <= 1.0).all() for ratio in ratios.values()):
+        return np.stack([recording.column("corner_load", name) for name in crane.corners], axis=1)
+    columns = {name: one.values for name, one in recording.variables.items() if not one.is_text}
+    hoist = {name: ratio * recording.column("hoist_load", name) for name, ratio in ratios.items()}
+    found, _ = corner_loads(columns, recording.coordinates, [crane], hoist)
+    loads: FloatArray = found["corner_load"].values
+    return loads
 
 
 def wind_of_limit(recording: Recording, during: BoolArray) -> Iterator[Finding]:

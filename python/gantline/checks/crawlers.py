@@ -8,12 +8,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from gantline.checks.below_hooks import hoist_ratios
 from gantline.checks.check import Check, Verdict
-from gantline.checks.measure import Finding, Missing, Refused, extreme
+from gantline.checks.measure import Finding, Found, Missing, Refused, extreme
+from gantline.results.cranes.crawler import Crawler, raised_state
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes, tilt
 from gantline.results.surroundings import ground_of
-from gantline.results.variable import BoolArray
+from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
 #: Ends of tracks in the order of `Crawler.corners`, along and across the heading.
@@ -28,30 +30,75 @@ _LOADED = 0.25
 
 
 def ground_pressure(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Pressure on the ground over what it bears, at the ends of all tracks."""
+    """Pressure on the ground with the design weight over what it bears, at the ends of all tracks."""
     for crane in recording.rig.crawlers:
         if not crane.allowed_pressure:
             yield Missing(crane.name, "what the ground bears is not known")
             continue
-        for corner in crane.corners:
-            used = recording.column("ground_pressure", corner) / crane.allowed_pressure
-            allowed = format_quantity(crane.allowed_pressure, "kPa", 1)
-            for found in extreme(recording, used, during, corner):
-                pressure = format_quantity(found.value * crane.allowed_pressure, "kPa", 1)
-                yield replace(found, formula=f"{pressure} / {allowed}")
+        pressures, _ = _as_designed(recording, crane)
+        allowed = format_quantity(crane.allowed_pressure, "kPa", 1)
+        for corner, pressure in zip(crane.corners, pressures.T, strict=True):
+            simulated = recording.column("ground_pressure", corner)
+            for found in extreme(recording, pressure / crane.allowed_pressure, during, corner):
+                value = found.value * crane.allowed_pressure
+                raised = _raised_from(value, found, simulated, recording, "kPa")
+                shown = f"({raised})" if raised else format_quantity(value, "kPa", 1)
+                yield replace(found, formula=f"{shown} / {allowed}")
 
 
 def tipping(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Moment of what hangs over that of the crane's own weight, about its worst tipping line."""
+    """Moment of what hangs with the design weight over that of the crane's own, about its worst line."""
     for crane in recording.rig.crawlers:
-        used = recording.column("tipping_utilisation", crane.name)
+        simulated = recording.column("tipping_utilisation", crane.name)
         tipped = [time for time, _, name in recording.events("tipping") if name == crane.name]
-        within = during & (used >= 1 - 1e-9)
+        within = during & (simulated >= 1 - 1e-9)
         if within.any():
             at = tipped[0] if tipped else float(recording.time[int(np.flatnonzero(within)[0])])
             yield Refused(crane.name, f"it tips at {at:.2f} s: nothing is left under one side")
             continue
-        yield from extreme(recording, used, during, crane.name)
+        _, used = _as_designed(recording, crane)
+        for found in extreme(recording, used, during, crane.name):
+            yield replace(found, formula=_raised_from(found.value, found, simulated, recording, "%"))
+
+
+def highest_pressure(recording: Recording, crane: Crawler, during: BoolArray) -> float:
+    """Largest pressure on the ground under a crane with the design weight [Pa]."""
+    return float(_as_designed(recording, crane)[0][during].max())
+
+
+def highest_tipping(recording: Recording, crane: Crawler, during: BoolArray) -> float:
+    """Largest utilisation of a crane against tipping with the design weight [1]."""
+    return float(_as_designed(recording, crane)[1][during].max())
+
+
+def _as_designed(recording: Recording, crane: Crawler) -> tuple[FloatArray, FloatArray]:
+    """Pressures at the ends of tracks, shape (time, 4) [Pa], and utilisation against tipping, (time,) [1].
+
+    The larger of those of the simulated weight, with which a counterweight leans more, and of the design
+    weight.
+    """
+    both = recording.kept(("crawler_as_designed", crane.name), lambda: _raised(recording, crane))
+    return both[:, :4], both[:, 4]
+
+
+def _raised(recording: Recording, crane: Crawler) -> FloatArray:
+    pressures = np.stack([recording.column("ground_pressure", one) for one in crane.corners], axis=1)
+    used = recording.column("tipping_utilisation", crane.name)
+    by = hoist_ratios(recording, crane.hooks)
+    if (by > 1.0).any():
+        columns = {name: one.values for name, one in recording.variables.items() if not one.is_text}
+        pressed, tips = raised_state(columns, recording.coordinates, crane, by)
+        pressures, used = np.maximum(pressures, pressed), np.maximum(used, tips)
+    return np.column_stack([pressures, used])
+
+
+def _raised_from(value: float, found: Found, simulated: FloatArray, recording: Recording, unit: str) -> str:
+    """A value in words, and what it is of the simulated weight; empty where that is as much."""
+    then = float(np.interp(found.time or 0.0, recording.time, simulated))
+    if value <= then * (1.0 + 1e-9):
+        return ""
+    shown = format_quantity(value, unit, 1)
+    return f"{shown} with the design weight, {format_quantity(then, unit, 1)} simulated"
 
 
 def out_of_level(recording: Recording) -> list[Check]:

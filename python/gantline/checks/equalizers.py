@@ -64,7 +64,8 @@ def tension_spread(recording: Recording, during: BoolArray) -> Iterator[Finding]
 def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Static vertical force of all slings of an equalizer over its rated capacity below its moving sheaves.
 
-    It is lifting gear, rated like a shackle for what hangs still; the peak is shown.
+    It is lifting gear, rated like a shackle for what hangs still; the peak is shown, and counts at a time as
+    which the loads never hung still.
     """
     for equalizer in recording.rig.equalizers:
         slings = [sling for sling in recording.rig.slings if sling.rope in equalizer.slings]
@@ -85,7 +86,12 @@ def hanging_of_capacity(
             yield from over(force, gear.rated_capacity, gear.name)
             yield Caution(NO_STATIC)
             return
-        text = f"{force.static_text} / {kilonewton(gear.rated_capacity)}"
+        rated = kilonewton(gear.rated_capacity)
+        if (way := force.on_the_way) is not None:
+            # What it bears as a load is turned, between two holds, is no dynamics.
+            yield Found(way.raised / gear.rated_capacity, gear.name, way.time, f"{way.text} / {rated}")
+            return
+        text = f"{force.static_text} / {rated}"
         text += f" (peak {kilonewton(force.peak)})" if force.peak is not None else ""
         yield Found(force.static / gear.rated_capacity, gear.name, formula=text)
 

@@ -16,15 +16,15 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from gantline.checks.below_hooks import to_design_weight
 from gantline.checks.design_weight import design_ratio
 from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
 from gantline.results.alike import earliest_peak
-from gantline.results.gear import Compensator, Sling, Spreader
+from gantline.results.gear import Sling
 from gantline.results.loads.hung_so import has_hung_as_heavy, never_hung_so
 from gantline.results.loads.skew import skew_loads
 from gantline.results.recording import Recording
-from gantline.results.rig import Load
 from gantline.results.ropes.pinned import pinned_as_at
 from gantline.results.ropes.upper_end import own_weight, peak_at_upper_end
 from gantline.results.variable import BoolArray, FloatArray
@@ -52,6 +52,31 @@ NO_DYNAMIC = f"an equilibrium has no peak, and the rules no {DYNAMIC}"
 
 
 @dataclass(frozen=True)
+class OnTheWay:
+    """A force at a time as which the loads never hung still, which is static but for a little.
+
+    Attributes:
+        peak: As simulated [N].
+        time: When that was [s].
+        ratio: By what it is raised to the design weight [1].
+    """
+
+    peak: float
+    time: float
+    ratio: float
+
+    @property
+    def raised(self) -> float:
+        """With the design weight [N]."""
+        return self.peak * self.ratio
+
+    @property
+    def text(self) -> str:
+        """The same in words."""
+        return f"peak {kilonewton(self.peak)}{to_design(self.ratio)}"
+
+
+@dataclass(frozen=True)
 class Force:
     """A force of one element.
 
@@ -74,6 +99,8 @@ class Force:
             and factors.
         peak_ratio: By what the peak is raised to the design weight [1]; 1 but of a time as which the loads
             never hung still, so that no static value has what it is of.
+        on_the_way: The largest force of such a time, where it is more than `static`: for what is rated for
+            static forces alone.
     """
 
     static: float | None
@@ -90,6 +117,7 @@ class Force:
     is_under_other_pins: bool = False
     is_heavier: bool = False
     peak_ratio: float = 1.0
+    on_the_way: OnTheWay | None = None
 
     @property
     def caution(self) -> str:
@@ -262,6 +290,24 @@ def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
     return _with_peak(recording, force, rope, during)
 
 
+def force_of_weight(recording: Recording, rope: str, during: BoolArray) -> Force | None:
+    """Force of a rope at its upper end with the design weight, without factors of a rule on its lengths.
+
+    None of mooring and tag lines, in which the weight of a load has no share that is known.
+    """
+    if rope in recording.rig.outer_ropes:
+        return None
+    sling = next((one for one in recording.rig.slings if one.rope == rope), None)
+    if sling is None:
+        force = rope_force(recording, rope, during)
+    else:
+        force = _force(recording, series.sling_tension(recording, sling), sling.to_load)
+        ratio = design_ratio(recording, sling.to_load, force.window)
+        tension = series.tightest_tension(recording, rope)
+        force = _with_raised_peak(recording, force, tension, during, ratio)
+    return at_upper_end(recording, rope, force, during)
+
+
 def _rope_of(segment: str) -> str:
     return segment.rpartition("/")[0]
 
@@ -271,7 +317,7 @@ def _hoist_ratio(recording: Recording, hooks: Sequence[str], window: BoolArray) 
     loads = [series.static_value(recording, recording.column("hoist_load", hook), window) for hook in hooks]
     return max(
         (
-            1.0 + _to_design_weight(recording, [hook], window) / load
+            1.0 + to_design_weight(recording, [hook], window) / load
             for hook, load in zip(hooks, loads, strict=True)
             if load
         ),
@@ -306,7 +352,7 @@ def hook_force(
     window = series.greatest_static(recording, total)[1] if window is None else window
     static = series.static_value(recording, hook_load, window)
     falls = series.static_value(recording, total - hook_load, window) or 0.0
-    more = _to_design_weight(recording, names, window)
+    more = to_design_weight(recording, names, window)
     force = replace(_hook_force(recording, static, more, falls), window=window)
     force = _with_peak_of(recording, force, total, during)
     if static is None or force.static is None or not static + falls:
@@ -314,58 +360,11 @@ def hook_force(
     return _with_raised_peak(recording, force, total, during, force.static / (static + falls))
 
 
-def _to_design_weight(recording: Recording, hooks: Sequence[str], window: BoolArray) -> float:
-    """What hooks together bear more with the design weight, while the load hangs still [N]."""
-    rig = recording.rig
-    more = by_slings = 0.0
-    for sling in (one for one in rig.slings if rig.hook_of(one) in hooks):
-        share = series.static_value(recording, series.sling_upright(recording, sling), window) or 0.0
-        gear = _gear_below(recording, sling, window)
-        more += (design_ratio(recording, sling.to_load, window) - 1.0) * max(share - gear, 0.0)
-        by_slings += share
-    for load in rig.loads:
-        more -= (design_ratio(recording, load.name) - 1.0) * _liquid(recording, load, hooks, window)
-    if any(hook.bears_mechanics for hook in rig.hooks if hook.name in hooks):
-        hook_load = np.sum([recording.column("hook_load", name) for name in hooks], axis=0)
-        static = series.static_value(recording, hook_load, window) or 0.0
-        # What hangs there by other ropes is not known: all of it is raised, gear too.
-        more += (design_ratio(recording, window=window) - 1.0) * (static - by_slings)
-    return more
-
-
-def _liquid(recording: Recording, load: Load, hooks: Sequence[str], window: BoolArray | None) -> float:
-    """What weighs in tanks of a load that hangs still in some hooks alone, in air [N]; nothing of others."""
-    rig = recording.rig
-    others = {rig.hook_of(one) for one in rig.slings} & {hook.name for hook in rig.hooks} - set(hooks)
-    if window is None or not load.tanks or others or load.other_ropes or rig.hinges:
-        return 0.0
-    if series.is_wet(recording)[window].any():
-        return 0.0
-    liquid = series.load_weight(recording, load) - load.weight
-    return series.static_value(recording, liquid, window) or 0.0
-
-
-def _gear_below(recording: Recording, sling: Sling, window: BoolArray | None) -> float:
-    """What a sling bears of spreaders and compensators, by vertical forces while the load hangs still [N]."""
-    below = 0.0
-    every: list[Spreader | Compensator] = [*recording.rig.spreaders, *recording.rig.compensators]
-    for gear in every:
-        if gear.name in sling.lugs_of:
-            upright = {
-                one.name: series.static_value(recording, series.sling_upright(recording, one), window) or 0.0
-                for one in recording.rig.slings
-                if gear.name in one.lugs_of
-            }
-            hanging = [one for one in recording.rig.slings if recording.rig.gear_above(one) == gear]
-            weight = gear.weight + sum(_gear_below(recording, one, window) for one in hanging)
-            below += weight * upright[sling.name] / (sum(upright.values()) or 1.0)
-    return below
-
-
 def sum_force(recording: Recording, values: FloatArray, load: str | None, during: BoolArray) -> Force:
     """Static and dynamic force of a series that goes with the weight of a load, shape (time,) [N]."""
-    force = _force(recording, values, load)
-    return _with_peak_of(recording, force, values, during)
+    force = _with_peak_of(recording, _force(recording, values, load), values, during)
+    ratio = design_ratio(recording, load, force.window)
+    return _with_raised_peak(recording, force, values, during, ratio)
 
 
 def _hook_force(recording: Recording, static: float | None, more: float, falls: float) -> Force:
@@ -454,6 +453,9 @@ def at_upper_end(recording: Recording, rope: str, force: Force, during: BoolArra
     if force.static is not None and own is not None:
         text = f"({force.static_text} + {OWN_WEIGHT} {kilonewton(own)})"
         force = with_rule(recording, replace(force, static=force.static + own, static_text=text))
+    if (way := force.on_the_way) is not None:
+        hangs = float(np.interp(way.time, recording.time, more))
+        force = replace(force, on_the_way=replace(way, peak=way.peak + hangs))
     if force.peak is None:
         return force
     if force.peak_ratio > 1.0:
@@ -511,10 +513,14 @@ def _with_raised_peak(
     What slings and hooks bear as a load is turned, or goes from one to another, is static but for a little,
     and goes with the weight; no static value of a hold has it.
     """
-    if recording.is_equilibrium or force.static is None or force.is_heavier or ratio <= 1.0:
+    if recording.is_equilibrium or force.static is None or force.is_heavier:
         return force
     highest = series.peak(recording, values, during & never_hung_so(recording))
-    if highest is None or highest[0] * ratio <= (force.dynamic or 0.0):
+    if highest is None:
+        return force
+    if highest[0] * ratio > force.static:
+        force = replace(force, on_the_way=OnTheWay(*highest, ratio))
+    if ratio <= 1.0 or highest[0] * ratio <= (force.dynamic or 0.0):
         return force
     return replace(force, peak=highest[0], time=highest[1], peak_ratio=ratio)
 

@@ -184,7 +184,10 @@ def level_difference(recording: Recording, during: BoolArray) -> Iterator[Findin
 
 
 def of_drive_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Static hoist load with the design weight over what motor and brake hold by themselves."""
+    """Static hoist load with the design weight over what motor and brake hold by themselves.
+
+    What hangs there as a load is turned, between two holds, is static but for a little, and counts.
+    """
     for hook in recording.rig.hooks:
         if not hook.holds:
             continue
@@ -193,9 +196,11 @@ def of_drive_capacity(recording: Recording, during: BoolArray) -> Iterator[Findi
             yield Missing(hook.name, NO_STATIC)
             continue
         holds = hook.holds * _first_layer_over_last(recording, hook.drum, during)
-        yield Found(
-            force.static / holds, hook.name, formula=f"{force.static_text} / {kilonewton(holds)} of its drum"
-        )
+        of_drum = f"{kilonewton(holds)} of its drum"
+        if (way := force.on_the_way) is not None:
+            yield Found(way.raised / holds, hook.name, way.time, f"{way.text} / {of_drum}")
+            continue
+        yield Found(force.static / holds, hook.name, formula=f"{force.static_text} / {of_drum}")
 
 
 def _first_layer_over_last(recording: Recording, name: str, during: BoolArray) -> float:

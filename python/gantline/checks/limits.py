@@ -325,14 +325,14 @@ LIMITS: dict[str, Measure] = {
         alarm=SLING_BENDING,
     ),
     "sling_factor_on_breaking_force": Measure(
-        "minimum breaking force / peak tension of the same sling at its upper end",
+        "minimum breaking force / peak, or static force with the design weight, of a sling at its upper end",
         "",
         2,
         ropes.sling_factor,
         at_least=True,
     ),
     "rope_factor_on_breaking_force": Measure(
-        "minimum breaking force / peak tension of the same rope at its upper end, slings and all others",
+        "minimum breaking force / peak, or static force with the design weight, of a rope at its upper end",
         "",
         2,
         ropes.rope_factor,

@@ -48,6 +48,8 @@ _OF_HOOK = {"off_lead": "off_lead", "side_lead": "side_lead"}
 _BEARS_NOTHING = 1e-3
 #: Share of its most from which a hook bears so much that its lead pulls at the boom [1].
 _UNDER_LOAD = 0.25
+#: Share of the least that is rated at holds below which a place is another one than these [1].
+_LESS_RATED = 0.99
 
 
 def load_of_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -168,7 +170,7 @@ def _of_row(
         )
         yield Refused(element, reason)
         return
-    ratios = _ratios(recording, chart, hooks)
+    ratios = _ratios(recording, chart, hooks, _beyond_holds(recording, chart, hooks, rated))
     used = np.where(loaded, kept * ratios * load / np.where(loaded, rated, 1.0), 0.0)
     names = (SEVERAL,) if kept > 1 else ()
 
@@ -182,18 +184,35 @@ def _of_row(
         yield replace(found, factors=names)
 
 
-def _ratios(recording: Recording, chart: RatingChart, hooks: Sequence[str]) -> FloatArray:
+def _ratios(recording: Recording, chart: RatingChart, hooks: Sequence[str], beyond: BoolArray) -> FloatArray:
     """By what the load of a chart is raised to the design weight at each sample, shape (time,) [1].
 
-    Where the loads hung still as they hang then, a hold has that, and it is 1. Hook blocks and falls weigh
-    what they weigh.
+    Where the loads hung still as they hang then, and not `beyond` that, shape (time,), a hold has it, and it
+    is 1. Hook blocks and falls weigh what they weigh.
     """
     hangs = np.sum([recording.column("hook_load", name) for name in hooks], axis=0)
     whole = hangs
     if chart.includes_hook_block:
         whole = np.sum([recording.column("hoist_load", name) for name in hooks], axis=0)
     more = (design_ratio(recording) - 1.0) * np.clip(hangs / np.where(whole > 0.0, whole, np.inf), 0.0, 1.0)
-    return np.where(never_hung_so(recording), 1.0 + more, 1.0)
+    return np.where(never_hung_so(recording) | beyond, 1.0 + more, 1.0)
+
+
+def _beyond_holds(
+    recording: Recording, chart: RatingChart, hooks: tuple[str, ...], rated: FloatArray
+) -> BoolArray:
+    """Samples at which the loads hang where less is rated than wherever they hung still, shape (time,).
+
+    None of a crane that lifts alone, of which the rule counts all the way, and of loads in water, which hang
+    with other weights there.
+    """
+    clear = series.is_clear(recording) & ~_hangs(recording, chart, hooks)
+    loaded = chart_load(recording, chart, hooks) > 0
+    held = [rated[window & loaded] for window in series.quiet_windows(recording)]
+    least = min((float(one.min()) for one in held if one.size), default=0.0)
+    if any(load.in_water is not None for load in recording.rig.loads):
+        least = 0.0
+    return np.asarray(clear & (rated < _LESS_RATED * least), dtype=np.bool_)
 
 
 def _by_rule(

@@ -10,6 +10,7 @@ from gantline.checks.forces import (
     Raised,
     at_upper_end,
     factor,
+    force_of_weight,
     kilonewton,
     over,
     rope_force,
@@ -41,14 +42,14 @@ _MAY_BE = ("least_safety_factor", "wear_factor")
 
 
 def sling_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Minimum breaking force of a sling over its peak tension."""
+    """Minimum breaking force of a sling over its peak tension, or its static one with the design weight."""
     for sling in recording.rig.slings:
         yield from _factor(recording, during, sling.rope, sling.minimum_breaking_force, sling.name)
     yield from no_slings(recording)
 
 
 def rope_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Minimum breaking force of a rope over its peak tension."""
+    """Minimum breaking force of a rope over its peak tension, or its static one with the design weight."""
     for rope in recording.rig.ropes:
         yield from _factor(recording, during, rope.name, rope.minimum_breaking_force, rope.name)
     if any(sling.minimum_breaking_force is not None for sling in recording.rig.slings) and not _has_safety(
@@ -79,8 +80,16 @@ def _factor(
         force = kilonewton(highest.tension - highest.own_weight)
         if highest.own_weight > 0.0:
             force = f"({force} + {OWN_WEIGHT} {kilonewton(highest.own_weight)})"
-        text = f"{kilonewton(strength)} / {force}"
-        yield Found(strength / highest.tension, element, highest.time, text)
+        # Of what governs: tension [N], when [s], in words.
+        most: tuple[float, float | None, str] = (highest.tension, highest.time, force)
+        if (by_weight := force_of_weight(recording, rope, during)) is not None:
+            if by_weight.static is not None and by_weight.counts_static:
+                most = max(most, (by_weight.static, None, by_weight.static_text), key=lambda one: one[0])
+            if (way := by_weight.on_the_way) is not None:
+                most = max(most, (way.raised, way.time, way.text), key=lambda one: one[0])
+        tension, time, text = most
+        shown = f"({text})" if " x " in text else text
+        yield Found(strength / tension, element, time, f"{kilonewton(strength)} / {shown}")
 
 
 def load_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gantline.checks import shown_places, values_of
+from gantline.checks import highest_pressure, highest_tipping, shown_places, values_of
 from gantline.report.subject import ABSENT, Subject, number, typeset
 from gantline.results.alike import first_peak
 from gantline.results.cranes.boom import Boom
@@ -93,15 +93,10 @@ def _rated(subject: Subject, chart: RatingChart | None) -> dict[str, str]:
 def _ground(subject: Subject, crane: Crawler | None) -> dict[str, str]:
     if crane is None:
         return {"pressure": ABSENT, "pressure_used": ABSENT, "tipping": ABSENT}
-    recording = subject.recording
-
-    def most(variable: str, name: str) -> float:
-        return float(recording.column(variable, name)[subject.counts].max())
-
-    pressure = max(most("ground_pressure", corner) for corner in crane.corners)
+    pressure = highest_pressure(subject.recording, crane, subject.counts)
     used = pressure / crane.allowed_pressure if crane.allowed_pressure else None
     return {
         "pressure": number(pressure, "kPa", 0),
         "pressure_used": number(used, "%", 0),
-        "tipping": number(most("tipping_utilisation", crane.name), "%", 0),
+        "tipping": number(highest_tipping(subject.recording, crane, subject.counts), "%", 0),
     }

@@ -64,11 +64,13 @@ class Limits(Element):
         "more than 4 deg is a warning.",
     )
     sling_factor_on_breaking_force: _Factor | None = Field(
-        None, description="Least factor of minimum breaking force over peak tension, of every sling."
+        None,
+        description="Least factor of minimum breaking force over peak tension, or static tension with the "
+        "design weight, of every sling.",
     )
     rope_factor_on_breaking_force: _Factor | None = Field(
         None,
-        description="Least factor of minimum breaking force over peak tension, of every rope: slings, "
+        description="Least factor of minimum breaking force over the same tension, of every rope: slings, "
         "equalizing ropes, hoist ropes, ropes of 'mechanics'; 1 if not given.",
     )
     rope_load_of_breaking_force: _Share | None = Field(

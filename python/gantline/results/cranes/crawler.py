@@ -10,14 +10,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from gantline.results.cranes.track_pressure import line_pressures, tipping_utilisation
+from gantline.results.cranes.track_pressure import line_pressures, raised_forces, tipping_utilisation
 from gantline.results.file.form import Vector
 from gantline.results.passing import passed
 from gantline.results.rotation import axes, heading, tilt
 from gantline.results.strength import FromJson
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
-__all__ = ["Crawler", "crawler_events", "crawler_state", "tipping_warnings"]
+__all__ = ["Crawler", "crawler_events", "crawler_state", "raised_state", "tipping_warnings"]
 
 #: Lean of the tracks from which on a crane has gone over, wherever it comes to rest then [rad].
 _GONE_OVER = np.radians(10.0)
@@ -103,6 +103,31 @@ def crawler_state(columns: Columns, names: Names, crawlers: Sequence[Crawler]) -
     }
 
 
+def raised_state(
+    columns: Columns, names: Names, crane: Crawler, by: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Pressures on the ground and utilisation against tipping if more hung in the hooks of a crane.
+
+    All that is not the crane's own weight comes from its hooks, and grows with what they bear: along falls
+    out of plumb and as it swings too. What leans it, its ground and its falls, stays as it is.
+
+    Args:
+        columns: Columns of the core by name.
+        names: Names along their dimensions.
+        crane: The crane.
+        by: Hoist load of all its hooks over what it is, shape (time,) [1].
+
+    Returns:
+        Pressures under the ends of its tracks, shape (time, 4) [Pa]; utilisation, shape (time,) [1].
+    """
+    total, centre = _own_weight(columns, names, crane)
+    own = np.full(len(by), total)
+    forces = _corner_forces(columns, names, crane)
+    forces = raised_forces(forces, own, centre, (crane.length, crane.gauge), by)
+    _, on_ground = _pressures(crane, forces, _uneven(columns, names, crane))
+    return on_ground, _tipping(columns, names, crane, forces)
+
+
 def _pressures(crane: Crawler, force: FloatArray, uneven: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Pressure under the ends of tracks, or the feet of outriggers, and on the ground there [Pa]."""
     if crane.outrigger_mats is not None:
@@ -135,6 +160,15 @@ def _uneven(columns: Columns, names: Names, crane: Crawler) -> FloatArray:
 
 def _tipping(columns: Columns, names: Names, crane: Crawler, forces: FloatArray) -> FloatArray:
     """Utilisation against tipping over the worst of four lines, shape (time,) [1]."""
+    orientation = columns["body_orientation"][:, list(names["body"]).index(crane.tracks)]
+    total, centre = _own_weight(columns, names, crane)
+    own = np.full(len(columns["time"]), total)
+    used = tipping_utilisation(forces, own, centre, crane.length, crane.gauge)
+    return np.where(tilt(orientation) > _GONE_OVER, np.maximum(used, 1.0), used)
+
+
+def _own_weight(columns: Columns, names: Names, crane: Crawler) -> tuple[float, FloatArray]:
+    """Weight of a crane [N], and where it acts forward and to the left of the middle of its tracks [m]."""
     bodies = list(names["body"])
     place = {name: columns["body_position"][:, bodies.index(name)] for name in crane.weights}
     total = sum(crane.weights.values())
@@ -147,10 +181,7 @@ def _tipping(columns: Columns, names: Names, crane: Crawler, forces: FloatArray)
     left = np.stack([-forward[:, 1], forward[:, 0]], axis=1)
     origin = place[crane.tracks] - axes(orientation) @ np.asarray(crane.centre)
     away = (middle - origin)[:, :2]
-    centre = np.stack([(away * forward).sum(axis=1), (away * left).sum(axis=1)], axis=1)
-    own = np.full(len(columns["time"]), total)
-    used = tipping_utilisation(forces, own, centre, crane.length, crane.gauge)
-    return np.where(tilt(orientation) > _GONE_OVER, np.maximum(used, 1.0), used)
+    return total, np.stack([(away * forward).sum(axis=1), (away * left).sum(axis=1)], axis=1)
 
 
 def crawler_events(

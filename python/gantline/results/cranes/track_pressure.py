@@ -10,10 +10,13 @@ import numpy as np
 
 from gantline.results.variable import FloatArray
 
-__all__ = ["CORNERS", "line_pressures", "tipping_utilisation"]
+__all__ = ["CORNERS", "line_pressures", "raised_forces", "tipping_utilisation"]
 
 #: Ends of the tracks, in the order of all arrays here: track, and end along the tracks' heading.
 CORNERS = ("left.front", "left.back", "right.front", "right.back")
+#: Along and across of each of them, and forces on them that are in balance with each other.
+_ALONG, _ACROSS = np.array([1.0, -1.0, 1.0, -1.0]), np.array([1.0, 1.0, -1.0, -1.0])
+_TWIST = _ALONG * _ACROSS
 #: Halvings of the bracket of the slope: more than a float has digits.
 _HALVINGS = 60
 
@@ -119,3 +122,36 @@ def tipping_utilisation(
         leans = np.where(presses > 0, over, 1.0)
         worst = np.maximum(worst, np.where(holds > 0, used, leans))
     return worst
+
+
+def raised_forces(
+    corners: FloatArray, own: FloatArray, centre: FloatArray, size: tuple[float, float], by: FloatArray
+) -> FloatArray:
+    """Forces under the ends of the tracks if all but the crane's own weight were more.
+
+    What each side and each end bears beyond the crane's own weight follows from moments alone, and is raised;
+    how it comes to the corners is that of (CR1), or as of three, where one is clear.
+
+    Args:
+        corners: Forces under the ends of the tracks, in the order of `CORNERS`, shape (time, 4) [N].
+        own: Weight of the crane, shape (time,) [N].
+        centre: Centre of gravity of the crane from the middle of its tracks: forward and to the left, shape
+            (time, 2) [m].
+        size: Length of a track on the ground, and gauge [m].
+        by: What all but its own weight would be over what it is, shape (time,) [1].
+
+    Returns:
+        The forces, like `corners`; a side on which nothing is left has none.
+    """
+    length, gauge = size
+    beside = corners.sum(axis=1) - own
+    along = corners @ _ALONG - own * 2.0 * centre[:, 0] / length
+    across = corners @ _ACROSS - own * 2.0 * centre[:, 1] / gauge
+    more = (beside[:, None] + along[:, None] * _ALONG + across[:, None] * _ACROSS) / 4.0
+    raised = corners + (by - 1.0)[:, None] * more
+    # A corner that is clear, or comes clear, hands what it lacks to its neighbours, and its opposite with it.
+    lacks = np.where((corners <= 0.0) & (by > 1.0)[:, None], raised, np.minimum(raised, 0.0))
+    worst = np.argmax(np.abs(lacks), axis=1)
+    lack = np.take_along_axis(lacks, worst[:, None], axis=1)
+    found: FloatArray = np.maximum(raised - lack * _TWIST[worst][:, None] * _TWIST, 0.0)
+    return found
