@@ -32,7 +32,7 @@ from gantline.results.afloat.immersion import (
 from gantline.results.afloat.pressed import pressed_through
 from gantline.results.afloat.tanks import hole_warnings, pump_warnings
 from gantline.results.afloat.unfollowed import parted_neighbours, unfollowed
-from gantline.results.afloat.vessels import vessel_warnings, with_righting
+from gantline.results.afloat.vessels import AtRest, vessel_warnings, with_rest
 from gantline.results.cranes.crawler import tipping_warnings
 from gantline.results.derive import present_of, recording_of
 from gantline.results.file.layout import DIMS
@@ -64,13 +64,7 @@ from gantline.scenario.afloat.water import Water
 from gantline.scenario.failed import failed_at
 from gantline.statics import Statics
 from gantline.statics.hung import resting_loads
-from gantline.statics.righted import (
-    Heights,
-    Waypoint,
-    righting_at_end,
-    righting_at_start,
-    righting_on_the_way,
-)
+from gantline.statics.righted import Waypoint, at_end, at_start, on_the_way
 from gantline.version import version
 
 Progress = Callable[[float], bool | None]
@@ -155,8 +149,8 @@ class Simulation:
         self.integration_time = 0.0
         self._failure: dict[str, Any] | None = None
         self._present: tuple[float, dict[str, FloatArray]] | None = None
-        self._righting_at_end: Heights | None = None
-        self._righting_on_the_way: list[tuple[float, Heights]] = []
+        self._rest_at_end: AtRest | None = None
+        self._rest_on_the_way: list[tuple[float, AtRest]] = []
         self._resting: dict[str, list[Resting]] | None = None
         try:
             self._core = _core.Simulation(
@@ -454,17 +448,17 @@ class Simulation:
         if not floats or self._question is None:
             return found
         if self.settings["start"] == "rest":
-            found = with_righting(found, 0.0, self._righting_at_start)
-        for waypoint in map(Waypoint._make, self._core.waypoints(len(self._righting_on_the_way))):
-            heights = righting_on_the_way(self._question, waypoint, columns, names)
-            self._righting_on_the_way.append((waypoint.time, heights))
-        for at, heights in self._righting_on_the_way:
-            found = with_righting(found, at, heights)
+            found = with_rest(found, 0.0, self._rest_at_start)
+        for waypoint in map(Waypoint._make, self._core.waypoints(len(self._rest_on_the_way))):
+            said = on_the_way(self._question, waypoint, columns, names)
+            self._rest_on_the_way.append((waypoint.time, said))
+        for at, said in self._rest_on_the_way:
+            found = with_rest(found, at, said)
         if self.ended and self.status == "done":
-            if self._righting_at_end is None:
+            if self._rest_at_end is None:
                 lie = {body: self.now("body_orientation", body) for body in floats}
-                self._righting_at_end = righting_at_end(self._question, self.time, self.save(), lie)
-            found = with_righting(found, self.time, self._righting_at_end)
+                self._rest_at_end = at_end(self._question, self.time, self.save(), lie)
+            found = with_rest(found, self.time, self._rest_at_end)
         return found
 
     @cached_property
@@ -476,8 +470,8 @@ class Simulation:
             return None
 
     @cached_property
-    def _righting_at_start(self) -> Heights:
-        return {} if self._question is None else righting_at_start(self._question)
+    def _rest_at_start(self) -> AtRest:
+        return AtRest({}, {}) if self._question is None else at_start(self._question)
 
     def _settings_used(self) -> dict[str, Any]:
         """The settings with what they leave to a default, and `start` in the lift file's own word."""
@@ -513,8 +507,8 @@ class Simulation:
         """
         self._core.restore(state)
         self._present = None
-        self._righting_at_end = self._resting = None
-        self._righting_on_the_way = []
+        self._rest_at_end = self._resting = None
+        self._rest_on_the_way = []
         self.status = "done" if self.ended else "paused" if self.time > 0.0 else "ready"
         self._failure = None
 

@@ -23,7 +23,7 @@ from gantline.scenario.afloat.tanks import with_contents
 from gantline.simulation import Simulation
 from gantline.statics import Statics
 from gantline.statics.inclining import metacentric_heights
-from gantline.statics.righted import righting_at_end
+from gantline.statics.righted import at_end
 from of_recording import checks_of
 
 SEA = 1025.0
@@ -128,7 +128,7 @@ def test_where_a_swell_leaves_her_the_rooms_are_as_they_are() -> None:
     simulation = Simulation(scenario)
     simulation.run()
     heeled = np.array([math.cos(math.radians(1.0)), math.sin(math.radians(1.0)), 0.0, 0.0])
-    found = righting_at_end(Statics(scenario), 600.0, simulation.save(), {"barge": heeled})
+    found = at_end(Statics(scenario), 600.0, simulation.save(), {"barge": heeled}).heights
     assert found["barge"][0] == pytest.approx(by_lost_buoyancy(11.0)[1], abs=2e-3)
 
 

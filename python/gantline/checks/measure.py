@@ -27,6 +27,7 @@ class Found:
         formula: How it comes about, with numbers; empty if it was measured as it is.
         factors: Names of the rule's factors in it.
         between: What it may have come to between two samples, where that is worse, SI; None where it is not.
+        at_design: What it comes to with the design weight, where that is known and worse, SI; None where not.
     """
 
     value: float
@@ -35,6 +36,7 @@ class Found:
     formula: str = ""
     factors: tuple[str, ...] = ()
     between: float | None = None
+    at_design: float | None = None
 
 
 @dataclass(frozen=True)

@@ -136,7 +136,7 @@ def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> d
 
 @dataclass(frozen=True)
 class _Outcome:
-    """What a measure found: all values and the governing one, that between samples, and what is not a value.
+    """What a measure found: all values, the governing one, worse ones that may be, and what is not a value.
 
     `of` are the elements that have a value; it lacks strength where what some of them may bear is not known.
     """
@@ -145,6 +145,7 @@ class _Outcome:
     worst: Found | None
     of: frozenset[str]
     between: float | None
+    at_design: float | None
     refused: tuple[Refused, ...]
     missing: str
     lacks_strength: bool
@@ -161,6 +162,7 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
         worst=_worst(measure, values),
         of=frozenset(one.element for one in values),
         between=pick((one.between for one in values if one.between is not None), default=None),
+        at_design=pick((one.at_design for one in values if one.at_design is not None), default=None),
         refused=tuple(one for one in findings if isinstance(one, Refused)),
         missing=_reasons(one for one in findings if isinstance(one, Missing)),
         lacks_strength=any(isinstance(one, Missing) and one.is_strength for one in findings),
@@ -235,7 +237,14 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
         return replace(check, verdict=verdict, remark=_joined([found.missing, *found.cautions]))
     verdict = _verdict(measure, found.worst.value, limit)
     if verdict is Verdict.OK:
-        remarks = [_beyond_all(check, measure), _between_samples(check, measure, found.between), *remarks]
+        between = "between two samples it may have come to {}: a shorter 'sample_interval' tells"
+        at_design = "with the design weight it comes to {}, drums and tanks as here: 'simulate: design' tells"
+        remarks = [
+            _beyond_all(check, measure),
+            _past_too(check, measure, found.between, between),
+            _past_too(check, measure, found.at_design, at_design),
+            *remarks,
+        ]
     if key in rig.assumed_limits and verdict is Verdict.FAILED:
         verdict = Verdict.WARNING
         remarks.append(_OWN_LIMIT)
@@ -277,13 +286,11 @@ def _alarmed(recording: Recording, measure: Measure, check: Check, values: Seque
     return first_largest(beyond, lambda one: math.inf if one.utilisation is None else one.utilisation)
 
 
-def _between_samples(check: Check, measure: Measure, between: float | None) -> str:
-    """That a value within its limit may have been past it between two samples."""
-    if between is None or check.limit is None or _verdict(measure, between, check.limit) is Verdict.OK:
+def _past_too(check: Check, measure: Measure, other: float | None, text: str) -> str:
+    """That a value within its limit may be past it otherwise, in a sentence with a place for that value."""
+    if other is None or check.limit is None or _verdict(measure, other, check.limit) is Verdict.OK:
         return ""
-    return (
-        f"between two samples it may have come to {check.shown(between)}: a shorter 'sample_interval' tells"
-    )
+    return text.format(replace(check, value=other).shown(other))
 
 
 def _beyond_all(check: Check, measure: Measure) -> str:

@@ -3,27 +3,53 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme, to_either_side
+from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
+from gantline.results.afloat.vessels import Vessel
 from gantline.results.recording import Recording
-from gantline.results.variable import BoolArray
+from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
 
 def heel(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Heel of a vessel to either side."""
-    yield from to_either_side(recording, "vessel_heel", _names(recording), during)
+    yield from _leans(recording, during, "heel")
 
 
 def trim(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Trim of a vessel by bow or stern."""
-    yield from to_either_side(recording, "vessel_trim", _names(recording), during)
+    yield from _leans(recording, during, "trim")
 
 
-def _names(recording: Recording) -> list[str]:
-    return [vessel.name for vessel in recording.rig.vessels]
+def _leans(recording: Recording, during: BoolArray, way: Literal["heel", "trim"]) -> Iterator[Found]:
+    for vessel in recording.rig.vessels:
+        lies = recording.column(f"vessel_{way}", vessel.name)
+        with_design = np.abs(lies + _by_contingency(recording, vessel, way))
+        for one in extreme(recording, np.abs(lies), during, vessel.name):
+            worst = float(with_design[during].max())
+            yield replace(one, at_design=worst if worst > one.value else None)
+
+
+def _by_contingency(
+    recording: Recording, vessel: Vessel, of: Literal["heel", "trim", "freeboard"]
+) -> FloatArray:
+    """What the design weight changes of how a vessel lies, shape (time,) [rad, m].
+
+    Known where steps end and tanks get or lose their surface; in between it is taken to change evenly.
+    """
+    known = vessel.by_contingency
+    if not known:
+        return np.zeros(len(recording.time))
+    changes: FloatArray = np.interp(
+        recording.time, [one.time for one in known], [getattr(one, of) for one in known]
+    )
+    return changes
 
 
 def freeboard(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -33,7 +59,9 @@ def freeboard(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """
     for vessel in recording.rig.vessels:
         height = recording.column("vessel_freeboard", vessel.name)
-        yield from extreme(recording, height, during, vessel.name, smallest=True)
+        least = float((height + _by_contingency(recording, vessel, "freeboard"))[during].min(initial=np.inf))
+        for one in extreme(recording, height, during, vessel.name, smallest=True):
+            yield replace(one, at_design=least if least < one.value else None)
         if not (during.all() and height.min() >= 0.0):
             continue
         marks = {f"{vessel.name}.{mark}": mark for mark in vessel.marks}

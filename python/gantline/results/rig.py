@@ -105,6 +105,13 @@ class Load(HasLugs):
     tanks: Sequence[str] = ()
     resting: Sequence[Resting] = ()
 
+    @property
+    def more_mass(self) -> float:
+        """By how much its design weight is more than what is simulated [kg]; 0 where that is not known."""
+        if self.design_mass is None or self.simulated_mass is None:
+            return 0.0
+        return max(0.0, self.design_mass - self.simulated_mass)
+
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:
         """Make one from its JSON object."""

@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from gantline.results.afloat.vessels import with_righting
+from gantline.results.afloat.vessels import AtRest, with_rest
 from gantline.results.leading_away import stability
 from gantline.results.recording import Recording
 
@@ -139,16 +139,16 @@ class Equilibrium:
         said = {"statics": self.to_json() | more, "modes": [mode.to_json() for mode in modes]}
         return Recording(one.variables, one.coordinates, {**one.attributes, **said})
 
-    def with_righting(self, heights: Mapping[str, tuple[float, float]]) -> Equilibrium:
-        """The same, whose recording tells what rights vessels.
+    def with_rest(self, found: AtRest) -> Equilibrium:
+        """The same, whose recording tells what it says of vessels.
 
         Args:
-            heights: Their metacentric heights for heel and trim by their names [m].
+            found: What that is.
         """
-        if not heights:
+        if not found.heights and not found.by_contingency:
             return self
         one = self.recording
-        rig = with_righting(one.attributes["rig"], self.time, heights)
+        rig = with_rest(one.attributes["rig"], self.time, found)
         return replace(
             self, recording=Recording(one.variables, one.coordinates, {**one.attributes, "rig": rig})
         )

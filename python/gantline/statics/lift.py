@@ -42,7 +42,7 @@ from gantline.statics.answers import (
 from gantline.statics.linear import LinearModel, linear_model
 from gantline.statics.motion import drums_of, in_words
 from gantline.statics.pieces import Pieces
-from gantline.statics.righted import righting
+from gantline.statics.righted import of_equilibrium
 from gantline.statics.streaming import leading_away, leading_straight, leads_straight, motions, streams
 from gantline.version import version
 
@@ -319,7 +319,7 @@ class Statics:
                 for name, support, friction, bound in found["contacts"]
             ),
         )
-        return rest.with_righting(righting(self, rest))
+        return rest.with_rest(of_equilibrium(self, rest))
 
     @_one_at_a_time
     def modes(self, count: int | None = None) -> list[Mode]:

@@ -1,5 +1,7 @@
 """What rights vessels where a run begins and ends, where steps of its plan end, and as tanks fill.
 
+And what contingency would do to them there.
+
 One that is symmetrical does not show it in its motion.
 """
 
@@ -12,27 +14,19 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from gantline.results.afloat.vessels import AtRest, ByContingency, Heights
 from gantline.results.rotation import axes
 from gantline.results.variable import Columns, FloatArray, Names
 from gantline.scenario.afloat.tanks import holed_tanks
 from gantline.statics.answers import Equilibrium, Losses, NoEquilibriumError
+from gantline.statics.contingency import by_contingency
 from gantline.statics.inclining import metacentric_heights
 from gantline.statics.open_tanks import with_what_has_run
 
 if TYPE_CHECKING:
     from gantline.statics.lift import Statics
 
-__all__ = [
-    "Heights",
-    "Waypoint",
-    "righting",
-    "righting_at_end",
-    "righting_at_start",
-    "righting_on_the_way",
-]
-
-#: Metacentric heights for heel and trim of vessels by their names [m].
-Heights = dict[str, tuple[float, float]]
+__all__ = ["Waypoint", "at_end", "at_start", "of_equilibrium", "on_the_way"]
 
 #: How far from where it lies in a run a vessel may come to rest before it is asked what rights it there
 #: [rad]. One of GM = -6 mm with BM = 20 m comes to rest by sqrt(-2 GM/BM) = 1.4 deg.
@@ -43,21 +37,22 @@ _STILL = 1e-4
 _LOSSES: Final[tuple[Losses, ...]] = ("none", "held")
 
 
-def righting(question: Statics, rest: Equilibrium) -> Heights:
-    """Metacentric heights for heel and trim of vessels that nothing rights, of all if they have a limit [m].
+def of_equilibrium(question: Statics, rest: Equilibrium) -> AtRest:
+    """What it says of vessels: what rights those that nothing rights, or all of them if they have a limit.
 
     Args:
         question: The lift.
         rest: Its equilibrium that was found last.
     """
     try:
-        return _righting_of(question, rest)
+        heights = _righting_of(question, rest)
     except NoEquilibriumError:  # it answers to no push smoothly
-        return {}
+        return AtRest({}, {})
+    return AtRest(heights, by_contingency(question, rest))
 
 
 def _righting_of(question: Statics, rest: Equilibrium, *, at_level: bool = False) -> Heights:
-    """The same, with an error where it answers to no push smoothly."""
+    """Metacentric heights of those, with an error where it answers to no push smoothly."""
     limits = question.scenario.limits
     is_limited = limits is not None and limits.metacentric_height is not None
     # What runs through holes is not in the stability of an equilibrium.
@@ -73,14 +68,12 @@ def _righting_of(question: Statics, rest: Equilibrium, *, at_level: bool = False
     }
 
 
-def righting_at_start(question: Statics) -> Heights:
+def at_start(question: Statics) -> AtRest:
     """The same where a lift starts at rest."""
-    return _righting(question, lambda losses: question.equilibrium(0.0, losses=losses))
+    return _without_friction_first(question, lambda losses: question.equilibrium(0.0, losses=losses))
 
 
-def righting_at_end(
-    question: Statics, time: float, state: bytes, attitudes: Mapping[str, npt.ArrayLike]
-) -> Heights:
+def at_end(question: Statics, time: float, state: bytes, attitudes: Mapping[str, npt.ArrayLike]) -> AtRest:
     """The same where a run has got to; nothing of one that comes to rest nowhere.
 
     What rounding has moved goes on downhill: where it comes to rest elsewhere, the equilibrium of the plan
@@ -100,7 +93,7 @@ def righting_at_end(
             return as_it_is.equilibrium(min(time, question.scenario.duration), losses=losses)
         return found
 
-    return _righting(question, rest)
+    return _without_friction_first(question, rest)
 
 
 class Waypoint(NamedTuple):
@@ -116,7 +109,7 @@ class Waypoint(NamedTuple):
     state: bytes
 
 
-def righting_on_the_way(question: Statics, waypoint: Waypoint, columns: Columns, names: Names) -> Heights:
+def on_the_way(question: Statics, waypoint: Waypoint, columns: Columns, names: Names) -> AtRest:
     """The same where a step of the plan has ended in a run, or the surface in a tank has come or gone.
 
     One that stands where it would not come to rest, and does not move, is held by its symmetry alone: the
@@ -154,7 +147,7 @@ def righting_on_the_way(question: Statics, waypoint: Waypoint, columns: Columns,
         then = _in_equilibria(asked, waypoint)
         return found if then is None else asked.equilibrium(then, losses=losses)
 
-    return _righting(question, rest, at_level=waypoint.since is not None)
+    return _without_friction_first(question, rest, at_level=waypoint.since is not None)
 
 
 def _in_equilibria(question: Statics, waypoint: Waypoint) -> float | None:
@@ -168,18 +161,22 @@ def _in_equilibria(question: Statics, waypoint: Waypoint) -> float | None:
     return None if begins is None else min(begins + waypoint.since, math.inf if ends is None else ends)
 
 
-def _righting(question: Statics, rest: Callable[[Losses], Equilibrium], *, at_level: bool = False) -> Heights:
-    """What rights vessels where they rest without friction, with it where nothing rests without.
+def _without_friction_first(
+    question: Statics, rest: Callable[[Losses], Equilibrium], *, at_level: bool = False
+) -> AtRest:
+    """What is said of vessels where they rest without friction, with it where nothing rests without.
 
     Friction rights no vessel: one that fenders hold to its neighbour as long as they stick seems to have of
     its neighbour's GM. Nor do slings into which a load slides that stands aboard a vessel with heel, and that
     friction would hold: of both the least counts then.
     """
     found: Heights = {}
+    changes: Mapping[str, ByContingency] = {}
     for losses in _LOSSES:
         try:
             there = rest(losses)
             heights = _righting_of(question, there, at_level=at_level)
+            changes = by_contingency(question, there) or changes
         except NoEquilibriumError:
             continue
         for name, (heel, trim) in heights.items():
@@ -187,7 +184,7 @@ def _righting(question: Statics, rest: Callable[[Losses], Equilibrium], *, at_le
             found[name] = min(heel, other[0]), min(trim, other[1])
         if not _stands_aboard(there):
             break
-    return found
+    return AtRest(found, changes)
 
 
 def _stands_aboard(rest: Equilibrium) -> bool:

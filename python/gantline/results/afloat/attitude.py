@@ -54,3 +54,17 @@ class Lie(NamedTuple):
         )
         found: FloatArray = -(self.height + self.up[..., 0] * station) / steep
         return found
+
+    def leans(self, rotation: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Change of heel and trim by a small turn, each of shape (...) [rad].
+
+        Args:
+            rotation: The turn, world axes, shape (..., 3) [rad].
+        """
+        # Ẑ-parts of ω × x, ω × y, ω × z: what n changes by.
+        change = np.einsum("...i,...ij->...j", np.cross((0.0, 0.0, 1.0), rotation), self.turn)
+        up = self.up
+        heel = (up[..., 2] * change[..., 1] - up[..., 1] * change[..., 2]) / (
+            up[..., 1] ** 2 + up[..., 2] ** 2
+        )
+        return heel, change[..., 0] / np.cos(self.trim)

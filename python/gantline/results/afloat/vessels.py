@@ -7,8 +7,8 @@ above the water, n upwards in its axes. Drafts are those in still water, freeboa
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import asdict, dataclass, field, replace
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 
@@ -19,11 +19,53 @@ from gantline.results.rotation import axes
 from gantline.results.strength import FromJson
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
-__all__ = ["AS_CARRIED", "Vessel", "vessel_state", "vessel_warnings", "with_righting"]
+__all__ = [
+    "AS_CARRIED",
+    "AtRest",
+    "ByContingency",
+    "Heights",
+    "Vessel",
+    "vessel_state",
+    "vessel_warnings",
+    "with_rest",
+]
 
 
 #: What has to be known of heel and trim of a vessel that is carried.
 AS_CARRIED = "its motion is given, and what hangs from it neither heels nor trims it"
+
+
+#: Metacentric heights for heel and trim of vessels by their names [m].
+Heights = dict[str, tuple[float, float]]
+
+
+@dataclass(frozen=True)
+class ByContingency(FromJson):
+    """What the design weight of loads would change of how a vessel lies, beside what is simulated.
+
+    Attributes:
+        time: When [s].
+        heel: Change of heel, to starboard positive [rad].
+        trim: Change of trim, by the stern positive [rad].
+        freeboard: Change of freeboard [m].
+    """
+
+    time: float
+    heel: float
+    trim: float
+    freeboard: float
+
+
+class AtRest(NamedTuple):
+    """What equilibria say of the vessels of a lift at a moment.
+
+    Attributes:
+        heights: Metacentric heights; of vessels that are left out nothing is told.
+        by_contingency: What the design weight would change, by their names.
+    """
+
+    heights: Heights
+    by_contingency: Mapping[str, ByContingency]
 
 
 @dataclass(frozen=True)
@@ -41,6 +83,8 @@ class Vessel(FromJson):
         marks: Points that should stay above the water, vessel axes [m], by what they belong to.
         righting: Moments [s] with its metacentric heights for heel and trim then [m], of a start at rest, of
             the ends of steps and of the end: where a lift sets a limit for them, or one is below zero.
+        by_contingency: What the design weight of loads would change at these moments, where a load has more
+            than is simulated.
         is_carried: Whether its motion is given, so that nothing that hangs from it, or rights it, counts.
         grows_over: How long the motion of a record grows by which it goes [s]; 0 if it goes by none.
     """
@@ -54,30 +98,36 @@ class Vessel(FromJson):
     hull: str = ""
     marks: Mapping[str, Sequence[Vector]] = field(default_factory=dict)
     righting: Sequence[Vector] = ()
+    by_contingency: Sequence[ByContingency] = ()
     is_carried: bool = False
     grows_over: float = 0.0
 
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Make one from its JSON object."""
+        changes = tuple(ByContingency.from_json(one) for one in document.get("by_contingency", ()))
+        return super().from_json({**document, "by_contingency": changes})
 
-def with_righting(
-    rig: Mapping[str, Any], time: float, heights: Mapping[str, tuple[float, float]]
-) -> dict[str, Any]:
-    """The JSON of a rig whose vessels tell what rights them at a moment.
+
+def with_rest(rig: Mapping[str, Any], time: float, found: AtRest) -> dict[str, Any]:
+    """The JSON of a rig whose vessels tell what equilibria say of them at a moment.
 
     Args:
         rig: Its JSON.
         time: That moment [s].
-        heights: Metacentric heights for heel and trim then by their names [m]; of vessels that are left out
-            nothing is told.
+        found: What they say.
     """
-    return {
-        **rig,
-        "vessels": [
-            {**one, "righting": [*one.get("righting", ()), [time, *heights[one["name"]]]]}
-            if one["name"] in heights
-            else one
-            for one in rig["vessels"]
-        ],
-    }
+
+    def told(one: Mapping[str, Any]) -> dict[str, Any]:
+        name, more = one["name"], {}
+        if name in found.heights:
+            more["righting"] = [*one.get("righting", ()), [time, *found.heights[name]]]
+        if name in found.by_contingency:
+            change = replace(found.by_contingency[name], time=time)
+            more["by_contingency"] = [*one.get("by_contingency", ()), asdict(change)]
+        return {**one, **more}
+
+    return {**rig, "vessels": [told(one) for one in rig["vessels"]]}
 
 
 def vessel_state(
