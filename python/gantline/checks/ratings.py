@@ -34,7 +34,7 @@ from gantline.results.cranes.rating import (
 )
 from gantline.results.cranes.rating_chart import RatingChart
 from gantline.results.loads.hinges import is_shut
-from gantline.results.loads.hung_so import never_hung_so
+from gantline.results.loads.hung_so import most_on_the_way, never_hung_so
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.variable import BoolArray, FloatArray
@@ -159,7 +159,12 @@ def _of_row(
         yield Refused(element, _outside(recording, chart, hooks, places, outside))
         return
     rated = rated_load(recording, chart, group)
-    yield from _by_rule(recording, during, (group, kept), chart, places)
+    beyond = never_hung_so(recording) | _beyond_holds(recording, chart, hooks, rated)
+    windows = series.quiet_windows(recording)
+    used = np.divide(load, rated, out=np.zeros_like(load), where=rated > 0.0)
+    if windows and (way := most_on_the_way(recording, used, beyond & (load > 0.0))) is not None:
+        windows.append(way)
+    yield from _by_rule(recording, during, (group, kept), chart, places, windows)
     if recording.is_equilibrium:
         return
     loaded = during & (load > 0)
@@ -170,7 +175,7 @@ def _of_row(
         )
         yield Refused(element, reason)
         return
-    ratios = _ratios(recording, chart, hooks, _beyond_holds(recording, chart, hooks, rated))
+    ratios = _ratios(recording, chart, hooks, beyond)
     used = np.where(loaded, kept * ratios * load / np.where(loaded, rated, 1.0), 0.0)
     names = (SEVERAL,) if kept > 1 else ()
 
@@ -187,15 +192,15 @@ def _of_row(
 def _ratios(recording: Recording, chart: RatingChart, hooks: Sequence[str], beyond: BoolArray) -> FloatArray:
     """By what the load of a chart is raised to the design weight at each sample, shape (time,) [1].
 
-    Where the loads hung still as they hang then, and not `beyond` that, shape (time,), a hold has it, and it
-    is 1. Hook blocks and falls weigh what they weigh.
+    Where they hang as they do at a hold, and not `beyond` that, shape (time,), the hold has it, and it is 1.
+    Hook blocks and falls weigh what they weigh.
     """
     hangs = np.sum([recording.column("hook_load", name) for name in hooks], axis=0)
     whole = hangs
     if chart.includes_hook_block:
         whole = np.sum([recording.column("hoist_load", name) for name in hooks], axis=0)
     more = (design_ratio(recording) - 1.0) * np.clip(hangs / np.where(whole > 0.0, whole, np.inf), 0.0, 1.0)
-    return np.where(never_hung_so(recording) | beyond, 1.0 + more, 1.0)
+    return np.where(beyond, 1.0 + more, 1.0)
 
 
 def _beyond_holds(
@@ -221,18 +226,27 @@ def _by_rule(
     of: tuple[RatedGroup, float],
     chart: RatingChart,
     places: FloatArray,
+    windows: Sequence[BoolArray],
 ) -> Iterator[Finding]:
-    """The design weight with the rule's dynamics against the least that is rated while the load is still.
+    """The design weight with the rule's dynamics against the least that is rated over some times.
 
-    Of a crane that lifts alone against the least while the load hangs at all: it bears the same all the way.
-    What hung in it while a hinge held the load counts where it hung alone.
+    These are those that the load hung still, and that between them at which most of the chart is used. Of a
+    crane that lifts alone against the least while the load hangs at all: it bears the same all the way. What
+    hung in it while a hinge held the load counts where it hung alone.
+
+    Args:
+        recording: The recording.
+        during: Samples that count.
+        of: Hooks that the chart rates together, and the factor of several cranes.
+        chart: The chart.
+        places: Where hooks are, as `chart_places` has them.
+        windows: These times, each of shape (time,).
     """
     group, kept = of
     element, hooks = group.element, group.hooks
     all_the_way = _hangs(recording, chart, hooks) & during
     held = _held(recording)
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
-    windows = series.quiet_windows(recording)
     highest = hook_force(recording, hooks, variable, during)
     if not windows and highest.lacks_static:
         yield Caution(UNRAISED)

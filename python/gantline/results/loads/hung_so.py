@@ -12,7 +12,16 @@ from gantline.results.ropes.parting import DETACHED, PARTING, while_there
 from gantline.results.ropes.pinned import pinned_as_at
 from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["has_hung_as_heavy", "has_hung_so", "left_by_water", "never_hung_so", "tells_dynamics"]
+__all__ = [
+    "has_hung_as_heavy",
+    "has_hung_so",
+    "left_by_water",
+    "most_on_the_way",
+    "never_hung_so",
+    "tells_dynamics",
+    "when_on_the_way",
+    "window_of_most",
+]
 
 #: By what share of a load more is left to bear than while it hung still, which is no dynamics then [1].
 _HEAVIER = 0.02
@@ -73,6 +82,58 @@ def _found_never(recording: Recording) -> BoolArray:
         so = shut_as_at(recording, float(recording.time[at])) & series.turned_as_at(recording, at)
         alike |= window | (with_these & so)
     return ~alike
+
+
+def window_of_most(recording: Recording, values: FloatArray) -> BoolArray:
+    """The time of which a force has its static value, shape (time,).
+
+    That is where the loads hung still, or on the way between two such times, if it is more there.
+
+    Args:
+        recording: The recording.
+        values: The force, shape (time,).
+    """
+    static, window = series.greatest_static(recording, values)
+    way = most_on_the_way(recording, values, never_hung_so(recording))
+    if static is None or way is None:
+        return window
+    on_the_way = series.static_value(recording, values, way) or 0.0
+    return way if series.is_more(on_the_way, static) else window
+
+
+def most_on_the_way(recording: Recording, values: FloatArray, among: BoolArray) -> BoolArray | None:
+    """The time at which a series is largest as a mean over as long as loads hang still at least.
+
+    Args:
+        recording: The recording.
+        values: The series, shape (time,).
+        among: Samples that count, shape (time,).
+
+    Returns:
+        Its samples, shape (time,); None where none of these go on for so long, as in an equilibrium.
+    """
+    lasts = series.time_to_hang_still(recording.rig)
+    most, found = -np.inf, None
+    for stretch in series.stretches(among):
+        times, of_stretch = recording.time[stretch], values[stretch]
+        begins = times[times + lasts <= times[-1]]
+        if not begins.size:
+            continue
+        steps = np.diff(times) * (of_stretch[1:] + of_stretch[:-1]) / 2.0
+        sums = np.append(0.0, np.cumsum(steps))
+        means = (np.interp(begins + lasts, times, sums) - sums[: begins.size]) / lasts
+        at = int(np.argmax(means))
+        if means[at] > most:
+            most = float(means[at])
+            found = stretch & (recording.time >= begins[at]) & (recording.time <= begins[at] + lasts)
+    return found
+
+
+def when_on_the_way(recording: Recording, window: BoolArray | None) -> float | None:
+    """The middle of a time between two holds [s]; None of one at which the loads hung still."""
+    if window is None or not window.any() or np.any(series.quiet_windows(recording), axis=0)[window].any():
+        return None
+    return float(recording.time[window].mean())
 
 
 def has_hung_as_heavy(recording: Recording, time: float) -> bool:
