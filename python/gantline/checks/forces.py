@@ -22,7 +22,7 @@ from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
 from gantline.results.alike import earliest_peak
 from gantline.results.gear import Sling
-from gantline.results.loads.hung_so import has_hung_as_heavy, never_hung_so, when_on_the_way, window_of_most
+from gantline.results.loads.hung_so import has_hung_as_heavy, how_on_the_way, never_hung_so, window_of_most
 from gantline.results.loads.skew import skew_loads
 from gantline.results.recording import Recording
 from gantline.results.ropes.pinned import pinned_as_at
@@ -205,7 +205,7 @@ def sling_forces(
     for sling in recording.rig.slings:
         force = _force(recording, series.sling_tension(recording, sling), sling.to_load, window)
         skew = by_length.get(sling.name)
-        if window is None and rule is not None and when_on_the_way(recording, force.window) is not None:
+        if window is None and rule is not None and how_on_the_way(recording, force.window):
             there = skew_loads(recording, force.window)
             skew = next((one for one in there if one.sling == sling.name and one.lengths_decide), None)
         if skew is not None and rule is not None:
@@ -237,7 +237,7 @@ def force_together(
     alone: list[Force] = []
     found: list[Force] = []
     windows: list[BoolArray | None] = [*series.quiet_windows(recording)]
-    if when_on_the_way(recording, way := window_of_most(recording, together)) is not None:
+    if how_on_the_way(recording, way := window_of_most(recording, together)):
         windows.append(way)
     for window in windows or [None]:
         forces = sling_forces(recording, during, window)
@@ -406,9 +406,8 @@ def _raised(recording: Recording, values: FloatArray, ratio: float, window: Bool
 
 
 def _static_text(recording: Recording, static: float, window: BoolArray) -> str:
-    time = when_on_the_way(recording, window)
-    between = "" if time is None else f" between holds, about {format_quantity(time, 's', 0)}"
-    return f"static {kilonewton(static)}{between}"
+    how = how_on_the_way(recording, window)
+    return f"static {kilonewton(static)}{f' {how}' if how else ''}"
 
 
 def _without_static(recording: Recording, ratio: float) -> Force:

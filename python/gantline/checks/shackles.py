@@ -30,7 +30,7 @@ from gantline.checks.forces import (
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused
 from gantline.results import series
 from gantline.results.gear import Sling
-from gantline.results.loads.hung_so import most_on_the_way, never_hung_so
+from gantline.results.loads.hung_so import most_on_the_way, never_hung_so, on_the_way
 from gantline.results.recording import Recording
 from gantline.results.ropes.upper_end import own_weight
 from gantline.results.strength import Shackle, SideLoad
@@ -258,7 +258,7 @@ def _shackles(recording: Recording, during: BoolArray) -> Iterator[tuple[Sling, 
     most = sling_forces(recording, during)
     windows = series.quiet_windows(recording)
     of_window = cache(lambda at: sling_forces(recording, during, windows[at]))
-    chart, on_the_way = recording.rig.shackle_side_load, never_hung_so(recording)
+    chart = recording.rig.shackle_side_load
     for sling in recording.rig.slings:
         for end, shackle in sling.shackles.items():
             angle = _static_angle(recording, most[sling.name].window, sling, end)
@@ -271,7 +271,7 @@ def _shackles(recording: Recording, during: BoolArray) -> Iterator[tuple[Sling, 
             as_plumb = _for_plumb(
                 chart, series.sling_tension(recording, sling), _angles(recording, sling, end)
             )
-            way = most_on_the_way(recording, as_plumb, on_the_way)
+            way = most_on_the_way(recording, as_plumb, on_the_way(recording))
             if way is not None and (aside := _static_angle(recording, way, sling, end)) > angle:
                 force = sling_forces(recording, during, way)[sling.name]
                 holds.append(_Hold(_at_end(recording, sling, end, force, during), aside))

@@ -11,15 +11,17 @@ from gantline.results.rig import Load
 from gantline.results.ropes.parting import DETACHED, PARTING, while_there
 from gantline.results.ropes.pinned import pinned_as_at
 from gantline.results.variable import BoolArray, FloatArray
+from gantline.units import format_quantity
 
 __all__ = [
     "has_hung_as_heavy",
     "has_hung_so",
+    "how_on_the_way",
     "left_by_water",
     "most_on_the_way",
     "never_hung_so",
+    "on_the_way",
     "tells_dynamics",
-    "when_on_the_way",
     "window_of_most",
 ]
 
@@ -84,21 +86,32 @@ def _found_never(recording: Recording) -> BoolArray:
     return ~alike
 
 
+def on_the_way(recording: Recording) -> BoolArray:
+    """The same, with those at which loads partly stand, shape (time,).
+
+    One that is let down on one corner may leave the sling across twice of what it bore as the load hung.
+    """
+    never = never_hung_so(recording)
+    if not series.quiet_windows(recording) or any(one.in_water is not None for one in recording.rig.loads):
+        return never
+    return never | ~series.is_clear(recording)
+
+
 def window_of_most(recording: Recording, values: FloatArray) -> BoolArray:
     """The time of which a force has its static value, shape (time,).
 
-    That is where the loads hung still, or on the way between two such times, if it is more there.
+    That is where the loads hung still, or on the way from or to such a time, if it is more there.
 
     Args:
         recording: The recording.
         values: The force, shape (time,).
     """
     static, window = series.greatest_static(recording, values)
-    way = most_on_the_way(recording, values, never_hung_so(recording))
+    way = most_on_the_way(recording, values, on_the_way(recording))
     if static is None or way is None:
         return window
-    on_the_way = series.static_value(recording, values, way) or 0.0
-    return way if series.is_more(on_the_way, static) else window
+    more = series.static_value(recording, values, way) or 0.0
+    return way if series.is_more(more, static) else window
 
 
 def most_on_the_way(recording: Recording, values: FloatArray, among: BoolArray) -> BoolArray | None:
@@ -129,11 +142,12 @@ def most_on_the_way(recording: Recording, values: FloatArray, among: BoolArray) 
     return found
 
 
-def when_on_the_way(recording: Recording, window: BoolArray | None) -> float | None:
-    """The middle of a time between two holds [s]; None of one at which the loads hung still."""
+def how_on_the_way(recording: Recording, window: BoolArray | None) -> str:
+    """In words, when a time on the way was, shape (time,); empty of one at which the loads hung still."""
     if window is None or not window.any() or np.any(series.quiet_windows(recording), axis=0)[window].any():
-        return None
-    return float(recording.time[window].mean())
+        return ""
+    how = "between holds" if series.is_clear(recording)[window].all() else "partly standing"
+    return f"{how}, about {format_quantity(float(recording.time[window].mean()), 's', 0)}"
 
 
 def has_hung_as_heavy(recording: Recording, time: float) -> bool:
