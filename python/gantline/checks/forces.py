@@ -286,9 +286,10 @@ def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
     hooks = [hook.name for hook in recording.rig.hooks if rope in {_rope_of(fall) for fall in hook.falls}]
     forces = []
     for column in columns:
-        window = window_of_most(recording, column)
+        outer = rope in recording.rig.outer_ropes
+        window = series.greatest_static(recording, column)[1] if outer else window_of_most(recording, column)
         ratio = design_ratio(recording, window=window)
-        if hooks or rope in recording.rig.outer_ropes:
+        if hooks or outer:
             ratio = max(design_ratio(recording), _hoist_ratio(recording, hooks, window))
         forces.append(_raised(recording, column, ratio, window))
     force = max(forces, key=lambda force: force.static or 0.0)
