@@ -375,7 +375,7 @@ def _shown(chart: RatingChart, place: float, digits: int = 2) -> str:
 
 
 def beyond_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Heel, trim, off-lead and side-lead under load, over the largest for which the chart holds.
+    """Heel, trim, off-lead, side-lead and waves under load, over the largest for which the chart holds.
 
     Leads are those of hooks that bear something: an empty one beside them may swing. So are the attitudes of
     charts, where hooks have their own.
@@ -393,12 +393,26 @@ def beyond_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
                 if limit is not None:
                     values = np.abs(recording.column(variable, chart.crane))
                     yield from _over(recording, values, during_its_loads, limit, f"{key} {of}")
+            yield from _in_waves(recording, during_its_loads, one.significant_height, of)
         for key, variable in _OF_HOOK.items():
             for hook in chart.hooks:
                 limit = getattr(chart.of(hook), key)
                 if limit is not None:
                     values = np.abs(recording.column(variable, hook))
                     yield from _lead(recording, values, bearing[hook], limit, (key, hook))
+
+
+def _in_waves(recording: Recording, during: BoolArray, limit: float | None, of: str) -> Iterator[Finding]:
+    """The waves of the lift, under load, over the largest for which a chart holds [m]."""
+    sea, element = recording.rig.sea, f"significant_height {of}"
+    if limit is None or not recording.rig.is_in_waves:
+        return
+    if sea is None:
+        yield Missing(element, "a vessel moves by a record, and its waves are not known")
+        return
+    text = f"{sea.significant_height:.4g} m / {limit:.4g} m"
+    used = np.full(len(recording.time), sea.significant_height / limit)
+    yield from extreme(recording, used, during, element, lambda _: text)
 
 
 def _lead(
