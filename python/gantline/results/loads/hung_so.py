@@ -123,12 +123,16 @@ def most_on_the_way(recording: Recording, values: FloatArray, among: BoolArray) 
         among: Samples that count, shape (time,).
 
     Returns:
-        Its samples, shape (time,); None where none of these go on for so long, as in an equilibrium.
+        Its samples, shape (time,); None where none of these go on for so long, and of an equilibrium.
     """
+    if recording.is_equilibrium:
+        return None
     lasts = series.time_to_hang_still(recording.rig)
-    most, found = -np.inf, None
-    for stretch in series.stretches(among):
-        times, of_stretch = recording.time[stretch], values[stretch]
+    changes = np.flatnonzero(np.diff(np.concatenate(([False], among, [False])).astype(np.int8)))
+    most, found = -np.inf, (0.0, -1.0)
+    # A load that bounces has hundreds of stretches, most of them too short.
+    for first, after in changes.reshape(-1, 2):
+        times, of_stretch = recording.time[first:after], values[first:after]
         begins = times[times + lasts <= times[-1]]
         if not begins.size:
             continue
@@ -137,9 +141,9 @@ def most_on_the_way(recording: Recording, values: FloatArray, among: BoolArray) 
         means = (np.interp(begins + lasts, times, sums) - sums[: begins.size]) / lasts
         at = int(np.argmax(means))
         if means[at] > most:
-            most = float(means[at])
-            found = stretch & (recording.time >= begins[at]) & (recording.time <= begins[at] + lasts)
-    return found
+            most, found = float(means[at]), (float(begins[at]), float(begins[at]) + lasts)
+    window: BoolArray = (recording.time >= found[0]) & (recording.time <= found[1])
+    return window if window.any() else None
 
 
 def how_on_the_way(recording: Recording, window: BoolArray | None) -> str:
