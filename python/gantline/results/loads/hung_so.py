@@ -100,7 +100,8 @@ def on_the_way(recording: Recording) -> BoolArray:
 def window_of_most(recording: Recording, values: FloatArray) -> BoolArray:
     """The time of which a force has its static value, shape (time,).
 
-    That is where the loads hung still, or on the way from or to such a time, if it is more there.
+    That is where the loads hung still, or on the way from or to such a time, if it is more there and no force
+    of what is all but slack.
 
     Args:
         recording: The recording.
@@ -111,7 +112,8 @@ def window_of_most(recording: Recording, values: FloatArray) -> BoolArray:
     if static is None or way is None:
         return window
     more = series.static_value(recording, values, way) or 0.0
-    return way if series.is_more(more, static) else window
+    counts = series.is_more(more, static) and tells_dynamics(more, float(values.max()))
+    return way if counts else window
 
 
 def most_on_the_way(recording: Recording, values: FloatArray, among: BoolArray) -> BoolArray | None:
