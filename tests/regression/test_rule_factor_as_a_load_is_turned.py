@@ -73,7 +73,7 @@ def test_the_chart_and_the_hoist_rope_of_a_crane() -> None:
     assert chart.value == pytest.approx(USED * FACTOR, rel=2e-2)
     assert chart.verdict is Verdict.FAILED and "between holds" in chart.formula
     factor = _of(found, "rope_factor_on_breaking_force")
-    assert factor.element is not None and factor.element.startswith("hoist.E.H")
+    assert factor.element.startswith("hoist.E.H")
     assert factor.value == pytest.approx(4.0 * strength / ((USED * RATED + 1.0) * 9.81), rel=2e-2)
 
 

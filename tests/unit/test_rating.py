@@ -262,7 +262,8 @@ def in_waves(*trains: dict[str, Any]) -> Recording:
 )
 def test_a_chart_holds_up_to_waves(trains: list[dict[str, Any]], height: float) -> None:
     found = check(in_waves(*trains), "attitude_of_rating")
-    assert (found.element, found.value) == ("significant_height c1", pytest.approx(height))
+    assert found.element == "significant_height c1"
+    assert found.value == pytest.approx(height)
     assert found.verdict is (Verdict.OK if height <= 1.0 else Verdict.FAILED)
 
 
