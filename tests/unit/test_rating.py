@@ -23,7 +23,7 @@ from gantline.rule_data import several_cranes
 from gantline.scenario import parse_scenario
 from gantline.scenario.cranes.rating import Rating
 from gantline.scenario.file.tree import ListNode, MapNode, TextNode
-from of_recording import check_of
+from of_recording import check_of, checks_of
 from rated_lift import RADII, RATED, T, recording
 
 FLOATING_CRANE = Path(__file__).resolve().parents[2] / "scenarios" / "floating_crane" / "scenario.yaml"
@@ -235,6 +235,51 @@ def test_a_chart_holds_for_a_crane_that_stands_level(key: str) -> None:
     found = check(leant, "attitude_of_rating")
     assert (found.verdict, found.element, found.time) == (Verdict.FAILED, f"{key} c1", 1.0)
     assert found.value == pytest.approx(1.2)
+
+
+def in_waves(*trains: dict[str, Any]) -> Recording:
+    """A crane whose chart holds up to 1 m bears 100 t in waves."""
+    of = recording([[14.0]] * 2, [[100.0]] * 2)
+    rig = of.attributes["rig"]
+    charts = [{**one, "significant_height": 1.0} for one in rig["rating_charts"]]
+    waves = [{"name": str(at), "direction": 0.0, "period": 7.0, **one} for at, one in enumerate(trains)]
+    sea = {"sea": {"trains": waves}} if trains else {}
+    return Recording(
+        of.variables, of.coordinates, {**of.attributes, "rig": {**rig, "rating_charts": charts, **sea}}
+    )
+
+
+@pytest.mark.parametrize(
+    ("trains", "height"),
+    [
+        # A sea of 4 standard deviations; two of them, 0.6 m and 0.7 m, whose variances add up.
+        ([{"height": 1.1}], 1.1),
+        ([{"height": 0.9}], 0.9),
+        ([{"height": 0.6}, {"height": 0.7}], math.hypot(0.6, 0.7)),
+        # The variance of a wave of the amplitude 0.4 m is 0.4²/2, and 4 of its roots 1.13 m.
+        ([{"height": 0.8, "is_regular": True}], 4.0 * 0.4 / math.sqrt(2.0)),
+    ],
+)
+def test_a_chart_holds_up_to_waves(trains: list[dict[str, Any]], height: float) -> None:
+    found = check(in_waves(*trains), "attitude_of_rating")
+    assert found.element == "significant_height c1"
+    assert found.value == pytest.approx(height)
+    assert found.verdict is (Verdict.OK if height <= 1.0 else Verdict.FAILED)
+
+
+def test_in_still_water_a_chart_for_waves_holds() -> None:
+    assert not any(
+        one.element.startswith("significant") for one in checks_of(in_waves(), "attitude_of_rating")
+    )
+
+
+def test_a_lift_file_says_up_to_which_waves_a_chart_holds() -> None:
+    """The swell of the scenario has 0.8 m, and its chart none that it would end at."""
+    text = (FLOATING_CRANE.parents[1] / "crane_barge_in_swell" / "scenario.yaml").read_text()
+    of_height = text.replace("    rating:\n", "    rating:\n      significant_height: 0.5 m\n")
+    scenario = parse_scenario(of_height, source=str(FLOATING_CRANE.parents[1] / "crane_barge_in_swell" / "x"))
+    (chart,) = assemble(scenario).rig["rating_charts"]
+    assert chart["significant_height"] == 0.5
 
 
 def test_an_empty_hook_beside_the_load_may_swing() -> None:

@@ -169,7 +169,7 @@ def _rows(chart: Rating, of_crane: Rating | None, gravity: float) -> Json:
         "at": [place for place, _ in chart.rows],
         "rated": [mass * gravity for _, mass in chart.rows],
         "between": said("between") or "lines",
-        **{key: said(key) for key in ("heel", "trim", "off_lead", "side_lead")},
+        **{key: said(key) for key in ("heel", "trim", "off_lead", "side_lead", "significant_height")},
     }
 
 

@@ -1,7 +1,7 @@
 """Static and dynamic forces as rules want them.
 
-*Static* is the mean over the quiet window, or over an earlier time that the loads hung still if the element
-carried more then; it is raised from the weight that was simulated to the design weight.
+*Static* is the mean over the quiet window, or over an earlier time that the loads hung still, or between two
+of these, if the element carried more then; it is raised from the simulated weight to the design weight.
 *By the rule* is static times the rule's dynamic amplification factor. A simulated peak already holds the
 dynamics: it is never multiplied by that factor, both are shown, and the larger one is checked. Where the
 rules have no factor the static force itself takes its place: a peak is that of the simulated weight, which
@@ -22,7 +22,7 @@ from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.results import series
 from gantline.results.alike import earliest_peak
 from gantline.results.gear import Sling
-from gantline.results.loads.hung_so import has_hung_as_heavy, never_hung_so
+from gantline.results.loads.hung_so import has_hung_as_heavy, how_on_the_way, never_hung_so, window_of_most
 from gantline.results.loads.skew import skew_loads
 from gantline.results.recording import Recording
 from gantline.results.ropes.pinned import pinned_as_at
@@ -205,6 +205,9 @@ def sling_forces(
     for sling in recording.rig.slings:
         force = _force(recording, series.sling_tension(recording, sling), sling.to_load, window)
         skew = by_length.get(sling.name)
+        if window is None and rule is not None and how_on_the_way(recording, force.window):
+            there = skew_loads(recording, force.window)
+            skew = next((one for one in there if one.sling == sling.name and one.lengths_decide), None)
         if skew is not None and rule is not None:
             perfect = skew.force if skew.perfect is None else skew.perfect
             force = _with_skew(recording, force, perfect, sling.to_load, rule)
@@ -234,6 +237,8 @@ def force_together(
     alone: list[Force] = []
     found: list[Force] = []
     windows: list[BoolArray | None] = [*series.quiet_windows(recording)]
+    if how_on_the_way(recording, way := window_of_most(recording, together)):
+        windows.append(way)
     for window in windows or [None]:
         forces = sling_forces(recording, during, window)
         alone = [forces[sling.name] for sling in slings]
@@ -281,9 +286,10 @@ def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
     hooks = [hook.name for hook in recording.rig.hooks if rope in {_rope_of(fall) for fall in hook.falls}]
     forces = []
     for column in columns:
-        _, window = series.greatest_static(recording, column)
+        outer = rope in recording.rig.outer_ropes
+        window = series.greatest_static(recording, column)[1] if outer else window_of_most(recording, column)
         ratio = design_ratio(recording, window=window)
-        if hooks or rope in recording.rig.outer_ropes:
+        if hooks or outer:
             ratio = max(design_ratio(recording), _hoist_ratio(recording, hooks, window))
         forces.append(_raised(recording, column, ratio, window))
     force = max(forces, key=lambda force: force.static or 0.0)
@@ -349,11 +355,11 @@ def hook_force(
     names = list(hooks)
     hook_load = np.sum([recording.column("hook_load", name) for name in names], axis=0)
     total = np.sum([recording.column(variable, name) for name in names], axis=0)
-    window = series.greatest_static(recording, total)[1] if window is None else window
+    window = window_of_most(recording, total) if window is None else window
     static = series.static_value(recording, hook_load, window)
     falls = series.static_value(recording, total - hook_load, window) or 0.0
     more = to_design_weight(recording, names, window)
-    force = replace(_hook_force(recording, static, more, falls), window=window)
+    force = replace(_hook_force(recording, static, more, falls, window), window=window)
     force = _with_peak_of(recording, force, total, during)
     if static is None or force.static is None or not static + falls:
         return force
@@ -367,10 +373,12 @@ def sum_force(recording: Recording, values: FloatArray, load: str | None, during
     return _with_raised_peak(recording, force, values, during, ratio)
 
 
-def _hook_force(recording: Recording, static: float | None, more: float, falls: float) -> Force:
+def _hook_force(
+    recording: Recording, static: float | None, more: float, falls: float, window: BoolArray
+) -> Force:
     if static is None:
         return _without_static(recording, design_ratio(recording))
-    hanging = f"static {kilonewton(static)}"
+    hanging = _static_text(recording, static, window)
     if more > 0.0:
         hanging = f"({hanging} + {kilonewton(more)} to the design weight)"
     of_falls = f" + hook block and falls {kilonewton(falls)}" if falls else ""
@@ -386,7 +394,7 @@ def _hook_force(recording: Recording, static: float | None, more: float, falls: 
 def _force(
     recording: Recording, values: FloatArray, load: str | None, window: BoolArray | None = None
 ) -> Force:
-    window = series.greatest_static(recording, values)[1] if window is None else window
+    window = window_of_most(recording, values) if window is None else window
     return _raised(recording, values, design_ratio(recording, load, window), window)
 
 
@@ -394,8 +402,13 @@ def _raised(recording: Recording, values: FloatArray, ratio: float, window: Bool
     static = series.static_value(recording, values, window)
     if static is None:
         return _without_static(recording, ratio)
-    text = f"static {kilonewton(static)}{to_design(ratio)}"
+    text = f"{_static_text(recording, static, window)}{to_design(ratio)}"
     return with_rule(recording, Force(static * ratio, text, window=window))
+
+
+def _static_text(recording: Recording, static: float, window: BoolArray) -> str:
+    how = how_on_the_way(recording, window)
+    return f"static {kilonewton(static)}{f' {how}' if how else ''}"
 
 
 def _without_static(recording: Recording, ratio: float) -> Force:

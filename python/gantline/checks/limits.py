@@ -178,7 +178,7 @@ LIMITS: dict[str, Measure] = {
         ratings.load_of_rating,
     ),
     "attitude_of_rating": _utilisation(
-        "heel, trim, off-lead and side-lead under load / largest for which the rating chart holds",
+        "heel, trim, off-lead, side-lead and waves under load / largest for which the rating chart holds",
         ratings.beyond_rating,
         definition="'rating' of the crane or hook",
     ),

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from gantline.checks.forces import kilonewton
+from gantline.checks.forces import OWN_WEIGHT, kilonewton
 from gantline.checks.measure import Finding, Found, Missing, extreme
-from gantline.results import series
-from gantline.results.alike import earliest_peak
 from gantline.results.recording import Recording
+from gantline.results.ropes.upper_end import peak_at_upper_end
 from gantline.results.variable import BoolArray
 
 
@@ -20,19 +19,19 @@ def moors_by_its_limit(recording: Recording, rope: str) -> bool:
 
 
 def tension_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Peak tension of a mooring line over the minimum breaking force of its rope."""
+    """Peak tension of a mooring line, at its upper end, over the minimum breaking force of its rope."""
     for line in recording.rig.mooring_lines:
         strength = line.minimum_breaking_force
         if strength is None:
             yield Missing(line.name, "minimum breaking force not known")
             continue
-        highest = series.peak(recording, recording.column("mooring_tension", line.name), during)
-        if during.all():
-            of_steps = series.rope_peak(recording, line.rope)
-            highest = of_steps if highest is None else earliest_peak(of_steps, highest)
+        highest = peak_at_upper_end(recording, line.rope, during)
         if highest is not None:
-            text = f"{kilonewton(highest[0])} / {kilonewton(strength)}"
-            yield Found(highest[0] / strength, line.name, highest[1], text)
+            tension = kilonewton(highest.tension - highest.own_weight)
+            if highest.own_weight > 0.0:
+                tension = f"({tension} + {OWN_WEIGHT} {kilonewton(highest.own_weight)})"
+            text = f"{tension} / {kilonewton(strength)}"
+            yield Found(highest.tension / strength, line.name, highest.time, text)
 
 
 def fender_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -34,7 +34,7 @@ from gantline.results.cranes.rating import (
 )
 from gantline.results.cranes.rating_chart import RatingChart
 from gantline.results.loads.hinges import is_shut
-from gantline.results.loads.hung_so import never_hung_so
+from gantline.results.loads.hung_so import most_on_the_way, never_hung_so
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.variable import BoolArray, FloatArray
@@ -159,7 +159,12 @@ def _of_row(
         yield Refused(element, _outside(recording, chart, hooks, places, outside))
         return
     rated = rated_load(recording, chart, group)
-    yield from _by_rule(recording, during, (group, kept), chart, places)
+    beyond = never_hung_so(recording) | _beyond_holds(recording, chart, hooks, rated)
+    windows = series.quiet_windows(recording)
+    used = np.divide(load, rated, out=np.zeros_like(load), where=rated > 0.0)
+    if windows and (way := most_on_the_way(recording, used, beyond & (load > 0.0))) is not None:
+        windows.append(way)
+    yield from _by_rule(recording, during, (group, kept), chart, places, windows)
     if recording.is_equilibrium:
         return
     loaded = during & (load > 0)
@@ -170,7 +175,7 @@ def _of_row(
         )
         yield Refused(element, reason)
         return
-    ratios = _ratios(recording, chart, hooks, _beyond_holds(recording, chart, hooks, rated))
+    ratios = _ratios(recording, chart, hooks, beyond)
     used = np.where(loaded, kept * ratios * load / np.where(loaded, rated, 1.0), 0.0)
     names = (SEVERAL,) if kept > 1 else ()
 
@@ -187,15 +192,15 @@ def _of_row(
 def _ratios(recording: Recording, chart: RatingChart, hooks: Sequence[str], beyond: BoolArray) -> FloatArray:
     """By what the load of a chart is raised to the design weight at each sample, shape (time,) [1].
 
-    Where the loads hung still as they hang then, and not `beyond` that, shape (time,), a hold has it, and it
-    is 1. Hook blocks and falls weigh what they weigh.
+    Where they hang as they do at a hold, and not `beyond` that, shape (time,), the hold has it, and it is 1.
+    Hook blocks and falls weigh what they weigh.
     """
     hangs = np.sum([recording.column("hook_load", name) for name in hooks], axis=0)
     whole = hangs
     if chart.includes_hook_block:
         whole = np.sum([recording.column("hoist_load", name) for name in hooks], axis=0)
     more = (design_ratio(recording) - 1.0) * np.clip(hangs / np.where(whole > 0.0, whole, np.inf), 0.0, 1.0)
-    return np.where(never_hung_so(recording) | beyond, 1.0 + more, 1.0)
+    return np.where(beyond, 1.0 + more, 1.0)
 
 
 def _beyond_holds(
@@ -221,18 +226,27 @@ def _by_rule(
     of: tuple[RatedGroup, float],
     chart: RatingChart,
     places: FloatArray,
+    windows: Sequence[BoolArray],
 ) -> Iterator[Finding]:
-    """The design weight with the rule's dynamics against the least that is rated while the load is still.
+    """The design weight with the rule's dynamics against the least that is rated over some times.
 
-    Of a crane that lifts alone against the least while the load hangs at all: it bears the same all the way.
-    What hung in it while a hinge held the load counts where it hung alone.
+    These are those that the load hung still, and that between them at which most of the chart is used. Of a
+    crane that lifts alone against the least while the load hangs at all: it bears the same all the way. What
+    hung in it while a hinge held the load counts where it hung alone.
+
+    Args:
+        recording: The recording.
+        during: Samples that count.
+        of: Hooks that the chart rates together, and the factor of several cranes.
+        chart: The chart.
+        places: Where hooks are, as `chart_places` has them.
+        windows: These times, each of shape (time,).
     """
     group, kept = of
     element, hooks = group.element, group.hooks
     all_the_way = _hangs(recording, chart, hooks) & during
     held = _held(recording)
     variable = "hoist_load" if chart.includes_hook_block else "hook_load"
-    windows = series.quiet_windows(recording)
     highest = hook_force(recording, hooks, variable, during)
     if not windows and highest.lacks_static:
         yield Caution(UNRAISED)
@@ -361,7 +375,7 @@ def _shown(chart: RatingChart, place: float, digits: int = 2) -> str:
 
 
 def beyond_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Heel, trim, off-lead and side-lead under load, over the largest for which the chart holds.
+    """Heel, trim, off-lead, side-lead and waves under load, over the largest for which the chart holds.
 
     Leads are those of hooks that bear something: an empty one beside them may swing. So are the attitudes of
     charts, where hooks have their own.
@@ -379,12 +393,26 @@ def beyond_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
                 if limit is not None:
                     values = np.abs(recording.column(variable, chart.crane))
                     yield from _over(recording, values, during_its_loads, limit, f"{key} {of}")
+            yield from _in_waves(recording, during_its_loads, one.significant_height, of)
         for key, variable in _OF_HOOK.items():
             for hook in chart.hooks:
                 limit = getattr(chart.of(hook), key)
                 if limit is not None:
                     values = np.abs(recording.column(variable, hook))
                     yield from _lead(recording, values, bearing[hook], limit, (key, hook))
+
+
+def _in_waves(recording: Recording, during: BoolArray, limit: float | None, of: str) -> Iterator[Finding]:
+    """The waves of the lift, under load, over the largest for which a chart holds [m]."""
+    sea, element = recording.rig.sea, f"significant_height {of}"
+    if limit is None or not recording.rig.is_in_waves:
+        return
+    if sea is None:
+        yield Missing(element, "a vessel moves by a record, and its waves are not known")
+        return
+    text = f"{sea.significant_height:.4g} m / {limit:.4g} m"
+    used = np.full(len(recording.time), sea.significant_height / limit)
+    yield from extreme(recording, used, during, element, lambda _: text)
 
 
 def _lead(

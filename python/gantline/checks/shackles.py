@@ -30,7 +30,7 @@ from gantline.checks.forces import (
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused
 from gantline.results import series
 from gantline.results.gear import Sling
-from gantline.results.loads.hung_so import never_hung_so
+from gantline.results.loads.hung_so import most_on_the_way, never_hung_so, on_the_way
 from gantline.results.recording import Recording
 from gantline.results.ropes.upper_end import own_weight
 from gantline.results.strength import Shackle, SideLoad
@@ -220,9 +220,15 @@ def _beyond(element: str, angle: float) -> Refused:
 
 def _worst(chart: SideLoad, tension: FloatArray, angles: FloatArray, during: BoolArray) -> int:
     """Sample at which tension over what side load leaves is largest."""
+    return int(np.argmax(np.where(during, _for_plumb(chart, tension, angles), -np.inf)))
+
+
+def _for_plumb(chart: SideLoad, tension: FloatArray, angles: FloatArray) -> FloatArray:
+    """Tension without side load that would use as much of a shackle [N]."""
     bounds = np.array([row[0] + _SAME_ANGLE for row in chart.rows])
     left = np.array([*(row[1] for row in chart.rows), 1e-12])
-    return int(np.argmax(np.where(during, tension / left[np.searchsorted(bounds, angles)], -np.inf)))
+    as_plumb: FloatArray = tension / left[np.searchsorted(bounds, angles)]
+    return as_plumb
 
 
 def _angles(recording: Recording, sling: Sling, end: str) -> FloatArray:
@@ -246,7 +252,8 @@ def _static_angle(recording: Recording, window: BoolArray | None, sling: Sling, 
 def _shackles(recording: Recording, during: BoolArray) -> Iterator[tuple[Sling, str, Shackle, list[_Hold]]]:
     """Shackles, with how each is pulled where its sling bears most at rest, then where side load leaves less.
 
-    A load that is turned may pull a shackle with less force farther aside at another of its hold points.
+    A load that is turned may pull a shackle with less force farther aside at another of its hold points, or
+    between two of them.
     """
     most = sling_forces(recording, during)
     windows = series.quiet_windows(recording)
@@ -261,4 +268,11 @@ def _shackles(recording: Recording, during: BoolArray) -> Iterator[tuple[Sling, 
                 if aside > angle and remaining(chart, aside) != remaining(chart, angle):
                     force = _at_end(recording, sling, end, of_window(at)[sling.name], during)
                     holds.append(_Hold(force, aside))
+            as_plumb = _for_plumb(
+                chart, series.sling_tension(recording, sling), _angles(recording, sling, end)
+            )
+            way = most_on_the_way(recording, as_plumb, on_the_way(recording))
+            if way is not None and (aside := _static_angle(recording, way, sling, end)) > angle:
+                force = sling_forces(recording, during, way)[sling.name]
+                holds.append(_Hold(_at_end(recording, sling, end, force, during), aside))
             yield sling, end, shackle, holds

@@ -252,6 +252,7 @@ def mooring_rig(scenario: Scenario) -> Json:
             "minimum_breaking_force": kinds[line.rope].breaking_force,
             "slipping_winch": winch_flow(name) if line.winch is not None and line.winch.capacity else None,
             "let_go_in": steps_that_cut(scenario, line_rope(name)),
+            **({"hanging_weight": line_weight(scenario, line)} if line.type == "catenary" else {}),
         }
         for name, line in (scenario.mooring_lines or {}).items()
     ]

@@ -21,6 +21,8 @@ class MooringLine(FromJson):
         minimum_breaking_force: Of its rope [N]; None if not known.
         slipping_winch: Joint of its winch if that has a capacity, at which it slips.
         let_go_in: Steps of the plan that let go of it.
+        hanging_weight: Weight per length of one that hangs by it without nodes, in air or under water
+            [N/m]; 0 of others.
     """
 
     name: str
@@ -28,6 +30,7 @@ class MooringLine(FromJson):
     minimum_breaking_force: float | None = None
     slipping_winch: str | None = None
     let_go_in: Sequence[str] = ()
+    hanging_weight: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -41,6 +41,7 @@ class RatingChart(FromJson):
         trim: Largest trim.
         off_lead: Largest angle of falls from plumb in the plane of the boom.
         side_lead: Largest angle of falls from plumb across it.
+        significant_height: Largest significant height of the waves [m].
     """
 
     crane: str
@@ -58,6 +59,7 @@ class RatingChart(FromJson):
     trim: float | None = None
     off_lead: float | None = None
     side_lead: float | None = None
+    significant_height: float | None = None
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:

@@ -11,8 +11,19 @@ from gantline.results.rig import Load
 from gantline.results.ropes.parting import DETACHED, PARTING, while_there
 from gantline.results.ropes.pinned import pinned_as_at
 from gantline.results.variable import BoolArray, FloatArray
+from gantline.units import format_quantity
 
-__all__ = ["has_hung_as_heavy", "has_hung_so", "left_by_water", "never_hung_so", "tells_dynamics"]
+__all__ = [
+    "has_hung_as_heavy",
+    "has_hung_so",
+    "how_on_the_way",
+    "left_by_water",
+    "most_on_the_way",
+    "never_hung_so",
+    "on_the_way",
+    "tells_dynamics",
+    "window_of_most",
+]
 
 #: By what share of a load more is left to bear than while it hung still, which is no dynamics then [1].
 _HEAVIER = 0.02
@@ -73,6 +84,76 @@ def _found_never(recording: Recording) -> BoolArray:
         so = shut_as_at(recording, float(recording.time[at])) & series.turned_as_at(recording, at)
         alike |= window | (with_these & so)
     return ~alike
+
+
+def on_the_way(recording: Recording) -> BoolArray:
+    """The same, with those at which loads partly stand, shape (time,).
+
+    One that is let down on one corner may leave the sling across twice of what it bore as the load hung.
+    """
+    never = never_hung_so(recording)
+    if not series.quiet_windows(recording) or any(one.in_water is not None for one in recording.rig.loads):
+        return never
+    return never | ~series.is_clear(recording)
+
+
+def window_of_most(recording: Recording, values: FloatArray) -> BoolArray:
+    """The time of which a force has its static value, shape (time,).
+
+    That is where the loads hung still, or on the way from or to such a time, if it is more there and no force
+    of what is all but slack.
+
+    Args:
+        recording: The recording.
+        values: The force, shape (time,).
+    """
+    static, window = series.greatest_static(recording, values)
+    way = most_on_the_way(recording, values, on_the_way(recording))
+    if static is None or way is None:
+        return window
+    more = series.static_value(recording, values, way) or 0.0
+    counts = series.is_more(more, static) and tells_dynamics(more, float(values.max()))
+    return way if counts else window
+
+
+def most_on_the_way(recording: Recording, values: FloatArray, among: BoolArray) -> BoolArray | None:
+    """The time at which a series is largest as a mean over as long as loads hang still at least.
+
+    Args:
+        recording: The recording.
+        values: The series, shape (time,).
+        among: Samples that count, shape (time,).
+
+    Returns:
+        Its samples, shape (time,); None where none of these go on for so long, and of an equilibrium.
+    """
+    if recording.is_equilibrium:
+        return None
+    lasts = series.time_to_hang_still(recording.rig)
+    changes = np.flatnonzero(np.diff(np.concatenate(([False], among, [False])).astype(np.int8)))
+    most, found = -np.inf, (0.0, -1.0)
+    # A load that bounces has hundreds of stretches, most of them too short.
+    for first, after in changes.reshape(-1, 2):
+        times, of_stretch = recording.time[first:after], values[first:after]
+        begins = times[times + lasts <= times[-1]]
+        if not begins.size:
+            continue
+        steps = np.diff(times) * (of_stretch[1:] + of_stretch[:-1]) / 2.0
+        sums = np.append(0.0, np.cumsum(steps))
+        means = (np.interp(begins + lasts, times, sums) - sums[: begins.size]) / lasts
+        at = int(np.argmax(means))
+        if means[at] > most:
+            most, found = float(means[at]), (float(begins[at]), float(begins[at]) + lasts)
+    window: BoolArray = (recording.time >= found[0]) & (recording.time <= found[1])
+    return window if window.any() else None
+
+
+def how_on_the_way(recording: Recording, window: BoolArray | None) -> str:
+    """In words, when a time on the way was, shape (time,); empty of one at which the loads hung still."""
+    if window is None or not window.any() or np.any(series.quiet_windows(recording), axis=0)[window].any():
+        return ""
+    how = "between holds" if series.is_clear(recording)[window].all() else "partly standing"
+    return f"{how}, about {format_quantity(float(recording.time[window].mean()), 's', 0)}"
 
 
 def has_hung_as_heavy(recording: Recording, time: float) -> bool:

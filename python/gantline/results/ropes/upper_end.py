@@ -2,7 +2,9 @@
 
 The tension of a rope whose weight is lumped is that at the middle of each straight part; at the upper end
 half the weight of that part comes to it (docs/concepts/rope_weight.md, equation RW4), and the weight of the
-chain hoist of a sling. Ropes with nodes know the forces of their ends themselves.
+chain hoist of a sling. The tension of a mooring line that hangs by its weight is that at its fairlead; where
+it is made fast higher up, all that hangs between the two heights comes to it. Ropes with nodes know the
+forces of their ends themselves.
 """
 
 from __future__ import annotations
@@ -37,9 +39,10 @@ class UpperEnd:
 def own_weight(recording: Recording, rope: str) -> FloatArray:
     """What the upper end of a rope carries over its recorded tension [N], shape (time,).
 
-    Half the weight of the part that goes farthest down, and that of a sling's chain hoist. Of a rope in which
-    a hook hangs these are its falls: what goes down to the drum pulls it there by less, not at the top by
-    more.
+    Half the weight of the part that goes farthest down, and that of a sling's chain hoist; of a mooring line
+    that hangs by its weight, and is made fast above its fairlead, what it weighs in between. Of a rope in
+    which a hook hangs these are its falls: what goes down to the drum pulls it there by less, not at the top
+    by more.
     """
     return recording.kept(("own_weight", rope), lambda: _found(recording, rope))
 
@@ -47,7 +50,18 @@ def own_weight(recording: Recording, rope: str) -> FloatArray:
 def _found(recording: Recording, rope: str) -> FloatArray:
     slings = {sling.rope: sling.name for sling in recording.rig.slings}
     hoists = sum(one.weight for one in recording.rig.chain_hoists if one.name == slings.get(rope))
-    return _of_rope(recording, rope) + hoists
+    return _of_rope(recording, rope) + _of_mooring(recording, rope) + hoists
+
+
+def _of_mooring(recording: Recording, rope: str) -> FloatArray:
+    """T2 - T1 = w (z2 - z1) of a catenary, from the fairlead to a higher end."""
+    line = next((one for one in recording.rig.mooring_lines if one.rope == rope), None)
+    drawn = recording.points_of_ropes.get(rope, ())
+    if line is None or not line.hanging_weight or len(drawn) < 2:
+        return np.zeros(recording.time.shape)
+    heights = recording["rope_point"].values[:, drawn, 2]
+    more: FloatArray = line.hanging_weight * np.maximum(heights[:, -1] - heights[:, 0], 0.0)
+    return more
 
 
 def _of_rope(recording: Recording, rope: str) -> FloatArray:

@@ -9,7 +9,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element
-from gantline.scenario.quantities import ListOf, PositiveAngle, Quantity, refuse
+from gantline.scenario.quantities import ListOf, PositiveAngle, PositiveLength, Quantity, refuse
 
 __all__ = ["Rating"]
 
@@ -59,6 +59,11 @@ class Rating(Element):
     )
     side_lead: PositiveAngle | None = Field(
         None, description="Largest angle of falls out of plumb across the boom."
+    )
+    significant_height: PositiveLength | None = Field(
+        None,
+        description="Largest significant height of the waves for which the chart holds, as makers have a "
+        "chart for each; of waves that are all alike root 2 times their height counts.",
     )
 
     @property
