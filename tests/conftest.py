@@ -72,3 +72,14 @@ def player(monkeypatch: pytest.MonkeyPatch) -> None:
     from gantline.viewer.bundle import Bundle
 
     monkeypatch.setattr("gantline.report.page.bundle", lambda: Bundle("run()", ""))
+
+
+@pytest.fixture
+def blank_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pictures are made and their files written, but nobody looks at them: their pixels are not computed."""
+    import numpy as np
+    from PIL import Image
+
+    monkeypatch.setattr("gantline.plot.pictures._drawn", lambda figure: Image.new("RGB", (1, 1)))
+    paper = np.ones((1, 1, 4)), (0.0, 1.0, 0.0, 1.0)
+    monkeypatch.setattr("gantline.plot.model.rendered", lambda *_: paper)

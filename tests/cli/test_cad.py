@@ -85,6 +85,7 @@ def test_a_picture_is_drawn(file: Path, tmp_path: Path) -> None:
     assert image.shape[0] > 1000 and float((image[..., :3].min(axis=2) < 0.9).mean()) > 0.05
 
 
+@pytest.mark.usefixtures("blank_pictures")
 def test_json_stays_alone_on_standard_output(file: Path, tmp_path: Path) -> None:
     result = run(file, "-o", tmp_path / "out", "--json")
     json.loads(result.stdout)

@@ -16,7 +16,7 @@ from gantline.report import render_report
 from lift_text import BASE, DEAD_CENTRE
 from weak_hoist import hanging
 
-pytestmark = pytest.mark.usefixtures("player")
+pytestmark = pytest.mark.usefixtures("player", "blank_pictures")
 
 #: A hook that is hoisted 7 m into sheaves that are 6 m above it.
 BLOCKED = hanging("{step: up, hoist: crane, speed: 6 m/min, by: 7 m}", 10.0, "capacity: 200 kN", 90.0)

@@ -150,6 +150,7 @@ def test_the_weight_of_a_load_is_told_with_its_tanks() -> None:
     ]
 
 
+@pytest.mark.usefixtures("blank_pictures")
 def test_table_and_report(tmp_path: Path) -> None:
     """Design weight and liquid make the static hook load on the first page: 1.05 × 120 + 24 = 150 t."""
     plan = [hold("full"), pump("drain", OUT, "600 t/h", by="24 t"), hold("empty", "until_end")]

@@ -32,6 +32,7 @@ SHOWN = {
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("blank_pictures")
 @pytest.mark.parametrize("page", SHOWN, ids=lambda page: page.stem)
 def test_a_page_shows_what_the_program_prints(page: Path, tmp_path: Path) -> None:
     shown.prepare(page, tmp_path)

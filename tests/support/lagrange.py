@@ -97,7 +97,12 @@ def six_points(mass: float, centre: Sequence[float] | Floats, inertia: Floats) -
 def of_bodies(frames: Sequence[tuple[Batch, Batch]], points: Sequence[Floats]) -> Batch:
     """Points of bodies (k, n, 3) [m], by rotations (k, 3, 3), origins (k, 3) and points (m, 3) of each."""
     placed = zip(frames, points, strict=True)
-    return np.concatenate([o[:, None, :] + own @ r.transpose(0, 2, 1) for (r, o), own in placed], axis=1)
+    return np.concatenate([origin[:, None] + _arms(turn, own) for (turn, origin), own in placed], axis=1)
+
+
+def _arms(turns: Batch, points: Floats) -> Batch:
+    """Points (m, 3) [m] under rotations (k, 3, 3): (k, m, 3); one product is faster than one for each."""
+    return (turns.reshape(-1, 3) @ points.T).reshape(-1, 3, len(points)).transpose(0, 2, 1)
 
 
 @dataclass(frozen=True)

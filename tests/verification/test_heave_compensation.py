@@ -181,7 +181,7 @@ def test_it_asks_as_much_of_the_hook_on_a_higher_layer() -> None:
 def test_an_emergency_stop_ends_it() -> None:
     """Brakes of 0.1 m/s² stop what is added as well, within 5 s."""
     plan = f"{STILL}\nemergency_stop: {{at: 40 s}}\n"
-    recording = gantline.Simulation(compensated(plan, lasts="60 s")).run()
+    recording = gantline.Simulation(compensated(plan, lasts="50 s")).run()
     added = recording.column("heave_compensation", HOOK)
     after = recording.time > 40.0 + 5.0
     assert np.ptp(added[after]) == 0.0

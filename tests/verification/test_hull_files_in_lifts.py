@@ -269,7 +269,7 @@ def test_a_sphere_bobs_as_quadrature_says(amplitude: float, tmp_path: Path) -> N
         "hull": {"mesh": "ball.obj"},
         "added_mass": {"matrix": rows(added, ("kg", "kg m", "kg m^2"))},
     }
-    path = plain_lift(tmp_path, {"ball": body}, water={"density": "1 t/m^3"}, duration="30 s")
+    path = plain_lift(tmp_path, {"ball": body}, water={"density": "1 t/m^3"}, duration="15 s")
     recording = gantline.simulate(path)
     time, height = recording.dataset["time"].values, recording.dataset["body_position"].values[:, 0, 2]
     wanted = sphere_period(1.5 * half.mass, half.waterplane_area, 5.0, amplitude)

@@ -18,6 +18,12 @@ __all__ = ["hoist_ratios", "to_design_weight"]
 
 def to_design_weight(recording: Recording, hooks: Sequence[str], window: BoolArray) -> float:
     """What hooks together bear more with the design weight, while the load hangs still [N]."""
+    # Each segment of each rope of a hook asks, as a rule of the same window.
+    asked = ("to_design_weight", *hooks, window.tobytes())
+    return recording.kept(asked, lambda: _to_design_weight(recording, hooks, window))
+
+
+def _to_design_weight(recording: Recording, hooks: Sequence[str], window: BoolArray) -> float:
     rig = recording.rig
     more = by_slings = 0.0
     for sling in (one for one in rig.slings if rig.hook_of(one) in hooks):

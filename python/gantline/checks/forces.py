@@ -11,8 +11,9 @@ lengths, never on one that holds its own skew.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 
 import numpy as np
 
@@ -186,7 +187,7 @@ def factor(recording: Recording, name: str) -> float | None:
 
 def sling_forces(
     recording: Recording, during: BoolArray, window: BoolArray | None = None
-) -> dict[str, Force]:
+) -> Mapping[str, Force]:
     """Static and dynamic force of every sling, by name.
 
     Where lengths decide how slings share, static is the larger of the simulated force and that with perfect
@@ -199,6 +200,11 @@ def sling_forces(
         window: Time that the loads hung still, of which static is asked; for each sling that with the most
             if not given.
     """
+    asked = during.tobytes(), None if window is None else window.tobytes()
+    return recording.kept(("sling_forces", *asked), lambda: _sling_forces(recording, during, window))
+
+
+def _sling_forces(recording: Recording, during: BoolArray, window: BoolArray | None) -> Mapping[str, Force]:
     by_length = {one.sling: one for one in skew_loads(recording, window) if one.lengths_decide}
     rule = factor(recording, SKEW)
     forces = {}
@@ -215,7 +221,7 @@ def sling_forces(
         ratio = design_ratio(recording, sling.to_load, force.window)
         tension = series.tightest_tension(recording, sling.rope)
         forces[sling.name] = _with_raised_peak(recording, force, tension, during, ratio)
-    return forces
+    return MappingProxyType(forces)
 
 
 def force_together(

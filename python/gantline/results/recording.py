@@ -17,12 +17,12 @@ import numpy as np
 from gantline.results.kinds import EVENT_KINDS
 from gantline.results.rig import Rig
 from gantline.results.status import INCOMPLETE, READY
-from gantline.results.variable import BoolArray, FloatArray, Indices, Variable
+from gantline.results.variable import FloatArray, Indices, Variable
 
 if TYPE_CHECKING:
     import xarray
 
-_Array = TypeVar("_Array", FloatArray, BoolArray)
+_Kept = TypeVar("_Kept")
 
 #: Most names that a message lists.
 _MOST_NAMED = 12
@@ -213,21 +213,22 @@ class Recording:
             places.setdefault(rope, []).append(place)
         return MappingProxyType({rope: np.array(of_rope) for rope, of_rope in places.items()})
 
-    def kept(self, name: Hashable, make: Callable[[], _Array]) -> _Array:
-        """An array that many ask for, worked out the first time.
+    def kept(self, name: Hashable, make: Callable[[], _Kept]) -> _Kept:
+        """What many ask for and nobody changes, worked out the first time.
 
         Args:
             name: What it is, and of what.
             make: Works it out.
 
         Returns:
-            The array, which cannot be written to.
+            The same each time; an array cannot be written to.
         """
-        found: _Array | None = self._kept.get(name)
-        if found is None:
+        if name not in self._kept:
             found = self._kept[name] = make()
-            found.flags.writeable = False
-        return found
+            if isinstance(found, np.ndarray):
+                found.flags.writeable = False
+        kept: _Kept = self._kept[name]
+        return kept
 
     def metrics(self) -> dict[str, float]:
         """The lift in key numbers, SI units; `gantline.results.metrics` defines each."""

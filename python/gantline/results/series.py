@@ -306,8 +306,14 @@ def static_value(recording: Recording, values: FloatArray, window: BoolArray | N
         return None
     if times.size < 3:
         return float(values[inside][-1])
-    weights = np.sin(np.pi * (times - times[0]) / (times[-1] - times[0])) ** 2 * np.gradient(times)
+    weights = recording.kept(("static_weights", inside.tobytes()), lambda: _static_weights(times))
     return float(np.average(values[inside], weights=weights))
+
+
+def _static_weights(times: FloatArray) -> FloatArray:
+    """What samples of a quiet window count in its mean, most in its middle, shape (time,)."""
+    middle: FloatArray = np.sin(np.pi * (times - times[0]) / (times[-1] - times[0])) ** 2
+    return middle * np.gradient(times)
 
 
 def mean_over(times: FloatArray, values: FloatArray) -> float:

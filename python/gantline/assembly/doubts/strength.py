@@ -7,7 +7,8 @@ never seen again: a hook of 400 000 t has room for every load. Bounds lie well b
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TypeAlias
 
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.base import Element
@@ -69,16 +70,20 @@ _SLIPPED = "a unit or digit has slipped"
 #: panel a share of its longest side, since all margins of a weight report are often one.
 _LEAST_KNOWN, _OF_LONGEST = 0.5, 0.1
 
+#: What a lift file says: path, the mapping that it stands in, key, value.
+_Said: TypeAlias = tuple[Path, Element, str, object]
+
 
 def doubtful_strength(scenario: Scenario, rigging: Rigging) -> list[Doubt]:
     """Each strength, rating, speed and limit that hides what it should show."""
     found: list[Doubt] = []
-    for path, element, key, value in _values(scenario, ()):
+    values = list(_values(scenario, ()))
+    for path, element, key, value in values:
         found += _of_value(path, element, key, value)
     return [
         *found,
         *_shackles(scenario),
-        *_beside_the_load(scenario),
+        *_beside_the_load(scenario, values),
         *_limits(scenario),
         *_travels(rigging),
         *_contacts(scenario),
@@ -87,7 +92,7 @@ def doubtful_strength(scenario: Scenario, rigging: Rigging) -> list[Doubt]:
     ]
 
 
-def _values(element: Element, path: Path) -> Iterator[tuple[Path, Element, str, object]]:
+def _values(element: Element, path: Path) -> Iterator[_Said]:
     """Everything that a lift file says below a mapping: path, the mapping that it stands in, key, value."""
     for name, field in type(element).model_fields.items():
         if name not in element.model_fields_set:
@@ -96,9 +101,7 @@ def _values(element: Element, path: Path) -> Iterator[tuple[Path, Element, str, 
         yield from _below((*path, key), element, key, getattr(element, name))
 
 
-def _below(
-    path: Path, element: Element, key: str, value: object
-) -> Iterator[tuple[Path, Element, str, object]]:
+def _below(path: Path, element: Element, key: str, value: object) -> Iterator[_Said]:
     if isinstance(value, Element):
         yield from _values(value, path)
     elif isinstance(value, Mapping):
@@ -145,12 +148,12 @@ def _shackles(scenario: Scenario) -> Iterator[Doubt]:
             yield Doubt(path, f"{sentence}; 500 to 3000 times are usual of steel, and {_SLIPPED}")
 
 
-def _beside_the_load(scenario: Scenario) -> Iterator[Doubt]:
+def _beside_the_load(scenario: Scenario, values: Iterable[_Said]) -> Iterator[Doubt]:
     """Lugs and supports that bear far more than all of the load."""
     load = scenario.load
     if load is None:
         return
-    for path, _, key, value in _values(scenario, ()):
+    for path, _, key, value in values:
         is_beside = path[0] in ("supports", "lug_types") or path[:2] == ("load", "lugs")
         if is_beside and key == "capacity" and isinstance(value, float):
             times = value / (load.weight.design + load.room)

@@ -149,16 +149,15 @@ def _ears(points: Array, chain: list[int]) -> Whole:
 
 def _holds_any(a: Array, b: Array, c: Array, others: Array, which: Whole, own: tuple[int, int, int]) -> bool:
     """Whether a triangle holds any other corner, on its sides too; corners at the same place are its own."""
-
-    def left_of(p: Array, q: Array) -> npt.NDArray[np.bool_]:
-        return np.asarray((q[0] - p[0]) * (others[:, 1] - p[1]) - (q[1] - p[1]) * (others[:, 0] - p[0]) >= 0)
-
-    inside = left_of(a, b) & left_of(b, c) & left_of(c, a)
-    if not inside.any():
-        return False
-    for corner in (a, b, c):
-        inside &= np.any(others != corner, axis=1)
-    return bool(inside.any() and not np.isin(which[inside], own).all())
+    x, y = others.T
+    (ax, ay), (bx, by), (cx, cy) = a.tolist(), b.tolist(), c.tolist()
+    inside = (bx - ax) * (y - ay) - (by - ay) * (x - ax) >= 0
+    inside &= (cx - bx) * (y - by) - (cy - by) * (x - bx) >= 0
+    inside &= (ax - cx) * (y - cy) - (ay - cy) * (x - cx) >= 0
+    within = np.flatnonzero(inside)
+    corners = {(ax, ay), (bx, by), (cx, cy)}
+    apart = (at for at in within.tolist() if (float(x[at]), float(y[at])) not in corners)
+    return any(int(which[at]) not in own for at in apart)
 
 
 def prism(loops: Sequence[Array], cap: Whole, stations: Array) -> tuple[Array, Whole]:

@@ -31,6 +31,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -93,7 +94,7 @@ def skew_loads(recording: Recording, window: BoolArray | None = None) -> list[Sk
     found: dict[str, Skew] = {}
     windows = series.quiet_windows(recording) if window is None else [window]
     for one in reversed(windows):
-        for skew in _at(recording, one):
+        for skew in recording.kept(("skew", one.tobytes()), partial(_at, recording, one)):
             later = found.get(skew.sling)
             if later is None or series.is_more(skew.most, later.most):
                 found[skew.sling] = skew
