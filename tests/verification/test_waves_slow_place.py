@@ -201,7 +201,7 @@ def test_a_saved_run_goes_on_with_the_same_bytes(tmp_path: Path, integrator: str
     another run: every column to the last bit. The books of both methods close.
     """
     sea = {"significant_height": "1 m", "peak_period": "8 s", "direction": "70 deg"}
-    path = waves.in_waves(tmp_path, {"sea": sea}, duration="80 s")
+    path = waves.in_waves(tmp_path, {"sea": sea}, duration="60 s")
     given: dict[str, Any] = {"integrator": integrator}
     if integrator == "del":
         given["step"] = 0.02
@@ -214,7 +214,7 @@ def test_a_saved_run_goes_on_with_the_same_bytes(tmp_path: Path, integrator: str
             variable.values, other.variables[name].values, equal_nan=variable.values.dtype.kind == "f"
         )
     kinds = dict(zip(one.coordinates["energy_kind"], one.variables["energy"].values.T, strict=True))
-    # del books buoyancy by trapezoids: 6.5e-5 here, 1.6e-5 with half the step.
+    # del books buoyancy by trapezoids: 7.2e-5 here, 1.8e-5 with half the step.
     most = 1e-7 if integrator == "adaptive" else 1e-4
     assert abs(kinds["remainder"]).max() < most * abs(kinds["fluid_work"]).max()
 
