@@ -91,7 +91,7 @@ class Lift:
 
         start, turns = [0.0, 0.0, self.length], self.turns_at
         up = solve_ivp(
-            winds, (0.0, turns), start, "DOP853", rtol=1e-10, atol=1e-11, max_step=0.1, dense_output=True
+            winds, (0.0, turns), start, "DOP853", rtol=1e-12, atol=1e-13, max_step=0.1, dense_output=True
         )
         began = self.ramps[0][0] + 0.5 * self.ramps[0][1]
         grid = np.linspace(turns, began, 200_000)
@@ -108,8 +108,8 @@ class Lift:
             up.y[:2, -1],
             "DOP853",
             after,
-            rtol=1e-10,
-            atol=1e-11,
+            rtol=1e-12,
+            atol=1e-13,
             max_step=0.1,
         )
         return np.concatenate([up.sol(times[times <= turns])[0], down.y[0]])

@@ -16,7 +16,11 @@ SCENARIO = Path(__file__).parents[2] / "scenarios" / "onto_a_platform"
 
 
 def test_pages_say_what_happens_without_compensation(tmp_path: Path) -> None:
-    """The swell picks it up 1.3 s after it has touched, and drops it: speed, and forces that then act."""
+    """The swell picks it up 1.3 s after it has touched, and drops it: speed, and forces that then act.
+
+    It bounces before, so that twelve runs whose weights differ by 1e-9 to 1e-4 come down at 13.4 or 13.9 m/min,
+    and stools bear 325 to 389 kN; so do runs on different processors. The guides of all had 488 kN.
+    """
     shutil.copytree(SCENARIO, tmp_path / "lift")
     file = tmp_path / "lift" / "scenario.yaml"
     text, steps = re.subn(r", compensate_heave: H1", "", file.read_text(encoding="utf-8"))
@@ -31,9 +35,10 @@ def test_pages_say_what_happens_without_compensation(tmp_path: Path) -> None:
     speed = re.search(r"at ([\d.]+) m/min", f"{softly.formula} {softly.remark}")
     assert speed is not None
     stools = [name for name in recording.coordinates["contact"] if name.startswith("support.")]
-    stool = f"{max(recording.column('contact_force', name).max() for name in stools) / 1e3:.0f} kN"
+    assert 13.0 < float(speed[1]) < 14.0
+    assert 320.0 < max(recording.column("contact_force", name).max() for name in stools) / 1e3 < 390.0
     guide = f"{recording['guide_force'].values.max() / 1e3:.0f} kN"
-    lands = f"{speed[1]} m/min"
+    lands, stool = "13 to 14 m/min", "320 to 390 kN"
     page = "docs/concepts/heave_compensation.md"
     assert unsaid(page, f"comes down at {lands}", f"a stool bears {stool} for", f"{guide} for 132 kN") == []
     assert unsaid("docs/guides/afloat.md", f"drops it at {lands}") == []
