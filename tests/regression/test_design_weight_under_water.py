@@ -10,7 +10,8 @@ from __future__ import annotations
 import pytest
 
 from gantline.checks.design_weight import design_ratio, largest_ratios
-from gantline.checks.forces import Force, hook_force, rope_force, sling_forces
+from gantline.checks.force import Force
+from gantline.checks.forces import hook_force, rope_force, sling_forces
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.scenario import Scenario, load_scenario

@@ -11,7 +11,8 @@ import pytest
 
 import gantline
 from gantline.checks import Check, Verdict
-from gantline.checks.forces import UNRAISED_UNDER_PINS, sling_forces
+from gantline.checks.force import UNRAISED_UNDER_PINS
+from gantline.checks.forces import sling_forces
 from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario

@@ -12,7 +12,7 @@ from pydantic import ValidationError
 
 from gantline.assembly import assemble
 from gantline.checks.check import Check, Verdict
-from gantline.checks.forces import UNRAISED
+from gantline.checks.force import UNRAISED
 from gantline.checks.ratings import kept_back
 from gantline.checks.run import check_recording, values_of
 from gantline.results.cranes.rating import chart_used, overloads

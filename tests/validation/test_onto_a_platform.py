@@ -18,8 +18,9 @@ SCENARIO = Path(__file__).parents[2] / "scenarios" / "onto_a_platform"
 def test_pages_say_what_happens_without_compensation(tmp_path: Path) -> None:
     """The swell picks it up 1.3 s after it has touched, and drops it: speed, and forces that then act.
 
-    It bounces before, so that twelve runs whose weights differ by 1e-9 to 1e-4 come down at 13.4 or 13.9 m/min,
-    and stools bear 325 to 389 kN; so do runs on different processors. The guides of all had 488 kN.
+    It bounces before, so that twelve runs whose weights differ by 1e-9 to 1e-4 come down at 13.4 or
+    13.9 m/min, and stools bear 325 to 389 kN; so do runs on different processors. The guides of all had
+    488 kN.
     """
     shutil.copytree(SCENARIO, tmp_path / "lift")
     file = tmp_path / "lift" / "scenario.yaml"

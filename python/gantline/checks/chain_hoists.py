@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gantline.checks.forces import over, sling_forces
+from gantline.checks.force import over
+from gantline.checks.forces import sling_forces
 from gantline.checks.measure import Finding, Missing
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray

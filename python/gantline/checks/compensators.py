@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from functools import partial
 
 from gantline.checks.equalizers import hanging_of_capacity
-from gantline.checks.forces import over, sum_force
+from gantline.checks.force import over
+from gantline.checks.forces import sum_force
 from gantline.checks.measure import Caution, Finding, Missing, extreme
 from gantline.results.cranes.compensators import borne, counted, met_while, slings_below
 from gantline.results.gear import Compensator

@@ -10,7 +10,7 @@ import numpy as np
 
 from gantline.checks.alarms import FALLS
 from gantline.checks.below_hooks import hoist_ratios
-from gantline.checks.forces import kilonewton
+from gantline.checks.force import kilonewton
 from gantline.checks.measure import Finding, Found, Missing, Refused, extreme
 from gantline.results import series
 from gantline.results.cranes.boom import Boom

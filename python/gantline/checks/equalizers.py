@@ -10,13 +10,8 @@ import numpy as np
 
 from gantline.checks.check import Check, Verdict
 from gantline.checks.design_weight import largest_ratios
-from gantline.checks.forces import (
-    NO_STATIC,
-    kilonewton,
-    over,
-    raised_of_capacity,
-    sum_force,
-)
+from gantline.checks.force import NO_STATIC, kilonewton, over
+from gantline.checks.forces import raised_of_capacity, sum_force
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
 from gantline.results.gear import Compensator, Equalizer, Sling, Spreader

@@ -8,7 +8,8 @@ from itertools import combinations
 
 import numpy as np
 
-from gantline.checks.forces import HUNG_OTHERWISE, NO_STATIC, Raised, as_it_is, hook_force, kilonewton, over
+from gantline.checks.force import HUNG_OTHERWISE, NO_STATIC, Raised, as_it_is, kilonewton, over
+from gantline.checks.forces import hook_force
 from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.checks.ratings import SEVERAL, crane_of, kept_back
 from gantline.results import series

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gantline.checks.forces import NO_DYNAMIC, NO_STATIC
+from gantline.checks.force import NO_DYNAMIC, NO_STATIC
 from gantline.checks.lugs import LugForce, consequence_of, lug_forces, pull_at_lug
 from gantline.results import series
 from gantline.results.file.form import Vector

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gantline.checks.forces import Force, Raised, factor, force_together, over, sling_forces
+from gantline.checks.force import Force, Raised, over
+from gantline.checks.forces import factor, force_together, sling_forces
 from gantline.checks.measure import Caution, Finding, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling

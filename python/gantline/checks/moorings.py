@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from gantline.checks.forces import OWN_WEIGHT, kilonewton
+from gantline.checks.force import OWN_WEIGHT, kilonewton
 from gantline.checks.measure import Finding, Found, Missing, extreme
 from gantline.results.recording import Recording
 from gantline.results.ropes.upper_end import peak_at_upper_end

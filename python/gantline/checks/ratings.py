@@ -9,15 +9,8 @@ from dataclasses import replace
 import numpy as np
 
 from gantline.checks.design_weight import design_ratio
-from gantline.checks.forces import (
-    UNRAISED,
-    UNRAISED_IN_WATER,
-    Force,
-    factor,
-    hook_force,
-    kilonewton,
-    to_design,
-)
+from gantline.checks.force import UNRAISED, UNRAISED_IN_WATER, Force, kilonewton, to_design
+from gantline.checks.forces import factor, hook_force
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
 from gantline.results.cranes.rating import (

@@ -4,18 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from gantline.checks.forces import (
-    OWN_WEIGHT,
-    Force,
-    Raised,
-    at_upper_end,
-    factor,
-    force_of_weight,
-    kilonewton,
-    over,
-    rope_force,
-    sling_forces,
-)
+from gantline.checks.force import OWN_WEIGHT, Force, Raised, kilonewton, over
+from gantline.checks.forces import at_upper_end, factor, force_of_weight, rope_force, sling_forces
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, carrying, extreme
 from gantline.checks.moorings import moors_by_its_limit
 from gantline.checks.slings import bending_factor, bending_text, no_slings, sling_bend

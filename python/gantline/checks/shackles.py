@@ -15,18 +15,8 @@ from functools import cache
 import numpy as np
 
 from gantline.checks.design_weight import design_ratio
-from gantline.checks.forces import (
-    DYNAMIC,
-    NO_DYNAMIC,
-    NO_STATIC,
-    OWN_WEIGHT,
-    Force,
-    at_upper_end,
-    factor,
-    kilonewton,
-    sling_forces,
-    to_design,
-)
+from gantline.checks.force import DYNAMIC, NO_DYNAMIC, NO_STATIC, OWN_WEIGHT, Force, kilonewton, to_design
+from gantline.checks.forces import at_upper_end, factor, sling_forces
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused
 from gantline.results import series
 from gantline.results.gear import Sling

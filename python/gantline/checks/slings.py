@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.forces import HUNG_OTHERWISE, NO_STATIC, SKEW, kilonewton
+from gantline.checks.force import HUNG_OTHERWISE, NO_STATIC, SKEW, kilonewton
 from gantline.checks.lugs import ropes_that_bear
 from gantline.checks.measure import Caution, Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series

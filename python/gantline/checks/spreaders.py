@@ -7,7 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from gantline.checks.equalizers import hanging_of_capacity
-from gantline.checks.forces import as_it_is, sum_force
+from gantline.checks.force import as_it_is
+from gantline.checks.forces import sum_force
 from gantline.checks.measure import Finding, extreme
 from gantline.results import series
 from gantline.results.loads.spreaders import thrust
