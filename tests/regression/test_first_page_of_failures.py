@@ -48,6 +48,6 @@ def test_a_sling_that_parted_says_so() -> None:
     tension[:, 4] = 1.0
     tension[time > 5.0, 4] = 0.0
     recording = sample_recording(time, tension=tension, events=[(5.0, "cut", "sling.S5")])
-    rows = sling_rows(Subject(recording), 1)
+    rows = sling_rows(Subject(recording), 1)[0]
     assert [(row["name"], row["gone"], row["is_parted"]) for row in rows] == [("S5", "cut 5.0 s", True)]
-    assert all(row["gone"] == "" for row in sling_rows(Subject(recording), 5)[:4])
+    assert all(row["gone"] == "" for row in sling_rows(Subject(recording), 5)[0][:4])

@@ -47,5 +47,5 @@ def test_so_does_the_report(subject: Subject) -> None:
     hook = next(one for one in recording.rig.hooks if one.name == "crane")
     # In t, to the 0.1 t to which a report rounds.
     assert float(hook_row(subject, hook)["static"]) == pytest.approx(WEIGHT / 9.81, abs=0.06)
-    sling = next(one for one in sling_rows(subject, 8) if one["name"] == "A")
+    sling = next(one for one in sling_rows(subject, 8)[0] if one["name"] == "A")
     assert 4.0 * float(sling["static"]) > 40.0 * 9.81

@@ -7,6 +7,8 @@ import math
 import pytest
 
 from gantline.checks import Verdict, values_of
+from gantline.report.carried import spreader_row
+from gantline.report.subject import Subject
 from gantline.results.loads.spreaders import thrust
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
@@ -46,6 +48,27 @@ def test_thrust_in_a_bar() -> None:
     found = check_of(at_rest(limited), "spreader_thrust")
     assert found.value == pytest.approx(1.1 * DESIGN * by_hand, rel=1e-6)
     assert (found.element, found.verdict) == ("bar", Verdict.FAILED)
+
+
+def test_the_first_page_has_the_checks_of_a_spreader() -> None:
+    """Its rated capacity is 80 t; without the rule's factor there is no dynamic thrust at rest."""
+    rule = "rules: {dynamic_amplification_factor: 1.1}\nlimits: {"
+    recording = at_rest(one_bar().replace("limits: {", rule))
+    row = spreader_row(Subject(recording), recording.rig.spreaders[0])
+    used = 100 * values_of(recording, "spreader_load_of_rated_capacity")["bar"]
+    pushed = values_of(recording, "spreader_thrust")["bar"] / 1e3
+    turned = math.degrees(values_of(recording, "spreader_tilt")["bar"])
+    assert (row["name"], row["rated"]) == ("bar", "80")
+    assert float(row["mass"]) == pytest.approx(BAR / 1e3, abs=0.005)
+    told = [float(row[name]) for name in ("used", "thrust", "tilt")]
+    assert told == [
+        pytest.approx(used, abs=0.05),
+        pytest.approx(pushed, abs=0.5),
+        pytest.approx(turned, abs=5e-3),
+    ]
+    bare = at_rest(one_bar().replace("    rated_capacity: 80 t\n", ""))
+    row = spreader_row(Subject(bare), bare.rig.spreaders[0])
+    assert (row["rated"], row["used"], row["thrust"]) == ("–", "–", "–")
 
 
 def test_nothing_pushes_a_bar_between_plumb_slings() -> None:

@@ -302,7 +302,8 @@ def test_a_lift_with_hundreds_of_slings_keeps_its_first_page() -> None:
     sling = rig["slings"][0]
     rig["slings"] = [{**sling, "name": f"N{place}"} for place in range(100)]
     found = content(ringing_lift(rig=rig))
-    assert len(found["slings"]) == 16 and found["slings_left_out"] == 84  # type: ignore[arg-type]
+    assert len(found["slings"]) == 16  # type: ignore[arg-type]
+    assert str(found["slings_left_out"]).startswith("84 are left out")
     assert np.isfinite(len(render_report(ringing_lift(rig=rig))))
 
 

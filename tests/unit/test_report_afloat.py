@@ -56,6 +56,24 @@ def test_a_vessel_has_a_row_for_the_start_and_for_each_step(pumped: Recording) -
     assert table["gm"] == ""
 
 
+def test_a_vessel_that_heels_farther_on_the_way_than_after_any_step_says_so(pumped: Recording) -> None:
+    """At 4 s by 2.5 deg to port, its deck 1 m nearer to the water, between two ends of steps."""
+    (table,) = vessel_tables(Subject(pumped))
+    assert table["beyond"] == ""
+    at = int(np.searchsorted(pumped.time, 4.0))
+    changed = {}
+    for name, more in {"vessel_heel": -np.radians(2.5), "vessel_freeboard": -1.0}.items():
+        values = pumped[name].values.copy()
+        values[at] += more
+        changed[name] = dataclasses.replace(pumped[name], values=values)
+    heeled = Recording({**pumped.variables, **changed}, pumped.coordinates, pumped.attributes)
+    (table,) = vessel_tables(Subject(heeled))
+    freeboard = float(heeled.column("vessel_freeboard", "barge").min())
+    assert table["beyond"] == f"heel −2.50 deg at 4 s, least freeboard {freeboard:.2f} m at 4 s"
+    page = FirstPage().content(Subject(heeled))
+    assert page["vessels"][0]["beyond"] == table["beyond"]
+
+
 def test_tanks_that_are_pumped_have_curves(pumped: Recording) -> None:
     """50 t go from one tank to the other, of those that the barge has."""
     found = {curve.label: curve for curve in curves(pumped) if curve.group == "tanks"}

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { areaOf, type ChartSpec, type LimitName, liftOffName, limitNames } from "../src/chart/frame";
-import { crosses, type Paper, peakPlace } from "../src/chart/marks";
+import { crosses, type Box as Drawn, type Paper, peakPlace } from "../src/chart/marks";
 import { shortenedInside, verticalScale } from "../src/chart/scale";
 import { Curve } from "../src/data/curve";
 import type { Session } from "../src/player/session";
@@ -75,6 +75,14 @@ describe("the name of the highest point of a plot", () => {
     expect(peakPlace(300, 120, 100, area, [], wide)).toEqual({ x: 307, y: 137 }); // below, where all above is taken
   });
 
+  it("stands behind the name of lift-off where the curve is on its other side and below", () => {
+    const name = { text: "lift-off", left: 304, right: 352, baseline: 117, line: Number.NEGATIVE_INFINITY };
+    const curve = (one: Drawn) => one.left < 300 || one.bottom > 120;
+    expect(peakPlace(300, 120, 100, area, [name], curve)).toEqual({ x: 356, y: 115 });
+    const far = { ...name, right: 400 };
+    expect(peakPlace(300, 120, 100, area, [far], curve).x).toBe(193); // it ends too far away
+  });
+
   it("knows which curves run through its box", () => {
     const entry = {
       group: "g",
@@ -118,6 +126,23 @@ describe("the name of lift-off", () => {
     expect(place(60)).toBe(32);
     expect(place(26)).toBe(37);
     expect(place(34, 26)).toBe(45);
+  });
+
+  it("is not on a curve where there is room before its line or at the bottom", () => {
+    const beside = (one: Drawn) => one.right > 272 && one.top < 60; // the line of lift-off is at 271.2
+    const before = liftOffName(session, area, [], beside)[0]!;
+    expect(before.right).toBeCloseTo(267.2);
+    expect(before.baseline).toBe(32);
+    const above = (one: Drawn) => one.top < 60;
+    expect(liftOffName(session, area, [], above)[0]).toMatchObject({
+      left: expect.closeTo(275.2),
+      baseline: 228,
+    });
+    expect(liftOffName(session, area, [limit(225)], above)[0]!.baseline).toBe(32); // a limit is there
+    expect(liftOffName(session, area, [], () => true)[0]).toMatchObject({
+      left: expect.closeTo(275.2),
+      baseline: 32,
+    });
   });
 });
 

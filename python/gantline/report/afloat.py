@@ -6,7 +6,7 @@ over the end of each step, and the least freeboard in it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -23,7 +23,7 @@ from gantline.results.file.saved import SavedLostLoad, SavedSwing
 from gantline.results.progress import spans
 from gantline.results.ropes.parting import PLANNED, partings
 from gantline.results.rotation import axes
-from gantline.results.variable import BoolArray
+from gantline.results.variable import BoolArray, FloatArray
 
 #: Rows of a vessel that the first page has.
 _MOST_ROWS = 5
@@ -40,6 +40,14 @@ _LIES = (
     ("vessel_trim", "deg", 2),
     ("vessel_heel", "deg", 2),
     ("vessel_freeboard", "m", 2),
+)
+
+#: What is told of the whole way where the table does not have it: words, variable, unit, what is no
+#: difference, and of what it is the largest value.
+_EXTREMES: tuple[tuple[str, str, str, float, Callable[[FloatArray], FloatArray]], ...] = (
+    ("heel", "vessel_heel", "deg", _SAME_ANGLE, np.abs),
+    ("trim", "vessel_trim", "deg", _SAME_ANGLE, np.abs),
+    ("least freeboard", "vessel_freeboard", "m", _SAME_DRAFT, np.negative),
 )
 
 
@@ -87,6 +95,7 @@ def _vessel(subject: Subject, vessel: Vessel) -> dict[str, Any]:
         "when": _when(subject, moments) + (f"; {AS_CARRIED}" if vessel.is_carried else ""),
         "rows": rows,
         "left_out": max(0, len(_moments(subject)) - len(moments)),
+        "beyond": _beyond(subject, vessel, moments),
         "gm": _gm(subject, vessel),
         "may_have_gm": not vessel.is_carried,
         "pumped": _pumped(subject, vessel),
@@ -161,6 +170,20 @@ def _changes(subject: Subject, vessel: Vessel) -> list[_Moment]:
     steps.sort(key=lambda two: -float(np.abs(lies[two[1]] - lies[two[0]]).max()))
     shown = {0, len(found) - 1, *(place for _, place in steps[: _MOST_ROWS - 2])}
     return [found[place] for place in sorted(shown)]
+
+
+def _beyond(subject: Subject, vessel: Vessel, moments: Sequence[_Moment]) -> str:
+    """How much farther a vessel heels, trims and sinks on the way than a table of some moments says."""
+    said = []
+    for words, variable, unit, same, sign in _EXTREMES:
+        values = sign(subject.recording.column(variable, vessel.name))
+        told = max(float(sign(np.array(_value(subject, vessel, variable, moment)))) for moment in moments)
+        peak = subject.peak(values)
+        if peak is not None and peak[0] > told + same:
+            at = int(np.searchsorted(subject.recording.time, peak[1]))
+            value = float(subject.recording.column(variable, vessel.name)[at])
+            said.append(f"{words} {show(value, unit, 2)} at {show(peak[1], 's', 0)}")
+    return ", ".join(said)
 
 
 def _gm(subject: Subject, vessel: Vessel) -> str:

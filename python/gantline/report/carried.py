@@ -1,7 +1,8 @@
-"""Rows of the first page: what hooks, slings, lugs and equalizers carry."""
+"""Rows of the first page: what hooks, slings, lugs, spreaders and equalizers carry."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,10 +11,10 @@ from gantline.checks import values_of
 from gantline.checks.sling_figures import SlingFigures, sling_figures
 from gantline.report.subject import ABSENT, Subject, as_given, number, show
 from gantline.results import series
+from gantline.results.alike import first_peak
 from gantline.results.cranes.chain_hoists import sling_lengths
-from gantline.results.gear import Equalizer, Hook, Sling
+from gantline.results.gear import Equalizer, Hook, Sling, Spreader
 from gantline.results.loads.hinges import is_shut
-from gantline.results.ropes import upper_end
 from gantline.results.ropes.parting import ATTACHED, DETACHED, PARTING, PLANNED, partings
 from gantline.results.ropes.travel import most_used, ways_of
 from gantline.results.variable import BoolArray, FloatArray
@@ -126,10 +127,11 @@ def _hangs_whole(subject: Subject) -> BoolArray:
     return hangs
 
 
-def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
-    """Slings in the order of the lift file; where there are too many, those that use most of their rope.
+def sling_rows(subject: Subject, most: int) -> tuple[list[dict[str, Any]], str]:
+    """Slings in the order of the lift file, and in words which are left out where there are too many.
 
-    Slings that break or are cut come before all others.
+    Slings that break or are cut come before all others, then those that carry most and that use most of their
+    rope, shackles and lugs.
     """
     every = {one.rope: one for one in partings(subject.recording)}
     parted = {rope for rope, one in every.items() if one.kind not in PLANNED}
@@ -137,21 +139,40 @@ def sling_rows(subject: Subject, most: int) -> list[dict[str, Any]]:
     for time, kind, rope in subject.recording.events():
         if kind in (*PARTING, ATTACHED):
             told.setdefault(rope, []).append(f"{_OFF_AND_ON.get(kind, kind)} {show(time, 's', 1)}")
-
-    def used(sling: Sling) -> tuple[bool, float, float]:
-        of_rope = upper_end.utilisation(subject.recording, sling.rope)
-        return sling.rope in parted, of_rope or 0.0, series.rope_peak(subject.recording, sling.rope)[0]
-
-    slings = subject.rig.slings
-    kept = {one.name for one in sorted(slings, key=used, reverse=True)[:most]}
-    return [
+    figures = sling_figures(subject.recording, subject.rig.slings)
+    kept, left_out = _most_loaded(figures, parted, most)
+    rows = [
         {
             **_sling(subject, one),
             "gone": ", ".join(told.get(one.sling.rope, ())),
             "is_parted": one.sling.rope in parted,
         }
-        for one in sling_figures(subject.recording, (one for one in slings if one.name in kept))
+        for one in figures
+        if one.sling.name in kept
     ]
+    return rows, left_out
+
+
+def _most_loaded(figures: Sequence[SlingFigures], parted: set[str], most: int) -> tuple[set[str], str]:
+    """Names of the slings that a table has room for, and what there is to say of the others."""
+    if len(figures) <= most:
+        return {one.sling.name for one in figures}, ""
+    measures: tuple[Callable[[SlingFigures], float], ...] = (
+        lambda one: one.of_breaking_force or 0.0,
+        lambda one: one.peak,
+        lambda one: one.of_working_load_limit or 0.0,
+        lambda one: one.of_lug_capacity or 0.0,
+    )
+    largest = {figures[first_peak([measure(one) for one in figures])].sling.name for measure in measures}
+    first = [one.sling.name for one in figures if one.sling.rope in parted]
+    by_use_and_force = sorted(figures, key=lambda one: (measures[0](one), measures[1](one)), reverse=True)
+    by_use = [one.sling.name for one in by_use_and_force]
+    order = dict.fromkeys([*first, *(name for name in by_use if name in largest), *by_use])
+    kept = set(list(order)[:most])
+    count = len(figures) - len(kept)
+    here = "; the largest force and the most used rope, shackle and lug are here"
+    said = f"{count} {'is' if count == 1 else 'are'} left out" + (here if kept.issuperset(largest) else "")
+    return kept, said
 
 
 def _sling(subject: Subject, one: SlingFigures) -> dict[str, Any]:
@@ -225,3 +246,19 @@ def _pins(subject: Subject, equalizer: Equalizer) -> str:
     else:
         text = "in over the whole lift"
     return f"{text}; put in before step {', '.join(put_in)}" if put_in else text
+
+
+def spreader_row(subject: Subject, spreader: Spreader) -> dict[str, Any]:
+    """What a spreader weighs and bears, and how it hangs, as the checks have it."""
+
+    def found(check: str) -> float | None:
+        return values_of(subject.recording, check).get(spreader.name)
+
+    return {
+        "name": spreader.name,
+        "mass": number(spreader.weight / subject.rig.gravity, "t", 2),
+        "rated": as_given(_mass(subject, spreader.rated_capacity)),
+        "used": number(found("spreader_load_of_rated_capacity"), "%", 1),
+        "thrust": number(found("spreader_thrust"), "kN", 0),
+        "tilt": number(found("spreader_tilt"), "deg", 2),
+    }

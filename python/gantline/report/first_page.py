@@ -22,7 +22,7 @@ from gantline.checks.forces import hook_force
 from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.attitude import attitude, tightest_clearance
 from gantline.report.booms import boom_rows
-from gantline.report.carried import READ_OVER, READINGS, equalizer_row, hook_row, sling_rows
+from gantline.report.carried import READ_OVER, READINGS, equalizer_row, hook_row, sling_rows, spreader_row
 from gantline.report.rest import unsound_cases, what_if
 from gantline.report.section import Section
 from gantline.report.sketch import sketches
@@ -71,8 +71,8 @@ class FirstPage(Section):
 
     def content(self, subject: Subject) -> dict[str, Any]:
         """What the template is given."""
-        is_afloat = bool(subject.rig.vessels)
-        most_slings = _MOST_SLINGS_AFLOAT if is_afloat else _MOST_SLINGS
+        most_slings = _MOST_SLINGS_AFLOAT if subject.rig.vessels else _MOST_SLINGS
+        slings, slings_left_out = sling_rows(subject, most_slings)
         failed = _failed(subject)[:_MOST_FAILED]
         # What failed stands at the top with its distance, and is not told again.
         too_near = next((check.element for check in failed if _is_distance(check)), "")
@@ -90,8 +90,9 @@ class FirstPage(Section):
             "hooks": [hook_row(subject, hook) for hook in subject.rig.hooks],
             "cranes_travel": bool(subject.rig.cranes),
             "readings": [f"{100 * part:.0f} %" for part in READINGS],
-            "slings": sling_rows(subject, most_slings),
-            "slings_left_out": max(0, len(subject.rig.slings) - most_slings),
+            "slings": slings,
+            "slings_left_out": slings_left_out,
+            "spreaders": [spreader_row(subject, one) for one in subject.rig.spreaders],
             "equalizers": [equalizer_row(subject, one) for one in subject.rig.equalizers],
             "when_clear": " when clear" if subject.clear.any() else "",
             "turnings": turnings(subject),

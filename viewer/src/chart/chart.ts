@@ -19,7 +19,7 @@ import {
   yOf,
 } from "./frame";
 import { Legend } from "./legend";
-import { endNames, type Paper, peakMark, roomOf } from "./marks";
+import { type Box, crosses, endNames, type Paper, peakMark, roomOf } from "./marks";
 import { type Scale, shown, valueText, verticalScale } from "./scale";
 
 const HEADROOM = 1.1;
@@ -190,13 +190,13 @@ export class Chart {
     });
     const hasRoom = this.areMany && this.width >= WIDE;
     const limits = limitNames(this.spec, area, this.scale);
+    const isCrossed = (box: Box) => visible.some((curve) => crosses(curve, paper, box));
+    const liftOff = liftOffName(session, area, limits, isCrossed);
     this.marks.replaceChildren(
       ...unfinished(session, area, limits),
-      ...names(session, area, limits),
+      ...names(limits, liftOff),
       ...(hasRoom ? endNames(this.families.map(shownOnly), this.curves, paper) : []),
-      ...(this.spec.peak
-        ? peakMark(visible, this.spec.unit, paper, [...limits, ...liftOffName(session, area, limits)])
-        : []),
+      ...(this.spec.peak ? peakMark(visible, this.spec.unit, paper, [...limits, ...liftOff]) : []),
     );
   }
 

@@ -3,6 +3,7 @@
 import { svg } from "../dom";
 import type { Session } from "../player/session";
 import type { Extreme } from "./families";
+import type { Box } from "./marks";
 import { type Scale, shown, ticksOf } from "./scale";
 
 export interface Limit {
@@ -165,18 +166,36 @@ function liftOff(session: Session, area: Area): SVGElement[] {
   return [svg("line", { x1: x, x2: x, y1: area.top - 2, y2: area.bottom, class: "gl-lift-off" })];
 }
 
-/** The room of its name, which belongs to no line across the plot and stands below those of limits at the top. */
-export function liftOffName(session: Session, area: Area, limits: readonly LimitName[]): LimitName[] {
+/**
+ * The room of its name, which belongs to no line across the plot: at the top, below the names of limits there, else
+ * on the other side of its line or at the bottom, where no curve runs through it.
+ */
+export function liftOffName(
+  session: Session,
+  area: Area,
+  limits: readonly LimitName[],
+  isCrossed: (box: Box) => boolean = () => false,
+): LimitName[] {
   const x = liftOffAt(session, area);
   if (x === null) return [];
   const text = "lift-off";
   const wide = LETTER * text.length;
+  const [after, before] = [x + 4, x - 4 - wide];
   const isLate = x > area.left + 0.8 * (area.right - area.left);
-  const left = isLate ? x - 4 - wide : x + 4;
-  let baseline = area.top + 8;
+  const sides = isLate ? [before] : [after, ...(before >= area.left ? [before] : [])];
+  let top = area.top + 8;
   const lines = limits.map(({ line }) => line).sort((one, other) => one - other);
-  for (const line of lines) if (isThrough(line, baseline)) baseline = line + LINE;
-  return [{ text, left, right: left + wide, baseline, line: Number.NEGATIVE_INFINITY }];
+  for (const line of lines) if (isThrough(line, top)) top = line + LINE;
+  const bottom = area.bottom - 6;
+  const isTaken = limits.some(
+    ({ line, baseline }) => isThrough(line, bottom) || Math.abs(baseline - bottom) < LINE,
+  );
+  const places = [top, ...(isTaken ? [] : [bottom])].flatMap((baseline) =>
+    sides.map((left) => ({ text, left, right: left + wide, baseline, line: Number.NEGATIVE_INFINITY })),
+  );
+  const isFree = ({ left, right, baseline }: LimitName) =>
+    !isCrossed({ left, right, top: baseline - LINE + 3, bottom: baseline + 2 });
+  return [places.find(isFree) ?? places[0]!];
 }
 
 /** Where the run has failed, or ended before its plan; to be drawn upon the curves. */
@@ -243,12 +262,12 @@ function unstruck(wanted: number, lines: readonly number[], area: Area): number 
 }
 
 /** Lift-off and the limits by name; to be drawn upon the curves. */
-export function names(session: Session, area: Area, limits: readonly LimitName[]): SVGElement[] {
+export function names(limits: readonly LimitName[], liftOff: readonly LimitName[]): SVGElement[] {
   return [
     ...limits.map(({ text, right, baseline }) =>
       svg("text", { x: right, y: baseline, "text-anchor": "end", class: "gl-limit-name" }, text),
     ),
-    ...liftOffName(session, area, limits).map(({ text, left, baseline }) =>
+    ...liftOff.map(({ text, left, baseline }) =>
       svg("text", { x: left, y: baseline, class: "gl-note" }, text),
     ),
   ];

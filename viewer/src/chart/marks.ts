@@ -10,6 +10,7 @@ const LINE = 12; // pixels from one name to the next
 const LETTER = 6.1; // pixels, mean width of a letter
 const ASIDE = 7; // pixels from a point to its name
 const STRIDE = 2; // pixels from one look at a curve to the next
+const NEAR = 60; // pixels from a point to its name behind another name, at most
 
 /** Where a value at a time is on paper. */
 export interface Paper {
@@ -95,8 +96,8 @@ export function crosses(curve: Curve, paper: Paper, box: Box): boolean {
 }
 
 /**
- * Where the name of a point begins: on its right, else on its left, else as far right as there is room; clear of
- * limits, other names and, where that goes, of the curves.
+ * Where the name of a point begins: on its right, else on its left, else behind another name or as far right as there
+ * is room; clear of limits, other names and, where that goes, of the curves.
  */
 export function peakPlace(
   x: number,
@@ -107,7 +108,8 @@ export function peakPlace(
   isCrossed: (box: Box) => boolean = () => false,
 ): { x: number; y: number } {
   const [right, left] = [x + ASIDE, x - ASIDE - wide];
-  const sides = [right, left].filter((from) => from >= area.left && from + wide <= area.right);
+  const behind = limits.map((name) => name.right + 4).filter((from) => from > right && from < x + NEAR);
+  const sides = [right, left, ...behind].filter((from) => from >= area.left && from + wide <= area.right);
   if (!sides.length) sides.push(Math.max(area.left + 2, area.right - wide));
   const isFree = (from: number, baseline: number) =>
     baseline >= area.top &&
