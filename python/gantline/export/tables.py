@@ -48,7 +48,9 @@ def columns(recording: Recording, variables: Sequence[str] = ()) -> Iterator[tup
         flat = variable.values.reshape(len(recording.time), prod(variable.values.shape[1:]))
         for place, label in enumerate(product(*labels)):
             unit = (
-                variable.unit if name != "joint_position" else _of_joint(recording, label[0], variable.unit)
+                variable.unit
+                if name != "joint_position"
+                else _of_joint(recording, str(label[0]), variable.unit)
             )
             told = "" if unit == "1" else f" [{unit}]"
             yield f"{'.'.join([name, *map(str, label)])}{told}", flat[:, place]
