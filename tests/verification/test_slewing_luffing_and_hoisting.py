@@ -23,7 +23,7 @@ from boom_lift import BELOW, HEEL, HOOK_BLOCK, LENGTH, PRESCRIBED, SHEAVE_BLOCK,
 from mechanics import Floats, G
 
 AXIS = 80.0
-PARTS, ROPES, RADIUS, BLOCK_HIGH, LEAD_LINE = 16, 2, 0.6, 3.0, 5.0
+PARTS, ROPES, RADIUS, SHEAVES_HIGH, LEAD_LINE = 16, 2, 0.6, 3.0, 5.0
 EA, DAMPING_TIME, MASS = 50e6, 0.01, HOOK_BLOCK + 300e3
 DURATION = 8.0
 #: Of slewing, luffing [rad] and hoisting [m]: where it starts, the speed that it comes to, its acceleration.
@@ -82,7 +82,7 @@ def tension(time: float, state: Floats) -> tuple[float, Floats, float, float, fl
     for aside in ASIDE:
         up = places[0] + [aside * cosine + BELOW * sine, 0.0, aside * sine - BELOW * cosine]
         by_turn = np.array([-aside * sine + BELOW * cosine, 0.0, aside * cosine + BELOW * sine])
-        below = np.array([aside, 0.0, BLOCK_HIGH])
+        below = np.array([aside, 0.0, SHEAVES_HIGH])
         way = x + turns[0].T @ (below - up)
         along = way / np.linalg.norm(way)
         speed = v + turns[1].T @ (below - up) - turns[0].T @ (places[1] + by_turn * spin)
@@ -117,7 +117,7 @@ def own_course(times: Floats) -> Floats:
     """The state at all times (n, 10); what moves as told has kinks where it has come to its speed."""
     turns, places = pin(0.0)
     hook = turns[0].T @ places[0] + [0, 0, 40.0 - places[0][2]]
-    falls = places[0][2] - BELOW - BLOCK_HIGH - 40.0
+    falls = places[0][2] - BELOW - SHEAVES_HIGH - 40.0
     whole = PARTS * falls + TURNS + LEAD_LINE
     state = np.concatenate([hook, np.zeros(5), [whole / (1 + MASS * G / (ROPES * PARTS * EA)), 0.0]])
     kinks = np.abs(SPEED) / ACCELERATION
@@ -146,7 +146,7 @@ def test_a_hook_swings_and_is_pulled_as_its_own_equations_say() -> None:
     leads = []
     for time, state in zip(run.time, course, strict=True):
         turns, places = pin(time)
-        from_pin = turns[0] @ state[:3] + [0, 0, BLOCK_HIGH] - places[0]
+        from_pin = turns[0] @ state[:3] + [0, 0, SHEAVES_HIGH] - places[0]
         down = from_pin - BELOW * np.array([math.sin(state[6]), 0.0, -math.cos(state[6])])
         leads.append((math.atan2(down[0], -down[2]), math.atan2(down[1], -down[2])))
     off, side = np.array(leads).T
