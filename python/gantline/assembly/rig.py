@@ -83,6 +83,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "ropes": rope_rig(scenario, rigging, parts),
         "sheaves": sheaves_with_flow(parts),
         "drums": drum_rig(scenario),
+        "turning": [name for name, body in parts.bodies.items() if body["joint"]["type"] == "hinge"],
         **_tanks(scenario),
         "wrapped_sheaves": (wrapped := wrapped_sheaves(parts)),
         "ratings": ratings(scenario),

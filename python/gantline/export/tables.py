@@ -46,9 +46,22 @@ def columns(recording: Recording, variables: Sequence[str] = ()) -> Iterator[tup
         variable = recording[name]
         labels = [names.get(dim) or range(recording.sizes[dim]) for dim in variable.dims[1:]]
         flat = variable.values.reshape(len(recording.time), prod(variable.values.shape[1:]))
-        unit = "" if variable.unit == "1" else f" [{variable.unit}]"
         for place, label in enumerate(product(*labels)):
-            yield f"{'.'.join([name, *map(str, label)])}{unit}", flat[:, place]
+            unit = (
+                variable.unit
+                if name != "joint_position"
+                else _of_joint(recording, str(label[0]), variable.unit)
+            )
+            told = "" if unit == "1" else f" [{unit}]"
+            yield f"{'.'.join([name, *map(str, label)])}{told}", flat[:, place]
+
+
+def _of_joint(recording: Recording, joint: str, unknown: str) -> str:
+    """Unit of the position of a joint; `unknown` of a recording that does not say which of them turn."""
+    turning = recording.rig.turning
+    if turning is None:
+        return unknown
+    return "rad" if joint in turning else "m"
 
 
 def _points(recording: Recording) -> list[str]:

@@ -318,6 +318,7 @@ class Rig(FromJson):
         ropes: All ropes: equalizing ropes, slings, mooring lines, tag lines, ropes of `mechanics`.
         sheaves: Sheaves with losses or inertia.
         drums: Drums.
+        turning: Joints that turn, whose positions are angles; all others slide. None where nobody says.
         tanks: Tanks of vessels and loads.
         wrapped_sheaves: Sheaves with true tangents.
         limits: Limits of the lift by name, SI; `rule` says from where they come.
@@ -366,6 +367,7 @@ class Rig(FromJson):
     ropes: Sequence[Rope] = ()
     sheaves: Sequence[Sheave] = ()
     drums: Sequence[Drum] = ()
+    turning: Sequence[str] | None = None
     tanks: Sequence[Tank] = ()
     wrapped_sheaves: Sequence[WrappedSheave] = ()
     limits: Mapping[str, Any] = field(default_factory=dict)

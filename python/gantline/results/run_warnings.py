@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 
 from gantline.results.bodies import places_of
+from gantline.results.loads.guides import guide_force
 from gantline.results.rig import Rig
 from gantline.results.ropes.parting import stops_met
-from gantline.results.variable import Columns, Names
+from gantline.results.variable import Columns, FloatArray, Names
 from gantline.units import format_quantity
 
 __all__ = [
@@ -35,8 +36,12 @@ _LITTLE = 0.1
 #: Share of the height of waves that may come and go between two samples without a word; of a period, as long
 #: as what is just about that: 1 - cos(π/10) = 4.9 %.
 _UNSEEN, _OF_PERIOD = 0.05, 0.1
-#: Of the largest sample of a bump both beside it have at least this share where no more than 5 % is missed.
+#: Of the largest sample of a bump those beside it have this share in the mean where 5 % is missed at most.
 _BESIDE = 0.8
+#: Share of its largest sample that those beside a bump have at most [1].
+_STANDS_OUT = 0.99
+#: Least share of its peak that a bump has in one of two samples within it: cos(π/4).
+_TWO_WITHIN = math.sqrt(0.5)
 #: How far below the ground a hook is told [m].
 _BELOW = 0.1
 
@@ -167,24 +172,59 @@ def still_growing(document: Mapping[str, Any], rig: Rig, columns: Columns, names
 
 
 def missed_bumps(rig: Rig, columns: Columns, names: Names) -> list[str]:
-    """A warning where a fender is pressed and let go within a few samples, whose force nothing else knows.
+    """A warning for each kind of what is pressed and let go within few samples; nothing else knows its force.
 
-    Of half a swing that takes D samples Δt apart have cos(πΔt/2D) of the peak at least, and those beside the
-    largest cos(πΔt/D) of it if that is the peak: 95 % and 80 % of Δt/D = 0.2.
+    Of half a swing that takes D samples Δt apart have cos(πΔt/2D) of the peak P at least. Whenever they are
+    taken, y = P cos(πt/D) has (y(t - Δt) + y(t + Δt))/2y(t) = cos(πΔt/D): 95 % and 0.8 of Δt/D = 0.2. Of a
+    fender its largest sample counts; of a support or landing guide any whose peak may be past its capacity,
+    71 % of it where two samples at least are within the swing.
     """
-    time, found = columns["time"], []
-    for fender in rig.fenders:
-        force = columns["contact_force"][:, list(names["contact"]).index(fender.contact)]
-        at = int(np.argmax(force)) if len(time) else 0
-        if 0 < at < len(time) - 1 and min(force[at - 1], force[at + 1]) < _BESIDE * force[at]:
-            found.append((float(force[at]), fender.name, float(time[at])))
-    if not found:
-        return []
-    largest, name, when = max(found)
+    contact = {name: place for place, name in enumerate(names["contact"])}
+    pressed = columns["contact_force"]
+    of_fenders = [(one.name, pressed[:, contact[one.contact]]) for one in rig.fenders]
+    of_supports = [(one.name, pressed[:, contact[one.name]], one.capacity) for one in rig.supports]
+    of_guides = [(one.name, guide_force(one, pressed, contact), one.capacity) for one in rig.guides]
+    found = {
+        "fenders": [_bump(name, force, float(force.max(initial=0.0))) for name, force in of_fenders],
+        "supports": [
+            _bump(name.removeprefix("support."), force, _TWO_WITHIN * capacity)
+            for name, force, capacity in of_supports
+            if capacity is not None
+        ],
+        "landing guides": [
+            _bump(name, force, _TWO_WITHIN * capacity)
+            for name, force, capacity in of_guides
+            if capacity is not None
+        ],
+    }
+    time = columns["time"]
+    return [
+        _missed(time, kind, *max(one for one in bumps if one is not None))
+        for kind, bumps in found.items()
+        if any(one is not None for one in bumps)
+    ]
+
+
+def _bump(name: str, force: FloatArray, least: float) -> tuple[float, str, int] | None:
+    """Largest bump of a force over time from `least` [N] on: its sample [N], the name, its place; or None.
+
+    What has stood and is let go, or lifts, has as much as the sample before and is no bump.
+    """
+    top, before, after = force[1:-1], force[:-2], force[2:]
+    stands_out = np.maximum(before, after) < _STANDS_OUT * top
+    missed = (before + after < 2 * _BESIDE * top) & stands_out & (top >= least)
+    if not missed.any():
+        return None
+    at = int(np.argmax(np.where(missed, top, 0.0)))
+    return float(top[at]), name, at + 1
+
+
+def _missed(time: FloatArray, kind: str, largest: float, name: str, at: int) -> str:
     apart = format_quantity(float(np.median(np.diff(time))), "s", 2)
-    had = f"{name} has {format_quantity(largest, 'kN', 1)} at {when:.2f} s, and much less beside it"
-    missed = f"samples {apart} apart miss the peaks of fenders: {had}"
-    return [f"{missed}; a shorter 'sample_interval' has more of them"]
+    when = f"{format_quantity(largest, 'kN', 1)} at {float(time[at]):.2f} s"
+    had = f"{name} has {when}, and much less beside it"
+    missed = f"samples {apart} apart miss the peaks of {kind}: {had}"
+    return f"{missed}; a shorter 'sample_interval' has more of them"
 
 
 def command_warnings(columns: Mapping[str, Any], names: Mapping[str, Any]) -> list[str]:

@@ -91,9 +91,9 @@ class BodyInertia(Element):
     xx: Inertia = Field(description="About x.")
     yy: Inertia = Field(description="About y.")
     zz: Inertia = Field(description="About z.")
-    xy: Inertia = Field(0.0, description="Off-diagonal term xy.")
-    xz: Inertia = Field(0.0, description="Off-diagonal term xz.")
-    yz: Inertia = Field(0.0, description="Off-diagonal term yz.")
+    xy: Inertia = Field(0.0, description="Off-diagonal term xy, minus the integral of x y over the mass.")
+    xz: Inertia = Field(0.0, description="Off-diagonal term xz, minus the integral of x z over the mass.")
+    yz: Inertia = Field(0.0, description="Off-diagonal term yz, minus the integral of y z over the mass.")
 
 
 class SliderStops(Element):

@@ -13,7 +13,7 @@ from gantline.results.strength import FromJson
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 from gantline.units import format_quantity
 
-__all__ = ["Guide", "guide_state", "missed_guides"]
+__all__ = ["Guide", "guide_force", "guide_state", "missed_guides"]
 
 #: Faces that look at each other, of frames; those of the other pair stand across them.
 _OPPOSITE = (("fore", "aft"), ("port", "starboard"))
@@ -65,28 +65,33 @@ def guide_state(columns: Columns, names: Names, guides: Sequence[Guide]) -> Deri
         return {}, {}
     order = {name: place for place, name in enumerate(names["contact"])}
     pressed = columns["contact_force"]
-
-    def of_guide(guide: Guide) -> FloatArray:
-        nothing = np.zeros(len(pressed))
-        face = {
-            side: pressed[:, [order[contact] for contact in contacts]].sum(axis=1)
-            for side, contacts in guide.sides.items()
-        }
-        if "wall" in face:
-            wall: FloatArray = face["wall"]
-            return wall
-        along, across = (
-            np.maximum(face.get(one, nothing), face.get(other, nothing)) for one, other in _OPPOSITE
-        )
-        together: FloatArray = np.hypot(along, across)
-        return together
-
-    force = np.stack([of_guide(guide) for guide in guides], axis=1)
+    force = np.stack([guide_force(guide, pressed, order) for guide in guides], axis=1)
     described = "force across the faces of a landing guide"
     return (
         {"guide_force": Variable(("time", "guide"), force, "N", described)},
         {"guide": [guide.name for guide in guides]},
     )
+
+
+def guide_force(guide: Guide, pressed: FloatArray, order: Mapping[str, int]) -> FloatArray:
+    """Force of a guide across its faces over time [N].
+
+    Args:
+        guide: The guide.
+        pressed: Force of each contact over time, shape (time, contact) [N].
+        order: Place of each contact by its name.
+    """
+    nothing = np.zeros(len(pressed))
+    face = {
+        side: pressed[:, [order[contact] for contact in contacts]].sum(axis=1)
+        for side, contacts in guide.sides.items()
+    }
+    if "wall" in face:
+        wall: FloatArray = face["wall"]
+        return wall
+    along, across = (np.maximum(face.get(one, nothing), face.get(other, nothing)) for one, other in _OPPOSITE)
+    together: FloatArray = np.hypot(along, across)
+    return together
 
 
 def missed_guides(

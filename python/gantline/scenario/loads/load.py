@@ -137,9 +137,9 @@ class LoadInertia(Element):
     xx: PositiveInertia = Field(description="About the axis along the length.")
     yy: PositiveInertia = Field(description="About the axis across.")
     zz: PositiveInertia = Field(description="About the vertical axis.")
-    xy: Inertia = Field(0.0, description="Off-diagonal term xy.")
-    xz: Inertia = Field(0.0, description="Off-diagonal term xz.")
-    yz: Inertia = Field(0.0, description="Off-diagonal term yz.")
+    xy: Inertia = Field(0.0, description="Off-diagonal term xy, minus the integral of x y over the mass.")
+    xz: Inertia = Field(0.0, description="Off-diagonal term xz, minus the integral of x z over the mass.")
+    yz: Inertia = Field(0.0, description="Off-diagonal term yz, minus the integral of y z over the mass.")
 
 
 class CentreOfGravity(Element):

@@ -1,0 +1,115 @@
+"""A load that comes down on its supports between samples.
+
+Forces of supports and landing guides are those of samples. A module of 100 t that comes down at 10 m/min is
+stopped by four stiff supports within 60 ms, and each bears 440 kN, 112 % of its capacity. With samples 0.1 s
+apart it was 369 kN, the check `support_force_of_capacity` was ok with 94 %, and nothing said so: only fenders
+were looked at.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from gantline.checks import Verdict
+from gantline.results.loads.guides import Guide
+from gantline.results.recording import Recording
+from gantline.results.rig import Rig, Support
+from gantline.results.run_warnings import missed_bumps
+from gantline.scenario import parse_scenario
+from gantline.simulation import simulate
+from of_recording import checks_of
+
+SPEED, MASS, STIFFNESS = 10.0 / 60.0, 100e3, 200e6
+LIFT = """
+format: 1
+lift: {{title: Set down}}
+duration: 4 s
+ground: {{level: 0 m, friction: 0.5}}
+ropes: {{sling: {{axial_stiffness: 100 MN, mass: none, damping_time: 10 ms}}}}
+load:
+  name: module
+  shape: {{box: [6 m, 4 m, 3 m]}}
+  position: [0 m, 0 m, 1.3 m]
+  weight: {{calculated: 100 t, contingency: 1.0}}
+  centre_of_gravity: {{at: [0 m, 0 m, 1.5 m]}}
+  lugs:
+    A: {{at: [2 m, 1.5 m, 3 m]}}
+    B: {{at: [2 m, -1.5 m, 3 m]}}
+    C: {{at: [-2 m, 1.5 m, 3 m]}}
+    D: {{at: [-2 m, -1.5 m, 3 m]}}
+supports:
+  stools:
+    under: module
+    grid: {{x: [-2 m, 2 m], y: [-1.5 m, 1.5 m]}}
+    height: 1 m
+    stiffness: 200 MN/m
+    damping: 0.2 MN s/m
+    friction: 0.3
+    capacity: {capacity}
+cranes:
+  hook: {{type: fixed_hook, at: [0 m, 0 m, 12 m], hoist: {{speed: 10 m/min, acceleration: 0.1 m/s^2}}}}
+sling_defaults: {{rope: sling}}
+slings:
+  A: {{from: hook, to: module.A, length: 8.09 m}}
+  B: {{from: hook, to: module.B, length: 8.09 m}}
+  C: {{from: hook, to: module.C, length: 8.09 m}}
+  D: {{from: hook, to: module.D, length: 8.09 m}}
+plan:
+  - {{step: lower, lower: hook, speed: 10 m/min, by: 0.5 m}}
+simulation: {{sample_interval: {apart}}}
+"""
+
+
+def run_of(apart: str, capacity: str = "40 t") -> Recording:
+    return simulate(parse_scenario(LIFT.format(apart=apart, capacity=capacity)))
+
+
+def told(run: Recording) -> list[str]:
+    return [one for one in run.attributes["warnings"] if one.startswith("samples")]
+
+
+def test_a_set_down_that_samples_miss_is_told() -> None:
+    """What comes with v on four springs k presses each with v √(4 k m)/4 = 373 kN beside its weight."""
+    fine, coarse = run_of("2 ms"), run_of("0.1 s")
+    ((over,), (within,)) = (checks_of(run, "support_force_of_capacity") for run in (fine, coarse))
+    assert over.value is not None and within.value is not None
+    assert over.verdict is Verdict.FAILED
+    assert over.value > SPEED * math.sqrt(4 * STIFFNESS * MASS) / 4 / (40e3 * 9.81)
+    assert within.verdict is Verdict.OK and within.value < 0.85 * over.value
+    assert not told(fine)
+    (said,) = told(coarse)
+    assert said.startswith("samples 0.10 s apart miss the peaks of supports: stools.")
+    assert said.endswith("a shorter 'sample_interval' has more of them")
+
+
+@pytest.mark.parametrize("capacity", ["60 t", "100 t"])
+def test_what_cannot_matter_is_not_told(capacity: str) -> None:
+    """369 kN are less than 71 % of 60 t: half a swing with two samples in it has that share of its peak."""
+    assert not told(run_of("0.1 s", capacity))
+
+
+@pytest.mark.parametrize(
+    ("forces", "is_told"),
+    [
+        ([0.0, 0.0, 0.5, 0.9, 0.5, 0.0, 0.0], True),
+        ([0.0, 0.45, 0.8, 0.9, 0.8, 0.45, 0.0], False),
+        ([0.9, 0.9, 0.9, 0.0, 0.0, 0.0, 0.0], False),
+        ([0.9, 0.9, 0.9, 0.6, 0.3, 0.0, 0.0], False),
+        ([0.0, 0.2, 0.7, 0.0, 0.0, 0.9, 0.9], False),
+    ],
+    ids=["bump", "followed", "taken away", "lifted", "less than 71 %"],
+)
+@pytest.mark.parametrize("kind", ["supports", "landing guides"])
+def test_bumps_and_what_is_none(forces: list[float], is_told: bool, kind: str) -> None:
+    """Forces over a capacity of 1 N, of a support and of a wall that guides."""
+    rig = {
+        "supports": Rig(supports=[Support("wall", load="module", capacity=1.0)]),
+        "landing guides": Rig(guides=[Guide("post", "module", {"wall": ["wall"]}, capacity=1.0)]),
+    }[kind]
+    columns = {"time": 0.1 * np.arange(len(forces)), "contact_force": np.array(forces)[:, None]}
+    found = missed_bumps(rig, columns, {"contact": ["wall"]})
+    assert bool(found) is is_told
+    assert all(one.startswith(f"samples 0.10 s apart miss the peaks of {kind}: ") for one in found)
