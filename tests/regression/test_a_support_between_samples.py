@@ -1,9 +1,9 @@
 """A load that comes down on its supports between samples.
 
-Forces of supports and landing guides are those of samples. A module of 100 t that comes down at 10 m/min is
-stopped by four stiff supports within 60 ms, and each bears 440 kN, 112 % of its capacity. With samples 0.1 s
-apart it was 369 kN, the check `support_force_of_capacity` was ok with 94 %, and nothing said so: only fenders
-were looked at.
+Forces of supports were those of samples. A module of 100 t that comes down at 10 m/min is stopped by four
+stiff supports within 60 ms, and each bears 440 kN, 112 % of its capacity. With samples 0.1 s apart it was
+369 kN, and the check `support_force_of_capacity` was ok with 94 %. Of a landing guide, which several contacts
+make, they are still those of samples: a bump that these miss is told.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import pytest
 from gantline.checks import Verdict
 from gantline.results.loads.guides import Guide
 from gantline.results.recording import Recording
-from gantline.results.rig import Rig, Support
+from gantline.results.rig import Rig
 from gantline.results.run_warnings import missed_bumps
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
@@ -48,7 +48,7 @@ supports:
     stiffness: 200 MN/m
     damping: 0.2 MN s/m
     friction: 0.3
-    capacity: {capacity}
+    capacity: 40 t
 cranes:
   hook: {{type: fixed_hook, at: [0 m, 0 m, 12 m], hoist: {{speed: 10 m/min, acceleration: 0.1 m/s^2}}}}
 sling_defaults: {{rope: sling}}
@@ -63,32 +63,28 @@ simulation: {{sample_interval: {apart}}}
 """
 
 
-def run_of(apart: str, capacity: str = "40 t") -> Recording:
-    return simulate(parse_scenario(LIFT.format(apart=apart, capacity=capacity)))
+def run_of(apart: str) -> Recording:
+    return simulate(parse_scenario(LIFT.format(apart=apart)))
 
 
-def told(run: Recording) -> list[str]:
-    return [one for one in run.attributes["warnings"] if one.startswith("samples")]
-
-
-def test_a_set_down_that_samples_miss_is_told() -> None:
+def test_a_set_down_between_samples_counts() -> None:
     """What comes with v on four springs k presses each with v √(4 k m)/4 = 373 kN beside its weight."""
     fine, coarse = run_of("2 ms"), run_of("0.1 s")
-    ((over,), (within,)) = (checks_of(run, "support_force_of_capacity") for run in (fine, coarse))
-    assert over.value is not None and within.value is not None
-    assert over.verdict is Verdict.FAILED
-    assert over.value > SPEED * math.sqrt(4 * STIFFNESS * MASS) / 4 / (40e3 * 9.81)
-    assert within.verdict is Verdict.OK and within.value < 0.85 * over.value
-    assert not told(fine)
-    (said,) = told(coarse)
-    assert said.startswith("samples 0.10 s apart miss the peaks of supports: stools.")
-    assert said.endswith("a shorter 'sample_interval' has more of them")
+    assert max(float(coarse.column("contact_force", one.name).max()) for one in coarse.rig.supports) < 375e3
+    for run in (fine, coarse):
+        (over,) = checks_of(run, "support_force_of_capacity")
+        assert over.verdict is Verdict.FAILED and over.value is not None
+        assert over.value > SPEED * math.sqrt(4 * STIFFNESS * MASS) / 4 / (40e3 * 9.81)
+        assert over.value * 40e3 * 9.81 == pytest.approx(439.8e3, rel=1e-3)
+    assert not [one for one in coarse.attributes["warnings"] if one.startswith("samples")]
 
 
-@pytest.mark.parametrize("capacity", ["60 t", "100 t"])
-def test_what_cannot_matter_is_not_told(capacity: str) -> None:
-    """369 kN are less than 71 % of 60 t: half a swing with two samples in it has that share of its peak."""
-    assert not told(run_of("0.1 s", capacity))
+def test_a_recording_from_before_has_its_samples() -> None:
+    run = run_of("0.1 s")
+    kept = {name: one for name, one in run.variables.items() if not name.startswith("contact_peak")}
+    old = Recording(kept, run.coordinates, run.attributes)
+    (within,) = checks_of(old, "support_force_of_capacity")
+    assert within.verdict is Verdict.OK and within.value == pytest.approx(0.94, abs=0.01)
 
 
 @pytest.mark.parametrize(
@@ -102,14 +98,10 @@ def test_what_cannot_matter_is_not_told(capacity: str) -> None:
     ],
     ids=["bump", "followed", "taken away", "lifted", "less than 71 %"],
 )
-@pytest.mark.parametrize("kind", ["supports", "landing guides"])
-def test_bumps_and_what_is_none(forces: list[float], is_told: bool, kind: str) -> None:
-    """Forces over a capacity of 1 N, of a support and of a wall that guides."""
-    rig = {
-        "supports": Rig(supports=[Support("wall", load="module", capacity=1.0)]),
-        "landing guides": Rig(guides=[Guide("post", "module", {"wall": ["wall"]}, capacity=1.0)]),
-    }[kind]
+def test_bumps_and_what_is_none(forces: list[float], is_told: bool) -> None:
+    """Forces over a capacity of 1 N, of a wall that guides."""
+    rig = Rig(guides=[Guide("post", "module", {"wall": ["wall"]}, capacity=1.0)])
     columns = {"time": 0.1 * np.arange(len(forces)), "contact_force": np.array(forces)[:, None]}
     found = missed_bumps(rig, columns, {"contact": ["wall"]})
     assert bool(found) is is_told
-    assert all(one.startswith(f"samples 0.10 s apart miss the peaks of {kind}: ") for one in found)
+    assert all(one.startswith("samples 0.10 s apart miss the peaks of landing guides: ") for one in found)

@@ -453,6 +453,15 @@ impl System {
         &self.rows.laws[..self.first_light_row()]
     }
 
+    /// The row of the normal force of every contact.
+    pub fn normal_rows(&self) -> impl Iterator<Item = usize> {
+        let rows = self.constraints.iter().zip(&self.rows.first);
+        rows.filter_map(|(constraint, &row)| match constraint {
+            AnyConstraint::Contact(_) | AnyConstraint::Touch(_) => Some(row),
+            _ => None,
+        })
+    }
+
     /// Brakes with their rows.
     pub fn brakes(&self) -> impl Iterator<Item = (usize, &Brake)> {
         let rows = self.first_brake_row()..;

@@ -282,13 +282,30 @@ def raised_of_capacity(
     force: FloatArray,
     ratios: FloatArray,
     capacity: float,
+    of_steps: tuple[float, float] | None = None,
 ) -> Iterator[Found]:
-    """Largest force of an element [N], all of it raised to the design weight, over its capacity [N].
+    """Largest force of an element, all of it raised to the design weight, over its capacity.
 
-    `ratios` are those by which it is raised at every sample, shape (time,).
+    Args:
+        recording: The recording.
+        during: Samples that count, shape (time,).
+        element: Its name.
+        force: Its force, shape (time,) [N].
+        ratios: By which it is raised at every sample, shape (time,) [1].
+        capacity: Its capacity [N].
+        of_steps: Its largest force over all steps [N] and when that was [s], where that is known; it counts
+            where all samples do.
     """
+
+    def raising(time: float) -> float:
+        return float(np.interp(time, recording.time, ratios))
+
     for found in extreme(recording, ratios * force / capacity, during, element):
-        ratio = float(np.interp(found.time or 0.0, recording.time, ratios))
+        if of_steps is not None and during.all():
+            highest = (raising(of_steps[1]) * of_steps[0] / capacity, of_steps[1])
+            value, time = earliest_peak(highest, (found.value, found.time or 0.0))
+            found = replace(found, value=value, time=time, between=None)
+        ratio = raising(found.time or 0.0)
         simulated = kilonewton(found.value / ratio * capacity)
         raised = f"({simulated}{to_design(ratio)})" if ratio > 1.0 else simulated
         yield replace(found, formula=f"{raised} / {kilonewton(capacity)}")

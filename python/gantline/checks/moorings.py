@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+
+import numpy as np
 
 from gantline.checks.force import OWN_WEIGHT, kilonewton
-from gantline.checks.measure import Finding, Found, Missing, extreme
+from gantline.checks.forces import raised_of_capacity
+from gantline.checks.measure import Finding, Found, Missing
+from gantline.results import series
 from gantline.results.recording import Recording
 from gantline.results.ropes.upper_end import peak_at_upper_end
 from gantline.results.variable import BoolArray
@@ -41,7 +44,8 @@ def fender_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Find
         if capacity is None:
             yield Missing(fender.name, "no capacity")
             continue
-        used = recording.column("fender_force", fender.name) / capacity
-        for found in extreme(recording, used, during, fender.name):
-            text = f"{kilonewton(found.value * capacity)} / {kilonewton(capacity)}"
-            yield replace(found, formula=text)
+        force = recording.column("fender_force", fender.name)
+        of_steps = series.contact_peak(recording, fender.contact)
+        yield from raised_of_capacity(
+            recording, during, fender.name, force, np.ones_like(force), capacity, of_steps
+        )

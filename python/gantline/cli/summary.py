@@ -285,14 +285,14 @@ def _ropes(recording: Recording) -> list[str]:
 
 
 def _fenders(recording: Recording) -> list[str]:
-    """What vessels press on fenders with, in samples."""
+    """What vessels press on fenders with, over all steps."""
     rows: list[tuple[str, ...]] = []
     for fender in recording.rig.fenders:
         force = recording.column("fender_force", fender.name)
-        peak = series.peak(recording, force)
-        largest = (show(peak[0], "kN", 1), show(peak[1], "s", 2)) if peak else (ABSENT, ABSENT)
-        used = show(fender.used_by(peak[0]) if peak else None, "%", 1)
-        rows.append((fender.name, show(float(force[-1]), "kN", 1), *largest, used))
+        peak, time = series.contact_peak(recording, fender.contact)
+        last = show(float(force[-1]), "kN", 1)
+        used = show(fender.used_by(peak), "%", 1)
+        rows.append((fender.name, last, show(peak, "kN", 1), show(time, "s", 2), used))
     head = ("Fender", "at the end", "peak", "at", "of capacity (peak)")
     return table(head, rows, "lrrrr") if rows else []
 

@@ -263,11 +263,7 @@ def _moorings(subject: Subject) -> list[tuple[str, str]]:
         used = share(force, line.minimum_breaking_force)
         text = f"{line.name} {show(force, 'kN', 0)} at {show(time, 's', 1)}"
         rows.append(("largest mooring force", text + (f", {show(used, '%', 0)} of breaking" if used else "")))
-    presses = [
-        (peak, fender)
-        for fender in rig.fenders
-        if (peak := subject.peak(recording.column("fender_force", fender.name))) is not None
-    ]
+    presses = [(series.contact_peak(recording, fender.contact), fender) for fender in rig.fenders]
     if presses:
         (force, time), fender = presses[first_peak([one[0][0] for one in presses])]
         used = fender.used_by(force)

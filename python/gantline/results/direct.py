@@ -52,6 +52,8 @@ DIRECT: dict[str, tuple[str, str]] = {
     "residual_complementarity": ("N", "largest distance of a force from its law"),
     "rope_peak_tension": ("N", "largest tension of a rope over all steps"),
     "rope_peak_time": ("s", "time of the largest tension of a rope"),
+    "contact_peak_force": ("N", "largest normal force of a contact point over all steps"),
+    "contact_peak_time": ("s", "time of the largest normal force of a contact point"),
     "event_time": ("s", "time of an event"),
 }
 #: Dimensions whose entries have names.

@@ -172,37 +172,28 @@ def still_growing(document: Mapping[str, Any], rig: Rig, columns: Columns, names
 
 
 def missed_bumps(rig: Rig, columns: Columns, names: Names) -> list[str]:
-    """A warning for each kind of what is pressed and let go within few samples; nothing else knows its force.
+    """A warning where a landing guide is pressed and let go within few samples; nothing else knows its force.
 
-    Of half a swing that takes D samples Δt apart have cos(πΔt/2D) of the peak P at least. Whenever they are
-    taken, y = P cos(πt/D) has (y(t - Δt) + y(t + Δt))/2y(t) = cos(πΔt/D): 95 % and 0.8 of Δt/D = 0.2. Of a
-    fender its largest sample counts; of a support or landing guide any whose peak may be past its capacity,
-    71 % of it where two samples at least are within the swing.
+    It is that of several contacts together, of which peaks over all steps are kept one by one. Of half a
+    swing that takes D samples Δt apart have cos(πΔt/2D) of the peak P at least. Whenever they are taken,
+    y = P cos(πt/D) has (y(t - Δt) + y(t + Δt))/2y(t) = cos(πΔt/D): 95 % and 0.8 of Δt/D = 0.2. What counts
+    may be past its capacity: 71 % of it where two samples at least are within the swing.
     """
     contact = {name: place for place, name in enumerate(names["contact"])}
-    pressed = columns["contact_force"]
-    of_fenders = [(one.name, pressed[:, contact[one.contact]]) for one in rig.fenders]
-    of_supports = [(one.name, pressed[:, contact[one.name]], one.capacity) for one in rig.supports]
-    of_guides = [(one.name, guide_force(one, pressed, contact), one.capacity) for one in rig.guides]
-    found = {
-        "fenders": [_bump(name, force, float(force.max(initial=0.0))) for name, force in of_fenders],
-        "supports": [
-            _bump(name.removeprefix("support."), force, _TWO_WITHIN * capacity)
-            for name, force, capacity in of_supports
-            if capacity is not None
-        ],
-        "landing guides": [
-            _bump(name, force, _TWO_WITHIN * capacity)
-            for name, force, capacity in of_guides
-            if capacity is not None
-        ],
-    }
-    time = columns["time"]
-    return [
-        _missed(time, kind, *max(one for one in bumps if one is not None))
-        for kind, bumps in found.items()
-        if any(one is not None for one in bumps)
+    pressed, time = columns["contact_force"], columns["time"]
+    bumps = [
+        _bump(one.name, guide_force(one, pressed, contact), _TWO_WITHIN * one.capacity)
+        for one in rig.guides
+        if one.capacity is not None
     ]
+    found = [bump for bump in bumps if bump is not None]
+    if not found:
+        return []
+    largest, name, at = max(found)
+    apart = format_quantity(float(np.median(np.diff(time))), "s", 2)
+    when = f"{format_quantity(largest, 'kN', 1)} at {float(time[at]):.2f} s"
+    missed = f"samples {apart} apart miss the peaks of landing guides: {name} has {when}"
+    return [f"{missed}, and much less beside it; a shorter 'sample_interval' has more of them"]
 
 
 def _bump(name: str, force: FloatArray, least: float) -> tuple[float, str, int] | None:
@@ -217,14 +208,6 @@ def _bump(name: str, force: FloatArray, least: float) -> tuple[float, str, int] 
         return None
     at = int(np.argmax(np.where(missed, top, 0.0)))
     return float(top[at]), name, at + 1
-
-
-def _missed(time: FloatArray, kind: str, largest: float, name: str, at: int) -> str:
-    apart = format_quantity(float(np.median(np.diff(time))), "s", 2)
-    when = f"{format_quantity(largest, 'kN', 1)} at {float(time[at]):.2f} s"
-    had = f"{name} has {when}, and much less beside it"
-    missed = f"samples {apart} apart miss the peaks of {kind}: {had}"
-    return f"{missed}; a shorter 'sample_interval' has more of them"
 
 
 def command_warnings(columns: Mapping[str, Any], names: Mapping[str, Any]) -> list[str]:

@@ -78,6 +78,10 @@ pub struct Samples {
     pub rope_peak_tension: Vec<f64>,
     /// (rope) when that was [s].
     pub rope_peak_time: Vec<f64>,
+    /// (contact) largest normal force over all steps so far [N].
+    pub contact_peak_force: Vec<f64>,
+    /// (contact) when that was [s].
+    pub contact_peak_time: Vec<f64>,
 }
 
 /// Tensions that differ by less are alike, as a share: of a rope at rest the first of them is its largest.
@@ -164,14 +168,19 @@ impl Samples {
         }
     }
 
-    /// Every rope has a largest tension, also before there is any.
+    /// Every rope has a largest tension and every contact a largest force, also before there is any.
     pub fn make_room_for_peaks(&mut self, system: &System) {
-        self.rope_peak_tension.resize(system.all_ropes(), 0.0);
-        self.rope_peak_time.resize(system.all_ropes(), 0.0);
+        for peaks in [&mut self.rope_peak_tension, &mut self.rope_peak_time] {
+            peaks.resize(system.all_ropes(), 0.0);
+        }
+        for peaks in [&mut self.contact_peak_force, &mut self.contact_peak_time] {
+            peaks.resize(system.normal_rows().count(), 0.0);
+        }
     }
 
-    /// Keeps the largest tension of every rope: `peak` gives the largest force of a row in a step that ended at `q`, of a
-    /// rope with a curve its largest tension, and its time [s], where it is more than what is known, by more than rounding.
+    /// Keeps the largest tension of every rope and force of every contact: `peak` gives the largest force of a row in a
+    /// step that ended at `q`, of a rope with a curve its largest tension, and its time [s], where it is more than what is
+    /// known, by more than rounding.
     pub fn note_peaks(
         &mut self,
         system: &System,
@@ -186,6 +195,12 @@ impl Samples {
                 if let Some((force, time)) = peak(first + index, *known * (1.0 + ALIKE) / scale) {
                     (*known, *when) = (scale * force, time);
                 }
+            }
+        }
+        let peaks = self.contact_peak_force.iter_mut().zip(&mut self.contact_peak_time);
+        for (row, (known, when)) in system.normal_rows().zip(peaks) {
+            if let Some(largest) = peak(row, *known * (1.0 + ALIKE)) {
+                (*known, *when) = largest;
             }
         }
     }

@@ -13,6 +13,7 @@ pub fn named(samples: &Samples, columns: Columns, names: &Names, events: Vec<f64
     let (ropes, segments, points) = (names.rope.len(), names.segment.len(), names.rope_point.len());
     let (bodies, kinds) = (names.body.len(), names.energy_kind.len());
     let (event_count, peaks) = (events.len(), samples.rope_peak_tension.len());
+    let contacts = samples.contact_peak_force.len();
     let adjusted = if columns.rope_lengthening.is_empty() { 0 } else { ropes };
     vec![
         ("time", samples.time.clone(), vec![count]),
@@ -43,6 +44,8 @@ pub fn named(samples: &Samples, columns: Columns, names: &Names, events: Vec<f64
         ("residual_complementarity", samples.complementarity_residual.clone(), vec![count]),
         ("rope_peak_tension", samples.rope_peak_tension.clone(), vec![peaks]),
         ("rope_peak_time", samples.rope_peak_time.clone(), vec![peaks]),
+        ("contact_peak_force", samples.contact_peak_force.clone(), vec![contacts]),
+        ("contact_peak_time", samples.contact_peak_time.clone(), vec![contacts]),
         ("event_time", events, vec![event_count]),
     ]
 }

@@ -198,6 +198,8 @@ impl Samples {
             complementarity_residual,
             rope_peak_tension,
             rope_peak_time,
+            contact_peak_force,
+            contact_peak_time,
         } = self;
         let mut packer = Packer::default();
         for column in [
@@ -214,7 +216,7 @@ impl Samples {
         ] {
             packer.table(column, column.len() / time.len().max(1));
         }
-        for peaks in [rope_peak_tension, rope_peak_time] {
+        for peaks in [rope_peak_tension, rope_peak_time, contact_peak_force, contact_peak_time] {
             packer.table(peaks, peaks.len());
         }
         packer.rows(seats);
@@ -239,6 +241,8 @@ impl Samples {
             complementarity_residual: column()?,
             rope_peak_tension: column()?,
             rope_peak_time: column()?,
+            contact_peak_force: column()?,
+            contact_peak_time: column()?,
             seats: unpacker.rows()?,
             spots: unpacker.rows()?,
         };
@@ -297,13 +301,13 @@ mod tests {
         (0_usize..5, 0_usize..4, 0_usize..4).prop_flat_map(move |(count, wide, narrow)| {
             let numbers =
                 [1, wide, narrow, narrow, wide, 0, narrow, wide, 3, 1].map(|width| columns(count, width));
-            let peaks = [columns(1, wide), columns(1, wide)];
+            let peaks = [columns(1, wide), columns(1, wide), columns(1, narrow), columns(1, narrow)];
             let seats = prop::collection::vec(prop::collection::vec(seat(), narrow), count);
             let spots = prop::collection::vec(prop::collection::vec(spot(), wide), count);
             (Vec::from(numbers), peaks, seats, spots).prop_map(
                 |(mut columns, peaks, seat_rows, spot_rows)| {
                     let mut next = || columns.remove(0);
-                    let [rope_peak_tension, rope_peak_time] = peaks;
+                    let [rope_peak_tension, rope_peak_time, contact_peak_force, contact_peak_time] = peaks;
                     let mut samples = Samples {
                         time: next(),
                         q: next(),
@@ -317,6 +321,8 @@ mod tests {
                         complementarity_residual: next(),
                         rope_peak_tension,
                         rope_peak_time,
+                        contact_peak_force,
+                        contact_peak_time,
                         ..Samples::default()
                     };
                     seat_rows.iter().for_each(|row| samples.seats.push(row));
