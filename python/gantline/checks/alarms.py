@@ -40,6 +40,8 @@ _LEANS = math.radians(5.0)
 _ROUND = math.radians(45.0)
 #: Share of what hangs that pulls a boom aside [1].
 _ASIDE = 0.02
+#: Angles to the plate of a lug: a sixth of the force is across it, more is across than along it [rad].
+_ACROSS, _MOSTLY_ACROSS = math.radians(10.0), math.radians(45.0)
 #: Share of its least static force that what water does has to leave a sling [1].
 _OF_STATIC = 0.1
 
@@ -93,6 +95,18 @@ def _rope_factor(recording: Recording, rope: str) -> float:
     return 0.0 if moors_by_its_limit(recording, rope) else 2.3
 
 
+def _across_plate(recording: Recording, element: str) -> float:
+    """Angle to the plate of a lug past which it is bent by more than designers allow [rad].
+
+    Of a lug of which nobody says how its plate stands that past which more pulls across than along it, if it
+    stands as it is taken to.
+    """
+    holders = (*recording.rig.loads, *recording.rig.spreaders)
+    lugs = {f"{holder.name}.{name}": lug for holder in holders for name, lug in holder.lugs.items()}
+    is_said = element in lugs and not lugs[element].plate_is_assumed
+    return _ACROSS if is_said else _MOSTLY_ACROSS
+
+
 def _slack_in_water(recording: Recording, sling: str) -> float:
     """Tension below which a sling of a load that water bears goes slack and snatches in a larger wave [N].
 
@@ -132,8 +146,8 @@ SLACK_IN_WATER = Alarm(
     "a tenth of what slings bear at rest where water bears most: DNV-RP-H103, section 4, slack slings",
 )
 SLING_ANGLE = _of_all(math.radians(60.0), "slings are rated up to 60 deg: EN 13414-1, table 4")
-LUG_PLATE = _of_all(
-    math.radians(45.0), "more pulls across the plate than in its plane; plausible, no document"
+LUG_PLATE = Alarm(
+    _across_plate, "what pulls across a plate is beside the capacity of its lug; plausible, no document"
 )
 SLING_BENDING = _of_all(1.0, "0027/ND rev 11, 7.8.5, of the body of a sling")
 ROPE_FACTOR = Alarm(_rope_factor, "least safety factor of 0027/ND rev 11, 7.3.1, straight and with sockets")
