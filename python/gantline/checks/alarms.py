@@ -8,9 +8,11 @@ from collections.abc import Callable
 from gantline.checks.measure import Alarm
 from gantline.checks.moorings import moors_by_its_limit
 from gantline.results import series
+from gantline.results.gear import Spreader
 from gantline.results.loads.carried import carried_round
 from gantline.results.loads.hung_so import left_by_water
 from gantline.results.recording import Recording
+from gantline.results.rig import Load
 
 __all__ = [
     "FALLS",
@@ -101,7 +103,7 @@ def _across_plate(recording: Recording, element: str) -> float:
     Of a lug of which nobody says how its plate stands that past which more pulls across than along it, if it
     stands as it is taken to.
     """
-    holders = (*recording.rig.loads, *recording.rig.spreaders)
+    holders: list[Load | Spreader] = [*recording.rig.loads, *recording.rig.spreaders]
     lugs = {f"{holder.name}.{name}": lug for holder in holders for name, lug in holder.lugs.items()}
     is_said = element in lugs and not lugs[element].plate_is_assumed
     return _ACROSS if is_said else _MOSTLY_ACROSS

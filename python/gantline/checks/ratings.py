@@ -440,7 +440,7 @@ def _lead(
 
 def _over(
     recording: Recording, values: FloatArray, during: BoolArray, limit: float, element: str
-) -> Iterator[Finding]:
+) -> Iterator[Found]:
     def text(at: int) -> str:
         return f"{math.degrees(values[at]):.3f} deg / {math.degrees(limit):.4g} deg"
 
