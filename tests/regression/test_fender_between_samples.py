@@ -50,8 +50,9 @@ def test_a_bump_between_samples_counts(tmp_path: Path, integrator: str) -> None:
     sampled = coarse.column("fender_force", "aft").max()
     for fender in fine.rig.fenders:
         force, time = contact_peak(fine, fender.contact)
-        found = contact_peak(coarse, fender.contact)
-        assert found == (pytest.approx(force, rel=1e-3), pytest.approx(time, abs=0.02))
+        of_few, when = contact_peak(coarse, fender.contact)
+        assert of_few == pytest.approx(force, rel=1e-3)
+        assert when == pytest.approx(time, abs=0.02)
         assert force > 3.5e6 and sampled < 0.8 * force
     for run in (fine, coarse):
         (check,) = checks_of(run, "fender_force_of_capacity")

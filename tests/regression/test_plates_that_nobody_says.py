@@ -72,7 +72,7 @@ def test_who_says_nothing_is_told(lean: float, verdict: Verdict) -> None:
     ("plate", "types"),
     [
         (", main_plate: xz", ""),
-        (", main_plate: {turned: 20 deg}", ""),
+        (", main_plate: {turned: 15 deg}", ""),
         (", type: PL", "lug_types: {PL: {main_plate: xz}}\n"),
     ],
 )

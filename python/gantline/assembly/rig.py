@@ -345,6 +345,8 @@ def _sling(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
         ]
     if sling.upper_lug is not None:
         others["from_lug"] = sling.upper_lug
+    if weight := upper_lump(sling) * scenario.simulation.gravity:
+        others["upper_weight"] = weight
     return {
         "name": sling.name,
         "rope": f"sling.{sling.name}",

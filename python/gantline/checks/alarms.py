@@ -7,8 +7,12 @@ from collections.abc import Callable
 
 from gantline.checks.measure import Alarm
 from gantline.checks.moorings import moors_by_its_limit
+from gantline.results import series
+from gantline.results.gear import Spreader
 from gantline.results.loads.carried import carried_round
+from gantline.results.loads.hung_so import left_by_water
 from gantline.results.recording import Recording
+from gantline.results.rig import Load
 
 __all__ = [
     "FALLS",
@@ -20,6 +24,7 @@ __all__ = [
     "ROPE_FACTOR",
     "SHEAVE_BENDING",
     "SIDE_LEAD",
+    "SLACK_IN_WATER",
     "SLING_ANGLE",
     "SLING_BENDING",
     "SPREADER_TILT",
@@ -37,6 +42,10 @@ _LEANS = math.radians(5.0)
 _ROUND = math.radians(45.0)
 #: Share of what hangs that pulls a boom aside [1].
 _ASIDE = 0.02
+#: Angles to the plate of a lug: a sixth of the force is across it, more is across than along it [rad].
+_ACROSS, _MOSTLY_ACROSS = math.radians(10.0), math.radians(45.0)
+#: Share of its least static force that what water does has to leave a sling [1].
+_OF_STATIC = 0.1
 
 
 def _side_lead(recording: Recording, hook: str) -> float:
@@ -88,6 +97,39 @@ def _rope_factor(recording: Recording, rope: str) -> float:
     return 0.0 if moors_by_its_limit(recording, rope) else 2.3
 
 
+def _across_plate(recording: Recording, element: str) -> float:
+    """Angle to the plate of a lug past which it is bent by more than designers allow [rad].
+
+    Of a lug of which nobody says how its plate stands that past which more pulls across than along it, if it
+    stands as it is taken to.
+    """
+    holders: list[Load | Spreader] = [*recording.rig.loads, *recording.rig.spreaders]
+    lugs = {f"{holder.name}.{name}": lug for holder in holders for name, lug in holder.lugs.items()}
+    is_said = element in lugs and not lugs[element].plate_is_assumed
+    return _ACROSS if is_said else _MOSTLY_ACROSS
+
+
+def _slack_in_water(recording: Recording, sling: str) -> float:
+    """Tension below which a sling of a load that water bears goes slack and snatches in a larger wave [N].
+
+    Of the least that it bears at rest, once water bears the most of the load; none in air, where a load that
+    is turned, or goes from crane to crane, leaves slings slack on purpose, and of a load that floats.
+    """
+    rig = recording.rig
+    own = next(one for one in rig.slings if one.name == sling)
+    load = next((one for one in rig.loads if one.name == own.to_load and one.in_water is not None), None)
+    clear = series.is_clear(recording)
+    if load is None or not clear.any():
+        return -math.inf
+    left, tension = left_by_water(recording, load), series.sling_tension(recording, own)
+    still = []
+    for window in series.quiet_windows(recording):
+        bears, weighs = (series.static_value(recording, of, window) or 0.0 for of in (tension, left))
+        still.append(bears * float(left[clear].min()) / weighs if weighs > 0.0 else 0.0)
+    least = min(still, default=0.0)
+    return _OF_STATIC * least if least > 0.0 else -math.inf
+
+
 def _of_all(value: float, source: str) -> Alarm:
     """An alarm that is the same for every element, SI."""
     return Alarm(lambda _recording, _element: value, source)
@@ -101,9 +143,13 @@ SIDE_LEAD = Alarm(
     _side_lead, "lattice booms are made for 2 % of what is rated sideways, wind included: SAE J1093, J987"
 )
 TIPPING = _of_all(0.75, "crawler cranes are rated for 75 % of what tips them: ASME B30.5, 5-1.1.1")
+SLACK_IN_WATER = Alarm(
+    _slack_in_water,
+    "a tenth of what slings bear at rest where water bears most: DNV-RP-H103, section 4, slack slings",
+)
 SLING_ANGLE = _of_all(math.radians(60.0), "slings are rated up to 60 deg: EN 13414-1, table 4")
-LUG_PLATE = _of_all(
-    math.radians(45.0), "more pulls across the plate than in its plane; plausible, no document"
+LUG_PLATE = Alarm(
+    _across_plate, "what pulls across a plate is beside the capacity of its lug; plausible, no document"
 )
 SLING_BENDING = _of_all(1.0, "0027/ND rev 11, 7.8.5, of the body of a sling")
 ROPE_FACTOR = Alarm(_rope_factor, "least safety factor of 0027/ND rev 11, 7.3.1, straight and with sockets")

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Literal
 
 import numpy as np
 
 from gantline.checks.measure import Finding, extreme, to_either_side
+from gantline.checks.vessels import by_contingency
+from gantline.results.afloat.attitude import Lie
 from gantline.results.recording import Recording
-from gantline.results.variable import BoolArray
+from gantline.results.rotation import axes
+from gantline.results.variable import BoolArray, FloatArray
 
 #: Rounding of an angle at the end of its range [rad].
 _ROUNDING = 1e-9
@@ -37,3 +41,31 @@ def angle_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         left = np.minimum(angle - boom.range[0], boom.range[1] - angle)
         left = np.where(np.abs(left) < _ROUNDING, 0.0, left)
         yield from extreme(recording, left, during, boom.name, smallest=True)
+
+
+def lean_at_design(recording: Recording, crane: str, way: Literal["heel", "trim"]) -> FloatArray:
+    """`crane_heel` or `crane_trim` where the vessel of a crane lies as it would with the design weight.
+
+    As simulated of a crane ashore, and where no load has more than is simulated. What bears the boom goes
+    along with its vessel.
+
+    Args:
+        recording: The recording.
+        crane: Its name.
+        way: Which of them.
+
+    Returns:
+        Shape (time,) [rad].
+    """
+    boom = next((one for one in recording.rig.booms if one.name == crane and one.vessel), None)
+    vessel = next((one for one in recording.rig.vessels if boom and one.name == boom.vessel), None)
+    if boom is None or vessel is None or not vessel.by_contingency:
+        return recording.column(f"crane_{way}", crane)
+    aboard, base = (axes(recording.column("body_orientation", body)) for body in (vessel.body, boom.base))
+    heel, trim = (by_contingency(recording, vessel, of) for of in ("heel", "trim"))
+    up = Lie(aboard, np.zeros(len(recording.time))).at_lean(heel, trim)
+    along = base[:, :, {"heel": 1, "trim": 0}[way]]
+    lean: FloatArray = np.arcsin(
+        np.clip(np.einsum("ti,tij,tj->t", up, aboard.transpose(0, 2, 1), along), -1, 1)
+    )
+    return lean

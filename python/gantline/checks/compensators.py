@@ -7,7 +7,7 @@ from functools import partial
 
 from gantline.checks.equalizers import hanging_of_capacity
 from gantline.checks.force import over
-from gantline.checks.forces import sum_force
+from gantline.checks.forces import sum_force, with_upper_ends
 from gantline.checks.measure import Caution, Finding, Missing, extreme
 from gantline.results.cranes.compensators import borne, counted, met_while, slings_below
 from gantline.results.gear import Compensator
@@ -30,6 +30,7 @@ def peak_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[
             yield Missing(one.name, "rated capacity not known", is_strength=True)
         elif slings:
             force = sum_force(recording, borne(recording, one), slings[0].to_load, during)
+            force = with_upper_ends(recording, slings, force)
             yield from over(force, one.rated_capacity, one.name)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from gantline.checks.check import Check, Verdict
 from gantline.checks.design_weight import largest_ratios
 from gantline.checks.force import NO_STATIC, kilonewton, over
-from gantline.checks.forces import raised_of_capacity, sum_force
+from gantline.checks.forces import raised_of_capacity, sum_force, with_upper_ends
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
 from gantline.results.gear import Compensator, Equalizer, Sling, Spreader
@@ -76,6 +76,7 @@ def hanging_of_capacity(
     elif slings:
         vertical = [series.sling_upright(recording, sling) for sling in slings]
         force = sum_force(recording, np.sum(vertical, axis=0), slings[0].to_load, during)
+        force = with_upper_ends(recording, slings, force)
         if force.static is None:
             # What never hung still is rated all the same: the peak is no less.
             yield from over(force, gear.rated_capacity, gear.name)

@@ -334,9 +334,8 @@ def at_upper_end(recording: Recording, rope: str, force: Force, during: BoolArra
     if not more.any():
         return force
     own = series.static_value(recording, more, force.window)
-    if force.static is not None and own is not None:
-        text = f"({force.static_text} + {OWN_WEIGHT} {kilonewton(own)})"
-        force = with_rule(recording, replace(force, static=force.static + own, static_text=text))
+    if own is not None:
+        force = _with_own_weight(recording, force, own)
     if (way := force.on_the_way) is not None:
         hangs = float(np.interp(way.time, recording.time, more))
         force = replace(force, on_the_way=replace(way, peak=way.peak + hangs))
@@ -349,6 +348,28 @@ def at_upper_end(recording: Recording, rope: str, force: Force, during: BoolArra
     if highest is None:
         return force
     return replace(force, peak=highest.tension, time=highest.time, own_weight=highest.own_weight)
+
+
+def with_upper_ends(recording: Recording, slings: Iterable[Sling], force: Force) -> Force:
+    """What slings pull at gear above them, with what their upper ends hang on it beside that.
+
+    Shackles and halves of slings weigh what they weigh: contingency is one of loads.
+    """
+    own = sum(sling.upper_weight for sling in slings)
+    if own == 0.0:
+        return force
+    force = _with_own_weight(recording, force, own)
+    if (way := force.on_the_way) is not None:
+        force = replace(force, on_the_way=replace(way, peak=way.peak + own))
+    return force if force.peak is None else replace(force, peak=force.peak + own, own_weight=own)
+
+
+def _with_own_weight(recording: Recording, force: Force, own: float) -> Force:
+    """A static force with own weight [N], which the rule's factor raises too."""
+    if force.static is None:
+        return force
+    text = f"({force.static_text} + {OWN_WEIGHT} {kilonewton(own)})"
+    return with_rule(recording, replace(force, static=force.static + own, static_text=text))
 
 
 def _with_skew(recording: Recording, force: Force, perfect: float, load: str | None, rule: float) -> Force:

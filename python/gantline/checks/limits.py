@@ -37,6 +37,7 @@ from gantline.checks.alarms import (
     ROPE_FACTOR,
     SHEAVE_BENDING,
     SIDE_LEAD,
+    SLACK_IN_WATER,
     SLING_ANGLE,
     SLING_BENDING,
     SPREADER_TILT,
@@ -314,6 +315,7 @@ LIMITS: dict[str, Measure] = {
         slings.smallest_tension,
         at_least=True,
         when_clear=True,
+        alarm=SLACK_IN_WATER,
     ),
     "sling_bending_ratio": Measure(
         "diameter of a shackle's bow / diameter of the sling that bends about it (D/d)",

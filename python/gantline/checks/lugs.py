@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.checks.force import Force, Raised, over
-from gantline.checks.forces import factor, force_together, sling_forces
+from gantline.checks.forces import factor, force_together, sling_forces, with_upper_ends
 from gantline.checks.measure import Caution, Finding, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
@@ -85,7 +85,8 @@ class LugForce:
         of: The load or spreader that has it.
         name: Its name there.
         ends: The slings made fast to it, each with the number of its lower end, 0 at its upper one.
-        force: Their forces together: as vectors on each side of the lug, as sizes above and below it.
+        force: Their forces together: as vectors on each side of the lug, as sizes above and below it; with
+            what upper ends of slings below it weigh.
     """
 
     of: str
@@ -111,6 +112,7 @@ def lug_forces(recording: Recording, during: BoolArray) -> Iterator[LugForce]:
         force = forces[own[0].name]
         if len(own) > 1:
             force = force_together(recording, own, _together(recording, (of, lug), ends), during)
+        force = with_upper_ends(recording, [one for one in own if _is_above((of, lug), one)], force)
         yield LugForce(of, lug, ends, force)
 
 

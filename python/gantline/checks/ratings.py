@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 
+from gantline.checks.booms import lean_at_design
 from gantline.checks.design_weight import design_ratio
 from gantline.checks.force import UNRAISED, UNRAISED_IN_WATER, Force, kilonewton, to_design
 from gantline.checks.forces import factor, hook_force
@@ -34,8 +36,7 @@ from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
 SEVERAL = "several_cranes_factor"
-#: What a chart may be limited to, and the variables that are held against it, by crane or by hook.
-_OF_CRANE = {"heel": "crane_heel", "trim": "crane_trim"}
+#: What a chart may be limited to of a hook, and the variables that are held against it.
 _OF_HOOK = {"off_lead": "off_lead", "side_lead": "side_lead"}
 #: Share of what slings of one crane pull up to which those of the others bear nothing [1]: slack ones sway.
 _BEARS_NOTHING = 1e-3
@@ -381,11 +382,10 @@ def beyond_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         if shared:
             charts = {chart.crane: (chart, np.any(shared, axis=0) if chart.own else loaded)} | charts
         for of, (one, during_its_loads) in charts.items():
-            for key, variable in _OF_CRANE.items():
+            for key in ("heel", "trim"):
                 limit = getattr(one, key)
                 if limit is not None:
-                    values = np.abs(recording.column(variable, chart.crane))
-                    yield from _over(recording, values, during_its_loads, limit, f"{key} {of}")
+                    yield from _lean(recording, during_its_loads, limit, (key, chart.crane, of))
             yield from _in_waves(recording, during_its_loads, one.significant_height, of)
         for key, variable in _OF_HOOK.items():
             for hook in chart.hooks:
@@ -406,6 +406,17 @@ def _in_waves(recording: Recording, during: BoolArray, limit: float | None, of: 
     text = f"{sea.significant_height:.4g} m / {limit:.4g} m"
     used = np.full(len(recording.time), sea.significant_height / limit)
     yield from extreme(recording, used, during, element, lambda _: text)
+
+
+def _lean(
+    recording: Recording, during: BoolArray, limit: float, of: tuple[Literal["heel", "trim"], str, str]
+) -> Iterator[Found]:
+    """Heel or trim of what bears a boom over its limit, with the design weight on its vessel too."""
+    key, crane, element = of
+    values = np.abs(recording.column(f"crane_{key}", crane))
+    for found in _over(recording, values, during, limit, f"{key} {element}"):
+        worst = float(np.abs(lean_at_design(recording, crane, key))[during].max()) / limit
+        yield replace(found, at_design=worst if worst > found.value else None)
 
 
 def _lead(
@@ -429,7 +440,7 @@ def _lead(
 
 def _over(
     recording: Recording, values: FloatArray, during: BoolArray, limit: float, element: str
-) -> Iterator[Finding]:
+) -> Iterator[Found]:
     def text(at: int) -> str:
         return f"{math.degrees(values[at]):.3f} deg / {math.degrees(limit):.4g} deg"
 

@@ -30,18 +30,23 @@ def trim(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 def _leans(recording: Recording, during: BoolArray, way: Literal["heel", "trim"]) -> Iterator[Found]:
     for vessel in recording.rig.vessels:
         lies = recording.column(f"vessel_{way}", vessel.name)
-        with_design = np.abs(lies + _by_contingency(recording, vessel, way))
+        with_design = np.abs(lies + by_contingency(recording, vessel, way))
         for one in extreme(recording, np.abs(lies), during, vessel.name):
             worst = float(with_design[during].max())
             yield replace(one, at_design=worst if worst > one.value else None)
 
 
-def _by_contingency(
+def by_contingency(
     recording: Recording, vessel: Vessel, of: Literal["heel", "trim", "freeboard"]
 ) -> FloatArray:
     """What the design weight changes of how a vessel lies, shape (time,) [rad, m].
 
     Known where steps end and tanks get or lose their surface; in between it is taken to change evenly.
+
+    Args:
+        recording: The recording.
+        vessel: One of its vessels.
+        of: What changes.
     """
     known = vessel.by_contingency
     if not known:
@@ -59,7 +64,7 @@ def freeboard(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """
     for vessel in recording.rig.vessels:
         height = recording.column("vessel_freeboard", vessel.name)
-        least = float((height + _by_contingency(recording, vessel, "freeboard"))[during].min(initial=np.inf))
+        least = float((height + by_contingency(recording, vessel, "freeboard"))[during].min(initial=np.inf))
         for one in extreme(recording, height, during, vessel.name, smallest=True):
             yield replace(one, at_design=least if least < one.value else None)
         if not (during.all() and height.min() >= 0.0):

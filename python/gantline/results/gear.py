@@ -149,6 +149,8 @@ class Sling(FromJson):
         length: Effective sling length [m].
         minimum_breaking_force: Of its rope [N]; None if not said.
         shackles: Shackles at `top` and `bottom`.
+        upper_weight: What its upper end hangs on what holds it beside its tension [N]: of a lumped rope half,
+            its upper shackle, a chain hoist.
     """
 
     name: str
@@ -163,6 +165,7 @@ class Sling(FromJson):
     length: float | None = None
     minimum_breaking_force: float | None = None
     shackles: Mapping[str, Shackle] = field(default_factory=dict)
+    upper_weight: float = 0.0
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:

@@ -266,6 +266,7 @@ def boom_rig(scenario: Scenario, parts: Parts) -> list[Json]:
             "name": placed.crane,
             "boom": placed.name,
             "base": placed.base,
+            "vessel": _vessel_of(scenario, placed),
             "ropes": placed.ropes,
             "parts": 0 if placed.tackles is None else placed.tackles.parts,
             "range": None if placed.luffing is None else list(placed.luffing.range_),
@@ -278,6 +279,11 @@ def boom_rig(scenario: Scenario, parts: Parts) -> list[Json]:
         }
         for placed in scenario.booms.values()
     ]
+
+
+def _vessel_of(scenario: Scenario, placed: PlacedBoom) -> str:
+    crane = (scenario.cranes or {})[placed.crane]
+    return crane.vessel or "" if isinstance(crane, FloatingCrane) else ""
 
 
 def _wind_limit(scenario: Scenario, placed: PlacedBoom) -> float | None:

@@ -47,6 +47,16 @@ class Lie(NamedTuple):
         angle: FloatArray = np.arcsin(np.clip(self.up[..., 0], -1.0, 1.0))
         return angle
 
+    def at_lean(self, heel: FloatArray, trim: FloatArray) -> FloatArray:
+        """Upwards where it lies with another heel and trim, vessel axes, shape (..., 3).
+
+        Args:
+            heel: Change of its heel, shape (...) [rad].
+            trim: Change of its trim, shape (...) [rad].
+        """
+        heel, trim = self.heel + heel, self.trim + trim
+        return np.stack((np.sin(trim), np.cos(trim) * np.sin(heel), np.cos(trim) * np.cos(heel)), axis=-1)
+
     def draft(self, station: float) -> FloatArray:
         """At `station` [m] along it, along its own z in the centre plane, shape (...) [m]."""
         steep = np.where(

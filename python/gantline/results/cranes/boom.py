@@ -52,6 +52,7 @@ class Boom(FromJson):
         wind: Gust of this lift [m/s]; None if not said.
         hooks: Its hooks.
         slew: How it slews; None of one that does not.
+        vessel: The vessel on which its crane stands; empty of one on the ground.
     """
 
     name: str
@@ -66,6 +67,7 @@ class Boom(FromJson):
     wind: float | None = None
     hooks: Sequence[CraneHook] = ()
     slew: Slew | None = None
+    vessel: str = ""
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:
