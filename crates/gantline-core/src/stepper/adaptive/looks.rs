@@ -12,6 +12,10 @@ pub(super) const POINTS: usize = LOOKS.len() + 1;
 /// Shares of the step at the start and the looks.
 pub(super) const TIMES: [f64; POINTS] = [0.0, LOOKS[0], LOOKS[1], LOOKS[2], LOOKS[3], LOOKS[4]];
 
+/// How far a polynomial through values at these times goes past the largest of them at most, of what the values span:
+/// (Λ − 1)/2 with Λ = 2.43, the largest sum of the sizes of Lagrange's polynomials. What rests is searched for no peak.
+const OVERSHOOT: f64 = 0.72;
+
 /// One over the time between point k and the one `order` before it, by order and k.
 const SPANS: [[f64; POINTS]; POINTS] = {
     let mut spans = [[0.0; POINTS]; POINTS];
@@ -154,7 +158,9 @@ impl Looks {
         // Between points 0.3 of a step apart a course that such steps can follow rises by a few per cent at most; the
         // tension of a rope with a curve has corners, between which a polynomial may rise by anything.
         let most = self.forces[highest][row] / 0.9;
-        if most < least {
+        let lowest = self.forces.iter().fold(f64::INFINITY, |lowest, forces| lowest.min(forces[row]));
+        let range = self.forces[highest][row] - lowest;
+        if most.min(self.forces[highest][row] + OVERSHOOT * range) < least {
             return None;
         }
         let mut low = TIMES[highest.saturating_sub(1)];
@@ -170,5 +176,23 @@ impl Looks {
         let point = (self.forces[highest][row], TIMES[highest]);
         let (value, share) = if point.0 > inside.0 { point } else { inside };
         (value > least).then_some((value, share))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{OVERSHOOT, POINTS, TIMES};
+
+    /// Σ |l(x)| of Lagrange's polynomials through these times, at a thousand places between them.
+    #[test]
+    fn no_polynomial_goes_farther_past_its_values() {
+        let size = |x: f64, i: usize| {
+            let others = (0..POINTS).filter(|&j| j != i);
+            others.map(|j| (x - TIMES[j]) / (TIMES[i] - TIMES[j])).product::<f64>().abs()
+        };
+        let sums = (0..=1000).map(|k| (0..POINTS).map(|i| size(f64::from(k) / 1000.0, i)).sum::<f64>());
+        let largest = sums.fold(0.0, f64::max);
+        assert!((largest - 2.429).abs() < 1e-3, "{largest}");
+        assert!(largest < 1.0 + 2.0 * OVERSHOOT);
     }
 }
