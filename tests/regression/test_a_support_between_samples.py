@@ -2,8 +2,8 @@
 
 Forces of supports were those of samples. A module of 100 t that comes down at 10 m/min is stopped by four
 stiff supports within 60 ms, and each bears 440 kN, 112 % of its capacity. With samples 0.1 s apart it was
-369 kN, and the check `support_force_of_capacity` was ok with 94 %. Of a landing guide, which several contacts
-make, they are still those of samples: a bump that these miss is told.
+369 kN, and the check `support_force_of_capacity` was ok with 94 %. What several contacts of a landing
+guide bear together is still that of samples: a bump that these miss is told.
 """
 
 from __future__ import annotations
@@ -88,20 +88,23 @@ def test_a_recording_from_before_has_its_samples() -> None:
 
 
 @pytest.mark.parametrize(
-    ("forces", "is_told"),
+    ("forces", "share", "is_told"),
     [
-        ([0.0, 0.0, 0.5, 0.9, 0.5, 0.0, 0.0], True),
-        ([0.0, 0.45, 0.8, 0.9, 0.8, 0.45, 0.0], False),
-        ([0.9, 0.9, 0.9, 0.0, 0.0, 0.0, 0.0], False),
-        ([0.9, 0.9, 0.9, 0.6, 0.3, 0.0, 0.0], False),
-        ([0.0, 0.2, 0.7, 0.0, 0.0, 0.9, 0.9], False),
+        ([0.0, 0.0, 0.5, 0.9, 0.5, 0.0, 0.0], 0.5, True),
+        ([0.0, 0.0, 0.5, 0.9, 0.5, 0.0, 0.0], 0.06, True),
+        ([0.0, 0.0, 0.5, 0.9, 0.5, 0.0, 0.0], 0.04, False),
+        ([0.0, 0.45, 0.8, 0.9, 0.8, 0.45, 0.0], 0.5, False),
+        ([0.9, 0.9, 0.9, 0.0, 0.0, 0.0, 0.0], 0.5, False),
+        ([0.9, 0.9, 0.9, 0.6, 0.3, 0.0, 0.0], 0.5, False),
+        ([0.0, 0.2, 0.7, 0.0, 0.0, 0.9, 0.9], 0.5, False),
     ],
-    ids=["bump", "followed", "taken away", "lifted", "less than 71 %"],
+    ids=["bump", "mostly of one", "of one contact", "followed", "taken away", "lifted", "less than 71 %"],
 )
-def test_bumps_and_what_is_none(forces: list[float], is_told: bool) -> None:
-    """Forces over a capacity of 1 N, of a wall that guides."""
-    rig = Rig(guides=[Guide("post", "module", {"wall": ["wall"]}, capacity=1.0)])
-    columns = {"time": 0.1 * np.arange(len(forces)), "contact_force": np.array(forces)[:, None]}
-    found = missed_bumps(rig, columns, {"contact": ["wall"]})
+def test_bumps_and_what_is_none(forces: list[float], share: float, is_told: bool) -> None:
+    """Forces over a capacity of 1 N, of a wall that guides, of which one of its two contacts has a share."""
+    rig = Rig(guides=[Guide("post", "module", {"wall": ["wall/1", "wall/2"]}, capacity=1.0)])
+    pressed = np.array([[share * force, (1.0 - share) * force] for force in forces])
+    columns = {"time": 0.1 * np.arange(len(forces)), "contact_force": pressed}
+    found = missed_bumps(rig, columns, {"contact": ["wall/1", "wall/2"]})
     assert bool(found) is is_told
     assert all(one.startswith("samples 0.10 s apart miss the peaks of landing guides: ") for one in found)

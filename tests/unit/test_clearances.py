@@ -13,7 +13,8 @@ from gantline.checks.measure import Finding, Found, Missing
 from gantline.report.attitude import attitude
 from gantline.report.subject import Subject
 from gantline.results import series
-from gantline.results.loads.clearances import clearance_events, contact_warnings, peak_support_force
+from gantline.results.loads.clearances import clearance_events, contact_warnings
+from gantline.results.loads.contact_peaks import contact_peak
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
 from gantline.results.variable import FloatArray, Variable
@@ -118,7 +119,7 @@ def test_the_first_page_names_the_pair_that_is_nearest_to_what_it_has_to_keep() 
 
 def test_peaks_and_metrics() -> None:
     given = recording()
-    assert peak_support_force(given, "support.keel.1") == (120e3, 2.0)
+    assert contact_peak(given, "support.keel.1") == (120e3, 2.0)
     metrics = given.metrics()
     assert metrics["peak_support_force"] == 120e3
     assert metrics["peak_support_force.support.keel.2"] == pytest.approx(20e3)

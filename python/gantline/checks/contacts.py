@@ -10,8 +10,8 @@ import numpy as np
 from gantline.checks.design_weight import largest_ratios
 from gantline.checks.forces import raised_of_capacity
 from gantline.checks.measure import Finding, Missing, extreme
-from gantline.results import series
 from gantline.results.loads.clearances import watched_during
+from gantline.results.loads.contact_peaks import contact_peak
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 
@@ -27,7 +27,7 @@ def of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         stand = [load.name for load in recording.rig.loads if support.name in load.contacts]
         ratios = largest_ratios(recording, stand)
         force = recording.column("contact_force", support.name)
-        of_steps = series.contact_peak(recording, support.name)
+        of_steps = contact_peak(recording, support.name)
         yield from raised_of_capacity(
             recording, during, support.name, force, ratios, support.capacity, of_steps
         )

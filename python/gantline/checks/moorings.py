@@ -9,7 +9,7 @@ import numpy as np
 from gantline.checks.force import OWN_WEIGHT, kilonewton
 from gantline.checks.forces import raised_of_capacity
 from gantline.checks.measure import Finding, Found, Missing
-from gantline.results import series
+from gantline.results.loads.contact_peaks import contact_peak
 from gantline.results.recording import Recording
 from gantline.results.ropes.upper_end import peak_at_upper_end
 from gantline.results.variable import BoolArray
@@ -45,7 +45,7 @@ def fender_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Find
             yield Missing(fender.name, "no capacity")
             continue
         force = recording.column("fender_force", fender.name)
-        of_steps = series.contact_peak(recording, fender.contact)
+        of_steps = contact_peak(recording, fender.contact)
         yield from raised_of_capacity(
             recording, during, fender.name, force, np.ones_like(force), capacity, of_steps
         )

@@ -21,6 +21,7 @@ from gantline.cli.table import ABSENT, cut, pairs, show, table
 from gantline.cli.vessels import vessels
 from gantline.results import series
 from gantline.results.alike import first_peak
+from gantline.results.loads.contact_peaks import contact_peak
 from gantline.results.loads.drift import load_drift
 from gantline.results.loads.hung_so import has_hung_so
 from gantline.results.loads.lift_off import lift_off_in_words
@@ -289,7 +290,7 @@ def _fenders(recording: Recording) -> list[str]:
     rows: list[tuple[str, ...]] = []
     for fender in recording.rig.fenders:
         force = recording.column("fender_force", fender.name)
-        peak, time = series.contact_peak(recording, fender.contact)
+        peak, time = contact_peak(recording, fender.contact)
         last = show(float(force[-1]), "kN", 1)
         used = show(fender.used_by(peak), "%", 1)
         rows.append((fender.name, last, show(peak, "kN", 1), show(time, "s", 2), used))

@@ -20,6 +20,7 @@ from gantline.results.afloat.tanks import ran_through_holes
 from gantline.results.afloat.vessels import AS_CARRIED, Vessel
 from gantline.results.alike import first_peak
 from gantline.results.file.saved import SavedLostLoad, SavedSwing
+from gantline.results.loads.contact_peaks import contact_peak
 from gantline.results.progress import spans
 from gantline.results.ropes.parting import PLANNED, partings
 from gantline.results.rotation import axes
@@ -263,7 +264,7 @@ def _moorings(subject: Subject) -> list[tuple[str, str]]:
         used = share(force, line.minimum_breaking_force)
         text = f"{line.name} {show(force, 'kN', 0)} at {show(time, 's', 1)}"
         rows.append(("largest mooring force", text + (f", {show(used, '%', 0)} of breaking" if used else "")))
-    presses = [(series.contact_peak(recording, fender.contact), fender) for fender in rig.fenders]
+    presses = [(contact_peak(recording, fender.contact), fender) for fender in rig.fenders]
     if presses:
         (force, time), fender = presses[first_peak([one[0][0] for one in presses])]
         used = fender.used_by(force)

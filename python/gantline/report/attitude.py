@@ -9,6 +9,7 @@ from gantline.report.subject import ABSENT, Subject, show, typeset
 from gantline.results import series
 from gantline.results.alike import first_peak
 from gantline.results.loads.clearances import watched_during
+from gantline.results.loads.contact_peaks import guide_peak
 from gantline.results.loads.drift import load_drift
 from gantline.results.loads.hinges import hinge_force
 from gantline.results.loads.lift_off import lift_off_in_words
@@ -116,11 +117,7 @@ def _guides(subject: Subject) -> list[tuple[str, str]]:
     """What the landing guides bear at most, and what that is of the weight that they guide."""
     rig = subject.rig
     weights = {load.name: load.weight for load in rig.loads}
-    presses = [
-        (peak, guide)
-        for guide in rig.guides
-        if (peak := subject.peak(subject.recording.column("guide_force", guide.name))) is not None
-    ]
+    presses = [(guide_peak(subject.recording, guide), guide) for guide in rig.guides]
     if not presses:
         return []
     (force, time), guide = presses[first_peak([one[0][0] for one in presses])]

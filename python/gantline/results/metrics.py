@@ -39,7 +39,7 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
 - `peak_fleet_angle` [rad]: largest angle of a carrying rope to the plane of a sheave
 - `lift_off_time` [s]: when the last contact force under the last load first became zero; absent where all
   hang clear from the start, and of a lift at rest
-- `peak_support_force.<support>` [N]: largest force of that support at any sample
+- `peak_support_force.<support>` [N]: largest force of that support over all steps
 - `peak_support_force` [N]: the largest of them
 - `smallest_clearance.<pair>` [m]: smallest distance of that watched pair at any sample of its steps; absent
   where its ropes are off, or have parted, at all of them
@@ -67,9 +67,10 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   where that is known
 - `final_mooring_tension.<line>` [N]: its tension at the last sample
 - `peak_tag_line_tension.<line>` [N]: largest tension of that tag line over all steps
-- `peak_fender_force.<fender>` [N]: largest force of that fender at any sample
+- `peak_fender_force.<fender>` [N]: largest force of that fender over all steps
 - `peak_fender_force_of_capacity` [1]: largest of them over the capacity of its fender, where that is known
-- `peak_guide_force.<guide>` [N]: largest force of that landing guide at any sample
+- `peak_guide_force.<guide>` [N]: largest force of that landing guide at any sample, or of one of its contacts
+  over all steps
 - `peak_guide_force_of_capacity` [1]: largest of them over the capacity of its guide, where that is known
 - `least_freeboard` [m]: least height of the deck edge and openings of any vessel above the water
 - `peak_sheave_tension_ratio`, `final_sheave_tension_ratio` [1]: largest ratio of the tensions on both sides
@@ -107,7 +108,8 @@ from gantline.results import series
 from gantline.results.alike import earliest_peak
 from gantline.results.cranes.compensators import borne, range_of
 from gantline.results.cranes.rating import chart_used
-from gantline.results.loads.clearances import peak_support_force, watched_during
+from gantline.results.loads.clearances import watched_during
+from gantline.results.loads.contact_peaks import contact_peak, guide_peak
 from gantline.results.loads.drift import load_drift
 from gantline.results.loads.hinges import axial_force, hinge_force, hinge_moment, radial_force
 from gantline.results.loads.hung_so import has_hung_so, tells_dynamics
@@ -214,10 +216,10 @@ def _parted(recording: Recording) -> Iterator[_Metric]:
 
 def _supports(recording: Recording) -> Iterator[_Metric]:
     rig = recording.rig
+    peaks = {one.name: contact_peak(recording, one.name)[0] for one in rig.supports}
     for support in rig.supports:
-        yield f"peak_support_force.{support.name}", peak_support_force(recording, support.name)[0]
-    peaks = [peak_support_force(recording, support.name)[0] for support in rig.supports]
-    yield "peak_support_force", _largest(peaks)
+        yield f"peak_support_force.{support.name}", peaks[support.name]
+    yield "peak_support_force", _largest(peaks.values())
     for watch in rig.watches:
         distance = recording.column("clearance", watch.name)[watched_during(recording, watch)]
         least = float(distance.min(initial=np.inf))
@@ -346,7 +348,7 @@ def _moorings(recording: Recording) -> Iterator[_Metric]:
     known = [(line.name, line.minimum_breaking_force) for line in lines]
     used = [tension[name] / strength for name, strength in known if strength is not None]
     yield "peak_mooring_tension_of_breaking_force", _largest(used)
-    force = {one.name: float(recording.column("fender_force", one.name).max()) for one in fenders}
+    force = {one.name: contact_peak(recording, one.contact)[0] for one in fenders}
     for name, peak in force.items():
         yield f"peak_fender_force.{name}", peak
     pressed = [share for one in fenders if (share := one.used_by(force[one.name])) is not None]
@@ -355,7 +357,7 @@ def _moorings(recording: Recording) -> Iterator[_Metric]:
 
 def _guides(recording: Recording) -> Iterator[_Metric]:
     guides = recording.rig.guides
-    force = {one.name: float(recording.column("guide_force", one.name).max()) for one in guides}
+    force = {one.name: guide_peak(recording, one)[0] for one in guides}
     for name, peak in force.items():
         yield f"peak_guide_force.{name}", peak
     pressed = [share for one in guides if (share := one.used_by(force[one.name])) is not None]

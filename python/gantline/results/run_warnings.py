@@ -42,6 +42,8 @@ _BESIDE = 0.8
 _STANDS_OUT = 0.99
 #: Least share of its peak that a bump has in one of two samples within it: cos(π/4).
 _TWO_WITHIN = math.sqrt(0.5)
+#: Share of the force of a landing guide that one contact of it has whose peak over all steps will do.
+_ALONE = 0.95
 #: How far below the ground a hook is told [m].
 _BELOW = 0.1
 
@@ -172,9 +174,9 @@ def still_growing(document: Mapping[str, Any], rig: Rig, columns: Columns, names
 
 
 def missed_bumps(rig: Rig, columns: Columns, names: Names) -> list[str]:
-    """A warning where a landing guide is pressed and let go within few samples; nothing else knows its force.
+    """A warning where several contacts of a landing guide are pressed and let go within few samples.
 
-    It is that of several contacts together, of which peaks over all steps are kept one by one. Of half a
+    Peaks over all steps are kept of contacts one by one: where one has all of it they tell. Of half a
     swing that takes D samples Δt apart have cos(πΔt/2D) of the peak P at least. Whenever they are taken,
     y = P cos(πt/D) has (y(t - Δt) + y(t + Δt))/2y(t) = cos(πΔt/D): 95 % and 0.8 of Δt/D = 0.2. What counts
     may be past its capacity: 71 % of it where two samples at least are within the swing.
@@ -182,7 +184,12 @@ def missed_bumps(rig: Rig, columns: Columns, names: Names) -> list[str]:
     contact = {name: place for place, name in enumerate(names["contact"])}
     pressed, time = columns["contact_force"], columns["time"]
     bumps = [
-        _bump(one.name, guide_force(one, pressed, contact), _TWO_WITHIN * one.capacity)
+        _bump(
+            one.name,
+            guide_force(one, pressed, contact),
+            pressed[:, [contact[name] for name in one.contacts]].max(axis=1),
+            _TWO_WITHIN * one.capacity,
+        )
         for one in rig.guides
         if one.capacity is not None
     ]
@@ -196,14 +203,15 @@ def missed_bumps(rig: Rig, columns: Columns, names: Names) -> list[str]:
     return [f"{missed}, and much less beside it; a shorter 'sample_interval' has more of them"]
 
 
-def _bump(name: str, force: FloatArray, least: float) -> tuple[float, str, int] | None:
+def _bump(name: str, force: FloatArray, one: FloatArray, least: float) -> tuple[float, str, int] | None:
     """Largest bump of a force over time from `least` [N] on: its sample [N], the name, its place; or None.
 
-    What has stood and is let go, or lifts, has as much as the sample before and is no bump.
+    What has stood and is let go, or lifts, has as much as the sample before and is no bump. Where `one`
+    contact has nearly all of it there is nothing to tell.
     """
     top, before, after = force[1:-1], force[:-2], force[2:]
     stands_out = np.maximum(before, after) < _STANDS_OUT * top
-    missed = (before + after < 2 * _BESIDE * top) & stands_out & (top >= least)
+    missed = (before + after < 2 * _BESIDE * top) & stands_out & (top >= least) & (one[1:-1] < _ALONE * top)
     if not missed.any():
         return None
     at = int(np.argmax(np.where(missed, top, 0.0)))

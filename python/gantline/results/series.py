@@ -563,25 +563,6 @@ def rope_peak(recording: Recording, rope: str) -> tuple[float, float]:
     return earliest_peak(of_steps, *([] if of_samples is None else [of_samples]))
 
 
-def contact_peak(recording: Recording, contact: str) -> tuple[float, float]:
-    """Largest normal force of a contact over all steps, not only over the samples.
-
-    Recordings from before it was kept, and equilibria, have that of their samples.
-
-    Returns:
-        Force [N] and its time [s].
-    """
-    force = recording.column("contact_force", contact)
-    of_samples = peak(recording, force, everywhere(recording)) or (0.0, 0.0)
-    if recording.is_equilibrium or "contact_peak_force" not in recording:
-        return of_samples
-    of_steps = (
-        float(recording.column("contact_peak_force", contact)),
-        float(recording.column("contact_peak_time", contact)),
-    )
-    return earliest_peak(of_steps, of_samples)
-
-
 def peak(
     recording: Recording, values: FloatArray, during: BoolArray | None = None
 ) -> tuple[float, float] | None:

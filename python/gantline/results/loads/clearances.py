@@ -7,13 +7,12 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from gantline.results.alike import first_peak
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig, Watch
 from gantline.results.variable import BoolArray, Columns, FloatArray, Names
 from gantline.units import length_digits, telling_digits
 
-__all__ = ["clearance_events", "contact_warnings", "peak_support_force", "watched_during", "watched_span"]
+__all__ = ["clearance_events", "contact_warnings", "watched_during", "watched_span"]
 
 #: A sample at the time of an event shows a support before it was taken away; rounding of that time [s].
 _AT_ONCE = 1e-9
@@ -142,10 +141,3 @@ def _force_before(columns: Columns, names: Names, contact: str, moment: float) -
     """Force of a contact at the last sample up to a moment [N]."""
     before = int(np.searchsorted(columns["time"], moment + _AT_ONCE, side="right")) - 1
     return float(columns["contact_force"][max(before, 0), list(names["contact"]).index(contact)])
-
-
-def peak_support_force(recording: Recording, support: str) -> tuple[float, float]:
-    """Largest force of a support over the samples [N], and when that was [s]."""
-    force = recording.column("contact_force", support)
-    at = first_peak(force)
-    return float(force[at]), float(recording.time[at])
