@@ -57,11 +57,13 @@ pub struct Followed {
 }
 
 /// Finds all spots anew at the poses, but those on tops of supports and of rims whose row is `held`; `changed` hears of every one that
-/// is not where it was, with the index of its touch and what it was and is.
+/// is not where it was, with the index of its touch and what it was and is. On the top of a support a place that is `deeper` or less
+/// deep by that [m] is another, however near it is.
 pub fn find(
     system: &System,
     kinematics: &Kinematics,
     spots: &mut [Spot],
+    deeper: f64,
     held: impl Fn(usize) -> bool,
     mut changed: impl FnMut(&Touch, &Spot, &Spot),
 ) {
@@ -70,9 +72,12 @@ pub fn find(
         match finder {
             Finder::Pad(index, pad) => {
                 let AnyConstraint::Touch(touch) = &system.constraints[*index] else { continue };
-                let found = pad.spot(kinematics.pose_of(touch.facing.bodies[0]));
+                let pose = kinematics.pose_of(touch.facing.bodies[0]);
+                let found = pad.spot(pose);
                 let spot = &mut spots[touch.spot];
-                let near = (spot.point - found.point).length() < STAYS_ON_PAD;
+                let depths = [spot.point, found.point].map(|point| pad.top.depth(pose.point(point)));
+                let near = (spot.point - found.point).length() < STAYS_ON_PAD
+                    && (depths[0] - depths[1]).abs() < deeper;
                 let stays = spot.is_near && (held(system.rows.first[*index]) || found.is_near && near);
                 if !stays && found != *spot {
                     changed(touch, spot, &found);
@@ -227,6 +232,7 @@ pub fn follow(
         system,
         kinematics,
         &mut spots,
+        SAME_DEPTH,
         |_| false,
         |touch, old, new| {
             let row = first_row(system, touch);
