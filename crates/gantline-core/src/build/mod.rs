@@ -135,7 +135,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         plan,
         clock: Clock::default(),
     };
-    find(&system, &start, &mut spots, |_| false, |_, _, _| {});
+    find(&system, &start, &mut spots, 0.0, |_| false, |_, _, _| {});
     let state = first_state(spec, &mut system, (q, v), (seats, spots))?;
     Ok((system, state))
 }

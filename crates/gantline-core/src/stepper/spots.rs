@@ -30,6 +30,10 @@ const TURNED: f64 = 1e-4;
 const SAME_DEPTH: f64 = 1e-7;
 /// A point of a body on a support stays the same within this [m].
 const STAYS_ON_PAD: f64 = 2e-4;
+/// A body slides over the top of a support by no more than so many tolerances of position in a step, or by the second [m]. The
+/// place that carries is fixed in the body meanwhile and so goes along with it, as far as that: forces of supports that are
+/// s apart are off by that over s, of which no error estimate knows.
+const SLIDES: (f64, f64) = (50.0, 5e-4);
 /// How far beyond the edge of a support a place that carries is seen to have left it [m].
 const EDGE: f64 = 1e-3;
 /// How far beyond the end of a side a place at which a post and a wall press is followed [m]. On a cone or a flare it is
@@ -53,11 +57,13 @@ pub struct Followed {
 }
 
 /// Finds all spots anew at the poses, but those on tops of supports and of rims whose row is `held`; `changed` hears of every one that
-/// is not where it was, with the index of its touch and what it was and is.
+/// is not where it was, with the index of its touch and what it was and is. On the top of a support a place that is `deeper` or less
+/// deep by that [m] is another, however near it is.
 pub fn find(
     system: &System,
     kinematics: &Kinematics,
     spots: &mut [Spot],
+    deeper: f64,
     held: impl Fn(usize) -> bool,
     mut changed: impl FnMut(&Touch, &Spot, &Spot),
 ) {
@@ -66,9 +72,12 @@ pub fn find(
         match finder {
             Finder::Pad(index, pad) => {
                 let AnyConstraint::Touch(touch) = &system.constraints[*index] else { continue };
-                let found = pad.spot(kinematics.pose_of(touch.facing.bodies[0]));
+                let pose = kinematics.pose_of(touch.facing.bodies[0]);
+                let found = pad.spot(pose);
                 let spot = &mut spots[touch.spot];
-                let near = (spot.point - found.point).length() < STAYS_ON_PAD;
+                let depths = [spot.point, found.point].map(|point| pad.top.depth(pose.point(point)));
+                let near = (spot.point - found.point).length() < STAYS_ON_PAD
+                    && (depths[0] - depths[1]).abs() < deeper;
                 let stays = spot.is_near && (held(system.rows.first[*index]) || found.is_near && near);
                 if !stays && found != *spot {
                     changed(touch, spot, &found);
@@ -223,6 +232,7 @@ pub fn follow(
         system,
         kinematics,
         &mut spots,
+        SAME_DEPTH,
         |_| false,
         |touch, old, new| {
             let row = first_row(system, touch);
@@ -278,15 +288,23 @@ pub fn note_lift_off(system: &System, state: &State, group: usize, time: f64, lo
 }
 
 /// The longest step in which no two shapes come closer than half of what their spots reach, no place that carries
-/// passes the edge of its support by more than [`EDGE`], or the end of a side of its post by more than [`END`], and no
-/// rim that carries rolls farther than [`ROLLS`] [s], by how fast they move.
-pub fn limit(system: &System, kinematics: &Kinematics, twists: &[Twist], state: &State) -> f64 {
+/// slides farther than [`SLIDES`] or passes the edge of its support by more than [`EDGE`], or the end of a side of its post
+/// by more than [`END`], and no rim that carries rolls farther than [`ROLLS`] [s], by how fast they move; `tolerance` is that
+/// of positions [m].
+pub fn limit(
+    system: &System,
+    kinematics: &Kinematics,
+    twists: &[Twist],
+    state: &State,
+    tolerance: f64,
+) -> f64 {
     let (mut most, mut nears) = (f64::INFINITY, Vec::new());
     for finder in &system.finders {
         let shapes = match finder {
             Finder::Pair { shapes, .. } => shapes,
             Finder::Pad(index, pad) => {
-                most = most.min(to_edge(system, kinematics, twists, state, (*index, pad)));
+                let slides = f64::max(SLIDES.0 * tolerance, SLIDES.1);
+                most = most.min(on_top(system, kinematics, twists, state, (*index, pad), slides));
                 continue;
             }
             Finder::Rim(index, plane) => {
@@ -327,13 +345,14 @@ pub fn limit(system: &System, kinematics: &Kinematics, twists: &[Twist], state: 
     most
 }
 
-/// How long the place at which a body carries on a support stays on its top [s].
-fn to_edge(
+/// How long the place at which a body carries on a support stays on its top, and slides by no more than `slides` [m] [s].
+fn on_top(
     system: &System,
     kinematics: &Kinematics,
     twists: &[Twist],
     state: &State,
     (index, pad): (usize, &Pad),
+    slides: f64,
 ) -> f64 {
     let AnyConstraint::Touch(touch) = &system.constraints[index] else { return f64::INFINITY };
     if !state.modes[system.rows.first[index]].carries() {
@@ -342,8 +361,9 @@ fn to_edge(
     let place = kinematics.point(touch.facing.bodies[0], state.spots[touch.spot].point);
     let velocity = kinematics.point_velocity(twists, touch.facing.bodies[0], place);
     let sides = pad.top.along(place).into_iter().zip(pad.top.tangents).zip(pad.half);
-    let times =
-        sides.map(|((along, tangent), half)| (half - along.abs()).max(EDGE) / tangent.dot(velocity).abs());
+    let times = sides.map(|((along, tangent), half)| {
+        (half - along.abs()).max(EDGE).min(slides) / tangent.dot(velocity).abs()
+    });
     times.fold(f64::INFINITY, f64::min)
 }
 

@@ -334,7 +334,8 @@ impl Search {
     }
 
     /// Bodies may touch where they are near each other here. What a support bears stays on it: without friction it would
-    /// slide, and off the edge in the end. Where it comes to stand anew friction holds nothing yet.
+    /// slide, and off the edge in the end. Where it comes to stand anew friction holds nothing yet, and a place that followed
+    /// each step by its depth would keep a load that rolls from ever settling.
     fn find_spots(&mut self, system: &System, state: &mut State, bearings: &[Bearing]) {
         let mut changed = false;
         let Potential { frame, follows, .. } = &self.here;
@@ -343,6 +344,7 @@ impl Search {
             system,
             &frame.kinematics,
             &mut spots,
+            f64::INFINITY,
             |row| follows[row],
             |touch, old, new| {
                 changed = true;

@@ -18,7 +18,8 @@ impl Adaptive {
         h = prescribed::turning_limit(system, state, h.min(stop - state.time));
         if !system.finders.is_empty() {
             let here = &self.rodas.here;
-            h = h.min(spots::limit(system, &here.frame.kinematics, &here.dynamics.twists, state));
+            let (kinematics, twists) = (&here.frame.kinematics, &here.dynamics.twists);
+            h = h.min(spots::limit(system, kinematics, twists, state, self.tolerance.position));
         }
         h
     }
