@@ -150,7 +150,7 @@ def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
         ratio = design_ratio(recording, window=window)
         if hooks or outer:
             ratio = max(design_ratio(recording), _hoist_ratio(recording, hooks, window))
-        forces.append(_raised(recording, column, ratio, window))
+        forces.append(replace(_raised(recording, column, ratio, window), contingency=max(ratio, 1.0)))
     force = max(forces, key=lambda force: force.static or 0.0)
     return _with_peak(recording, force, rope, during)
 
@@ -423,6 +423,7 @@ def _with_raised_peak(
     """
     if recording.is_equilibrium or force.static is None or force.is_heavier:
         return force
+    force = replace(force, contingency=max(ratio, 1.0))
     highest = series.peak(recording, values, during & never_hung_so(recording))
     if highest is None:
         return force
