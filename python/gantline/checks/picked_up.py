@@ -141,6 +141,8 @@ def _stands_for_good(recording: Recording, load: Load) -> float | None:
     """
     kinds = {step.step: step.acts_as for step in recording.rig.plan}
     downs = [time for time, _, name in recording.events("set_down") if name == load.name]
+    if not len(recording.time):  # before a run
+        return None
     down = downs[-1] if downs else 0.0
     if downs and not any(kinds.get(step) in _LOWERS for step in _steps_at(recording, down)):
         return None
