@@ -7,6 +7,8 @@ limit, and said nothing of a rod that the design weight would have on its stop, 
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from gantline.checks import Check, Verdict
@@ -20,7 +22,7 @@ from shown import ROOT, lift_on
 TEXT = lift_on(ROOT / "docs" / "concepts" / "compensator.md", "A manifold under a passive compensator")
 #: Stroke [m], pulls of the gas at both ends of it [N], exponent, and the column of gas by (PC2) [m].
 STROKE, ROD_IN, ROD_OUT, N = 3.0, 600e3, 900e3, 1.1
-COLUMN = STROKE / (1.0 - (ROD_IN / ROD_OUT) ** (1.0 / N))
+COLUMN = STROKE / (1.0 - math.pow(ROD_IN / ROD_OUT, 1.0 / N))
 G = 9.81
 
 
@@ -43,7 +45,7 @@ def told(recording: Recording) -> Check:
 def out(mass: float) -> float:
     """(PC1) turned round: the rod of 2 t and so much below it pull the gas with their weight."""
     pull = (mass + 2.0) * 1e3 * G
-    return COLUMN * (1.0 - (ROD_IN / pull) ** (1.0 / N))
+    return COLUMN * (1.0 - math.pow(ROD_IN / pull, 1.0 / N))
 
 
 def test_a_limit_between_both_is_a_warning() -> None:

@@ -423,11 +423,11 @@ def _with_raised_peak(
     """
     if recording.is_equilibrium or force.static is None or force.is_heavier:
         return force
-    force = replace(force, contingency=max(ratio, 1.0))
+    static, force = force.static, replace(force, contingency=max(ratio, 1.0))
     highest = series.peak(recording, values, during & never_hung_so(recording))
     if highest is None:
         return force
-    if highest[0] * ratio > force.static:
+    if highest[0] * ratio > static:
         force = replace(force, on_the_way=OnTheWay(*highest, ratio))
     if ratio <= 1.0 or highest[0] * ratio <= (force.dynamic or 0.0):
         return force
