@@ -1,7 +1,7 @@
 """The simulator in Rust: a document in, columns out, a few verbs."""
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -123,6 +123,9 @@ class Statics:
 
     def lose(self, body: str, losses: str) -> dict[str, Any]:
         """Lose a body at the equilibrium found last: that of everything else; for errors see `settle`."""
+
+    def heavier(self, more: list[tuple[str, float]], losses: str) -> Self:
+        """The lift with bodies so much heavier [kg], at rest downhill; for errors see `settle`."""
 
     def time(self) -> float:
         """Time of the equilibrium looked for last [s]."""

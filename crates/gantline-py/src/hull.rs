@@ -42,11 +42,8 @@ impl Hull {
         let vertices = points.rows().into_iter().map(|row| DVec3::new(row[0], row[1], row[2])).collect();
         let row_of = |row: numpy::ndarray::ArrayView1<i64>| [0, 1, 2].map(|k| row[k] as usize);
         let mesh = Mesh { vertices, triangles: corners.rows().into_iter().map(row_of).collect() };
-        let (mesh, inner) = py.detach(|| {
-            let mesh = if weld > 0.0 { mesh.welded(weld) } else { mesh };
-            let inner = gantline_core::hull::Hull::new(&mesh);
-            (mesh, inner)
-        });
+        let mesh = if weld > 0.0 { py.detach(|| mesh.welded(weld)) } else { mesh };
+        let inner = py.detach(|| gantline_core::hull::Hull::new(&mesh));
         Ok(Self { mesh, inner })
     }
 

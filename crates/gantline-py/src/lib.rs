@@ -111,9 +111,8 @@ impl Simulation {
     /// Tensions of all ropes (samples, ropes) [N], without working out the other columns.
     fn rope_tension<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
         let inner = self.inner(py)?;
-        let (samples, system) = (inner.samples(), inner.system());
-        let tensions = gantline_core::record::columns::rope_tensions(system, samples);
-        array(py, tensions, &[samples.time.len(), system.rope_count])
+        let tensions = gantline_core::record::columns::rope_tensions(inner.system(), inner.samples());
+        array(py, tensions, &[inner.samples().time.len(), inner.system().rope_count])
     }
 
     /// Names that go with the columns.

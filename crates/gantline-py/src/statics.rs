@@ -29,9 +29,7 @@ fn no_equilibrium(error: NoEquilibrium) -> PyErr {
 fn losses_of(word: &str, slide: Option<[f64; 3]>) -> PyResult<Losses> {
     match (word, slide.and_then(Losses::slid)) {
         ("none", Some(slides)) => Ok(slides),
-        _ if slide.is_some() => {
-            Err(value_error("what slides does so along a direction, with sheaves without losses"))
-        }
+        _ if slide.is_some() => Err(value_error("what slides does so along a way, with ideal sheaves")),
         ("none", None) => Ok(Losses::NONE),
         ("forward", None) => Ok(Losses::FORWARD),
         ("backward", None) => Ok(Losses::BACKWARD),
@@ -78,9 +76,8 @@ impl Statics {
         if !(time >= 0.0 && time.is_finite()) {
             return Err(value_error(format!("the time is {time} s; it must be zero or more")));
         }
-        let losses = losses_of(losses, slide)?;
-        let rest =
-            self.following(py, goes_on, |lift, ask| lift.settle(time, increment.as_deref(), losses, ask))?;
+        let (losses, start) = (losses_of(losses, slide)?, increment.as_deref());
+        let rest = self.following(py, goes_on, |lift, ask| lift.settle(time, start, losses, ask))?;
         self.found(py, rest)
     }
 
@@ -122,6 +119,13 @@ impl Statics {
         self.modes.clear();
         let rest = py.detach(|| self.inner.lose(index, losses)).map_err(no_equilibrium)?;
         self.found(py, rest)
+    }
+
+    /// The lift with bodies so much heavier [kg], at rest downhill of the equilibrium found last.
+    fn heavier(&self, py: Python<'_>, more: Vec<(String, f64)>, losses: &str) -> PyResult<Self> {
+        let (mut inner, losses) = (self.inner.clone(), losses_of(losses, None)?);
+        py.detach(|| inner.weigh(&more, losses)).map_err(no_equilibrium)?;
+        Ok(Self { inner, modes: Vec::new() })
     }
 
     /// Modes about the equilibrium found last, slowest first, so many or all, or given by ω² and x; arrays over the modes.

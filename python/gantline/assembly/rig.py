@@ -225,6 +225,7 @@ def _compensators(scenario: Scenario, parts: Parts) -> list[Json]:
             "stroke": given.stroke,
             "pull_in": given.law.pull(0.0),
             "pull_out": given.law.pull(given.stroke),
+            "pulls": [[out, given.law.pull(out)] for out in given.law.ways(0.0, given.stroke)],
             "seal_friction": given.seal_friction,
             "locked": given.locked,
             "rated_capacity": _force(scenario, given.rated_capacity),

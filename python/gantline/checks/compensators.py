@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 
+import numpy as np
+
+from gantline.checks.design_weight import largest_ratios
 from gantline.checks.equalizers import hanging_of_capacity
 from gantline.checks.force import over
 from gantline.checks.forces import sum_force, with_upper_ends
@@ -50,8 +54,12 @@ def stroke_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 
 
 def _least(recording: Recording, one: Compensator, counts: BoolArray) -> Iterator[Finding]:
-    """The least way of its rod from each of its stops, within a mask of samples."""
+    """The least way of its rod from each of its stops, within a mask of samples.
+
+    With the design weight it is farther out, by what the gas gives to that.
+    """
     out = recording.column("rod_out", one.name)
+    further = _with_design_weight(recording, one, out)
 
     def text(left: FloatArray, at: int) -> str:
         return f"{format_quantity(float(left[at]), 'm', 3)} / {format_quantity(one.stroke, 'm', 3)}"
@@ -59,4 +67,27 @@ def _least(recording: Recording, one: Compensator, counts: BoolArray) -> Iterato
     for word, left in (("in", out), ("out", one.stroke - out)):
         element = f"{one.name} {word}"
         shown = partial(text, left)
-        yield from extreme(recording, left / one.stroke, counts, element, shown, smallest=True)
+        for found in extreme(recording, left / one.stroke, counts, element, shown, smallest=True):
+            least = 1.0 if word == "in" else float((one.stroke - further)[counts].min() / one.stroke)
+            yield replace(found, at_design=max(least, 0.0) if least < found.value else None)
+            if least <= 0.0 < found.value:
+                yield Caution(f"with the design weight the rod of {one.name} comes to its outer stop")
+
+
+def _with_design_weight(recording: Recording, one: Compensator, out: FloatArray) -> FloatArray:
+    """How far its rod is out with the design weight of what hangs below it, shape (time,) [m].
+
+    By the law of its gas from the pull that is recorded, seals as they hold: what is static of it, and what
+    swings about that, go with the weight.
+    """
+    slings = slings_below(recording, one)
+    if not one.pulls or not slings:
+        return out
+    ways, pulls = np.transpose(one.pulls)
+    ratios = largest_ratios(recording, {sling.to_load for sling in slings})
+    pull = recording.column("rope_tension", one.gas)
+    more = pull + (ratios - 1.0) * np.maximum(borne(recording, one), 0.0)
+    there, then = (np.interp(force, pulls, ways) for force in (pull, more))
+    # Recorded are chords of the law: past its end there is the stop.
+    further: FloatArray = np.where((more > pull) & (more >= pulls[-1]), one.stroke, out + then - there)
+    return further

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from gantline.checks.measure import Caution, Finding, Found, Missing
 from gantline.results.variable import BoolArray
@@ -83,6 +83,7 @@ class Force:
             never hung still, so that no static value has what it is of.
         on_the_way: The largest force of such a time, where it is more than `static`: for what is rated for
             static forces alone.
+        contingency: By what the peak is more with the design weight [1], which is for a warning alone.
     """
 
     static: float | None
@@ -100,6 +101,7 @@ class Force:
     is_heavier: bool = False
     peak_ratio: float = 1.0
     on_the_way: OnTheWay | None = None
+    contingency: float = 1.0
 
     @property
     def caution(self) -> str:
@@ -114,6 +116,13 @@ class Force:
     def raised_peak(self) -> float | None:
         """The simulated peak, raised where no static value has it [N]; None of an equilibrium."""
         return None if self.peak is None else self.peak * self.peak_ratio
+
+    @property
+    def peak_at_design(self) -> float:
+        """What the peak comes to with the design weight, the own weight as it is [N]; 0 without one."""
+        if self.peak is None:
+            return 0.0
+        return (self.peak - self.own_weight) * max(self.contingency, self.peak_ratio) + self.own_weight
 
     @property
     def dynamic(self) -> float | None:
@@ -170,7 +179,7 @@ def as_it_is(force: Force, element: str) -> Iterator[Finding]:
     if force.dynamic is None:
         yield Missing(element, NO_DYNAMIC)
         return
-    yield Found(force.dynamic, element, force.moment, force.text, force.factors)
+    yield _told(force, force.dynamic, 1.0, Found(0.0, element, force.moment, force.text, force.factors))
     if force.caution:
         yield Caution(force.caution)
 
@@ -208,5 +217,12 @@ def over(force: Force, strength: float, element: str, raised: Raised | None = No
     if force.caution:
         yield Caution(force.caution)
     formula = f"{force.text}{raised.text} / {kilonewton(strength)}"
-    value = raised.factor * force.governing / strength
-    yield Found(value, element, force.moment, formula, (*force.factors, *raised.names))
+    found = Found(0.0, element, force.moment, formula, (*force.factors, *raised.names))
+    yield _told(force, force.governing, raised.factor / strength, found)
+
+
+def _told(force: Force, governing: float, share: float, found: Found) -> Found:
+    """A share of what governs, and of the peak with the design weight where that is more."""
+    more = force.peak_at_design
+    at_design = share * more if more > governing else None
+    return replace(found, value=share * governing, at_design=at_design)

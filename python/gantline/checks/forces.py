@@ -150,7 +150,7 @@ def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
         ratio = design_ratio(recording, window=window)
         if hooks or outer:
             ratio = max(design_ratio(recording), _hoist_ratio(recording, hooks, window))
-        forces.append(_raised(recording, column, ratio, window))
+        forces.append(replace(_raised(recording, column, ratio, window), contingency=max(ratio, 1.0)))
     force = max(forces, key=lambda force: force.static or 0.0)
     return _with_peak(recording, force, rope, during)
 
@@ -321,7 +321,9 @@ def with_rule(recording: Recording, force: Force) -> Force:
     return replace(force, rule=force.static * dynamic, rule_text=text, factors=factors)
 
 
-def at_upper_end(recording: Recording, rope: str, force: Force, during: BoolArray) -> Force:
+def at_upper_end(
+    recording: Recording, rope: str, force: Force, during: BoolArray, *, of_chain_hoist: bool = True
+) -> Force:
     """A force of a rope with what its upper end has to carry of its own weight.
 
     Args:
@@ -329,8 +331,9 @@ def at_upper_end(recording: Recording, rope: str, force: Force, during: BoolArra
         rope: Name of the rope.
         force: Its force, at the middle of a rope whose weight is lumped.
         during: Samples that count.
+        of_chain_hoist: Whether what the chain hoist of a sling weighs is part of it.
     """
-    more = own_weight(recording, rope)
+    more = own_weight(recording, rope, of_chain_hoist=of_chain_hoist)
     if not more.any():
         return force
     own = series.static_value(recording, more, force.window)
@@ -344,7 +347,7 @@ def at_upper_end(recording: Recording, rope: str, force: Force, during: BoolArra
     if force.peak_ratio > 1.0:
         hangs = float(np.interp(force.time or 0.0, recording.time, more))
         return replace(force, peak=force.peak + hangs, own_weight=hangs)
-    highest = peak_at_upper_end(recording, rope, during)
+    highest = peak_at_upper_end(recording, rope, during, of_chain_hoist=of_chain_hoist)
     if highest is None:
         return force
     return replace(force, peak=highest.tension, time=highest.time, own_weight=highest.own_weight)
@@ -420,10 +423,11 @@ def _with_raised_peak(
     """
     if recording.is_equilibrium or force.static is None or force.is_heavier:
         return force
+    static, force = force.static, replace(force, contingency=max(ratio, 1.0))
     highest = series.peak(recording, values, during & never_hung_so(recording))
     if highest is None:
         return force
-    if highest[0] * ratio > force.static:
+    if highest[0] * ratio > static:
         force = replace(force, on_the_way=OnTheWay(*highest, ratio))
     if ratio <= 1.0 or highest[0] * ratio <= (force.dynamic or 0.0):
         return force

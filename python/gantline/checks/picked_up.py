@@ -33,6 +33,8 @@ _LOWER = 0.1
 _TILTS = math.radians(0.5)
 #: Steps that set a load down, and that leave it where it is.
 _LOWERS, _LEAVES = ("lower", "pay_out"), ("hold",)
+#: Steps that no load that stands is raised by: what is pumped may turn it over.
+_LETS_STAND = {*_LOWERS, *_LEAVES, "pump"}
 #: What drops a load that comes down within a few seconds of it [s], and what helps or tells more.
 _DROPS = 5.0
 _DROPPED: Final = {
@@ -99,15 +101,16 @@ def picked_up(recording: Recording) -> list[Check]:
 
 
 def leans(recording: Recording) -> list[Check]:
-    """A warning for each load that is set down, tilts as it is lowered on, and ends leaning in its slings.
+    """A warning for each load that stands, tilts then, and ends leaning in its slings.
 
     With its centre of gravity beyond the edge of what it stands on it turns about that edge, as far as its
-    hooks let it: a force of few percent of its weight holds it so, which no limit tells. Loads in hinges or
-    water, and those that are turned on purpose, are left out.
+    hooks let it: a force of few percent of its weight holds it so, which no limit tells. It tilts as it is
+    lowered on after it was set down, or as its tanks are filled. Loads in hinges or water, and those that are
+    turned on purpose, are left out.
     """
     checks = []
     for load in recording.rig.loads:
-        down = _set_down_for_good(recording, load)
+        down = _stands_for_good(recording, load)
         is_held = load.in_water is not None or any(hinge.load == load.name for hinge in recording.rig.hinges)
         if down is None or is_held or not series.ends_partly_lifted(recording, load):
             continue
@@ -116,11 +119,13 @@ def leans(recording: Recording) -> list[Check]:
         if since <= _TILTS + _vessels_tilt(recording, down) or tilts.max() > TURNED_FROM:
             continue
         share = float(recording.column("load_transferred", load.name)[-1])
-        said = f"set down at {down:.2f} s, it has tilted by {format_quantity(since, 'deg', 2)} more since"
+        stands = f"set down at {down:.2f} s" if down > 0.0 else "standing from the start"
+        said = f"{stands}, it has tilted by {format_quantity(since, 'deg', 2)} more since"
         hangs = f"{format_quantity(share, '%', 1)} of its weight still hangs in its slings"
         remark = (
             f"{said}, and {hangs}: it turns about the edge of what is below, and tips over as they are let "
             "off; set it down with its centre of gravity well within what bears it"
+            f"{', with what is in its tanks' if load.tanks else ''}"
         )
         meaning = "loads that are set down stand without their slings"
         checks.append(
@@ -129,14 +134,26 @@ def leans(recording: Recording) -> list[Check]:
     return checks
 
 
-def _set_down_for_good(recording: Recording, load: Load) -> float | None:
-    """When a step that lowers sets a load down that nothing but lowering moves from then on [s]."""
+def _stands_for_good(recording: Recording, load: Load) -> float | None:
+    """Since when a load stands that nothing but lowering moves from then on [s]; None of others.
+
+    From the start, or since a step that lowers has set it down.
+    """
     kinds = {step.step: step.acts_as for step in recording.rig.plan}
     downs = [time for time, _, name in recording.events("set_down") if name == load.name]
-    if not downs or not any(kinds.get(step) in _LOWERS for step in _steps_at(recording, downs[-1])):
+    if not len(recording.time):  # before a run
         return None
-    later = [kinds.get(step) for step, (_, end) in progress.spans(recording).items() if end > downs[-1]]
-    return downs[-1] if set(later) <= {*_LOWERS, *_LEAVES} else None
+    down = downs[-1] if downs else 0.0
+    if downs and not any(kinds.get(step) in _LOWERS for step in _steps_at(recording, down)):
+        return None
+    if not downs and hangs_from_the_start(recording, load):
+        return None
+    if recording.is_equilibrium:
+        # What of its plan is over it does not say; its first sample is the start.
+        stood = not series.load_is_clear(recording, load)[0]
+        return down if stood and set(kinds.values()) <= _LETS_STAND else None
+    later = [kinds.get(step) for step, (_, end) in progress.spans(recording).items() if end > down]
+    return down if set(later) <= _LETS_STAND else None
 
 
 def _vessels_tilt(recording: Recording, since: float) -> float:

@@ -169,8 +169,9 @@ def _of_row(
         )
         yield Refused(element, reason)
         return
-    ratios = _ratios(recording, chart, hooks, beyond)
-    used = np.where(loaded, kept * ratios * load / np.where(loaded, rated, 1.0), 0.0)
+    ratios, all_raised = (_ratios(recording, chart, hooks, which) for which in (beyond, loaded))
+    share_of = kept * load / np.where(loaded, rated, 1.0)
+    used, with_design = (np.where(loaded, raised * share_of, 0.0) for raised in (ratios, all_raised))
     names = (SEVERAL,) if kept > 1 else ()
 
     def text(at: int) -> str:
@@ -180,7 +181,8 @@ def _of_row(
         return f"{kilonewton(load[at])}{to_design(float(ratios[at]))}{raised} / {row}"
 
     for found in extreme(recording, used, loaded, element, text):
-        yield replace(found, factors=names)
+        most = float(with_design.max())
+        yield replace(found, factors=names, at_design=most if most > found.value else None)
 
 
 def _ratios(recording: Recording, chart: RatingChart, hooks: Sequence[str], beyond: BoolArray) -> FloatArray:

@@ -79,7 +79,11 @@ def _factor(
                 most = max(most, (way.raised, way.time, way.text), key=lambda one: one[0])
         tension, time, text = most
         shown = f"({text})" if " x " in text else text
-        yield Found(strength / tension, element, time, f"{kilonewton(strength)} / {shown}")
+        contingency = 1.0 if by_weight is None else by_weight.contingency
+        more = highest.tension + (contingency - 1.0) * (highest.tension - highest.own_weight)
+        at_design = strength / more if more > tension else None
+        formula = f"{kilonewton(strength)} / {shown}"
+        yield Found(strength / tension, element, time, formula, at_design=at_design)
 
 
 def load_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[Finding]:

@@ -508,8 +508,9 @@ _BESIDE_LIMITS: tuple[Callable[[Recording], Iterable[Check]], ...] = (
     tied_down,
     shut_in,
     held_upright,
+    leans,
     _told,
     _unknown,
 )
 #: The same of runs alone, which have moments to tell apart.
-_OF_RUNS: tuple[Callable[[Recording], Iterable[Check]], ...] = (stood_still, came_down, hit, picked_up, leans)
+_OF_RUNS: tuple[Callable[[Recording], Iterable[Check]], ...] = (stood_still, came_down, hit, picked_up)

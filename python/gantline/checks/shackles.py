@@ -9,7 +9,7 @@ over an extension sheave has one at each lower end: what counts is the larger an
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -173,8 +173,12 @@ def _dynamic(
             other = "" if one.force.peak is None else f"peak {kilonewton(one.force.peak)}{own}"
         formula = f"{said} / {text}{f'; {other}' if other else ''}"
         factors = (*one.force.factors, *([_BREAKING] if "MBF" in text else []))
-        found.append(Found(one.load / strength, element, one.time, formula, factors))
-    yield max(found, key=_share)
+        more = one.force.peak_at_design if one.time == one.force.time else 0.0
+        at_design = more / strength if more > one.load else None
+        found.append(Found(one.load / strength, element, one.time, formula, factors, at_design=at_design))
+    most = max((one.at_design for one in found if one.at_design is not None), default=0.0)
+    worst = max(found, key=_share)
+    yield replace(worst, at_design=most if most > worst.value else None)
     if factor(recording, _BREAKING) is not None and not shackle.minimum_breaking_force:
         yield Caution(f"minimum breaking force of {shackle.name} not known, which the rule asks for")
 

@@ -83,7 +83,16 @@ def metacentric_height(recording: Recording, during: BoolArray) -> Iterator[Find
     known = [vessel for vessel in recording.rig.vessels if vessel.righting]
     for vessel in known:
         time, height, _ = min(vessel.righting, key=lambda one: one[1])
-        yield Found(height, vessel.name, time)
+        changes = {one.time: one.metacentric_height for one in vessel.by_contingency}
+        with_design = [(one[0], one[1], changes.get(one[0])) for one in vessel.righting]
+        least = min((gm + change for _, gm, change in with_design if change is not None), default=height)
+        yield Found(height, vessel.name, time, at_design=least if least < height else None)
+        unknown = [moment for moment, _, change in with_design if change is None]
+        if unknown and any(load.more_mass > 0.0 for load in recording.rig.loads):
+            yield Caution(
+                f"what the design weight leaves of GM of {vessel.name} at {unknown[0]:.4g} s is not known, "
+                "no equilibrium tells it: 'weight: {simulate: design}' does"
+            )
     if known and recording.is_equilibrium:
         yield from _held_by_their_slings(recording)
     for vessel in recording.rig.vessels:

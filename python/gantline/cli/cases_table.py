@@ -55,6 +55,7 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
         *([f"  {WORST_OF_LOSSES}"] if result.has_losses and not variants else []),
         *notes(result.states, in_cases, width),
         *_lines(_cautions(result.states), result.states, in_cases, width),
+        *_overshoots(result, width),
     ]
     states, governed = _states(groups, width), _governing(groups, width)
     numbered = _numbered([name for name, _ in groups], [*states, *governed], width)
@@ -185,6 +186,16 @@ def _cautions(states: Sequence[State]) -> dict[str, list[int]]:
                 names += [check.name] if check.name not in names else []
                 places += [place] if place not in places else []
     return {f"{', '.join(names)}: {caution}": places for caution, (names, places) in found.items()}
+
+
+def _overshoots(result: CasesResult, width: int) -> Iterator[str]:
+    """How far the sling goes that goes farthest as others are cut, of each case that cuts some."""
+    for state in result.states:
+        if state.swings_to:
+            sling, force = max(state.swings_to.items(), key=lambda one: one[1])
+            goes = f"{sling} swings to {show(force, 'kN', 1)} on the way there, by twice what comes on"
+            line = f"{state.case} is at rest: {goes}, undamped; a run with 'cut_at' tells"
+            yield from textwrap.wrap(line, max(width, 60), initial_indent="  ", subsequent_indent="    ")
 
 
 def _in_cases(states: Sequence[State], found: Sequence[int]) -> str:

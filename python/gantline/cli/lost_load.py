@@ -125,14 +125,24 @@ def _work(one: Swing) -> tuple[str, ...]:
         one.vessel,
         *(show(angle, "deg", 2) for angle in (one.flooding, one.vanishing)),
         *areas,
-        f"{one.ratio:.2f}" if one.ratio < 100.0 else "over 100",
+        _ratio(one.ratio),
     )
+
+
+def _ratio(ratio: float) -> str:
+    return f"{ratio:.2f}" if ratio < 100.0 else "over 100"
 
 
 def _notes(one: Swing) -> list[str]:
     lines = []
+    left, ratio = one.left_at_design, one.ratio_at_design
+    if left is not None and ratio is not None:
+        area = f"A1 {math.degrees(left):.2f} m deg and A2/A1 {_ratio(ratio)}"
+        lines.append(f"  {one.vessel} with the design weight on: {area}")
     if not one.is_held:
-        lines.append(f"  WARNING: {one.vessel} does not swing back before water comes in or its arms vanish")
+        weight = " with the design weight" if one.taken > one.left else ""
+        stays = f"{one.vessel}{weight} does not swing back before water comes in or its arms vanish"
+        lines.append(f"  WARNING: {stays}")
     if not one.has_openings:
         goes = "A2 goes to where its arms vanish, or 50 deg"
         lines.append(f"  {one.vessel} has no 'openings' in the lift file: {goes}")

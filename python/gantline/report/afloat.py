@@ -307,7 +307,8 @@ def _comes_back(lost: SavedLostLoad) -> str:
 def _first_swing(one: SavedSwing) -> str:
     farthest = "no end" if one.farthest is None else show(one.farthest, "deg", 2)
     freeboard = "" if one.freeboard is None else f", freeboard {show(one.freeboard, 'm', 2)}"
-    return f"{farthest} towards its {one.towards}{freeboard}, A2/A1 {one.ratio:.3g}"
+    heavier = "" if one.at_design is None else f", {one.at_design:.3g} with the design weight"
+    return f"{farthest} towards its {one.towards}{freeboard}, A2/A1 {one.ratio:.3g}{heavier}"
 
 
 def _swings(subject: Subject, vessel: Vessel, after: BoolArray) -> str:

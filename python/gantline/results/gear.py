@@ -226,6 +226,8 @@ class Compensator(FromJson):
         stroke: How far the rod comes out [m].
         pull_in: Pull of the gas with the rod in [N].
         pull_out: Pull of the gas with the rod out [N].
+        pulls: Ways of the rod out [m] with the pull of the gas there [N], from stop to stop; none in an old
+            recording.
         seal_friction: Of its seals [N].
         locked: Whether a pin holds the rod at the start.
         rated_capacity: Of all that hangs below it [N]; None if not said.
@@ -239,6 +241,7 @@ class Compensator(FromJson):
     stroke: float = 0.0
     pull_in: float = 0.0
     pull_out: float = 0.0
+    pulls: Sequence[Sequence[float]] = ()
     seal_friction: float = 0.0
     locked: bool = False
     rated_capacity: float | None = None

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from gantline.results.recording import Recording
 from gantline.results.rotation import axes, heading
 from gantline.statics.answers import Equilibrium
 from gantline.statics.open_tanks import with_what_runs
@@ -74,18 +75,18 @@ def metacentric_heights(
     found = {}
     for vessel in (one for one in rest.recording.rig.vessels if not one.is_carried):
         displaced = float(rest.recording.column("vessel_displacement", vessel.name)[-1])
-        found[vessel.name] = heights_of(question, rest, vessel.body, displaced, at_level=at_level)
+        found[vessel.name] = heights_of(question, rest.recording, vessel.body, displaced, at_level=at_level)
     return found
 
 
 def heights_of(
-    question: Statics, rest: Equilibrium, body: str, displaced: float, *, at_level: bool = False
+    question: Statics, recording: Recording, body: str, displaced: float, *, at_level: bool = False
 ) -> MetacentricHeights:
     """Metacentric heights of a body that floats.
 
     Args:
         question: The lift.
-        rest: Its equilibrium that was found last.
+        recording: How it rests, of its equilibrium that was found last.
         body: Name of the body.
         displaced: Mass of the water that it displaces [kg].
         at_level: Whether of tanks with holes those count only that have come to their level.
@@ -95,8 +96,8 @@ def heights_of(
     found = question.sensitivities([(kind, body) for kind in kinds], standing=True)
     motions = np.array([one.of_body(body) for one in found])
     motions[:2] /= masses[body]
-    answers = masses[body] * with_what_runs(question, rest, body, motions, at_level=at_level)
-    orientation = rest.recording.column("body_orientation", body)[-1]
+    answers = masses[body] * with_what_runs(question, recording, body, motions, at_level=at_level)
+    orientation = recording.column("body_orientation", body)[-1]
     ahead = float(heading(orientation))
     # Forward and to port, level, as rows.
     level = np.array([[math.cos(ahead), math.sin(ahead)], [-math.sin(ahead), math.cos(ahead)]])

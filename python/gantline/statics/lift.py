@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from copy import copy
 from functools import cached_property, wraps
 from itertools import islice
 from numbers import Integral
@@ -272,6 +273,30 @@ class Statics:
         except RuntimeError as problem:
             raise self._nowhere(self._core.time(), *problem.args) from None
         return self._found(found, losses)
+
+    @_one_at_a_time
+    def heavier(self, more: Mapping[str, float]) -> tuple[Statics, Recording]:
+        """The same lift with bodies that weigh more, at rest downhill of the equilibrium found last.
+
+        Drives stay where they are, drums as wound and tanks as full. Sensitivities of the lift that is given
+        back are about that equilibrium; this one stays at its own.
+
+        Args:
+            more: By how much bodies are heavier, at their centres of gravity, by their names [kg].
+
+        Returns:
+            That lift, and how it rests.
+
+        Raises:
+            NoEquilibriumError: If there is none, or none with that weight.
+        """
+        losses = self._of_last()
+        other = copy(self)
+        try:
+            other._core, other._lock = self._core.heavier(list(more.items()), losses), RLock()
+        except RuntimeError as problem:
+            raise NoEquilibriumError(self._core.time(), *problem.args) from None
+        return other, other._recording("at rest with more weight")
 
     def _of_last(self) -> Losses:
         """What losses the equilibrium found last has; finds that at the lift's end if none was asked for.

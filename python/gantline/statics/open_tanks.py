@@ -30,7 +30,6 @@ from gantline.scenario.afloat.tanks import (
     with_contents,
 )
 from gantline.scenario.afloat.water import BallastTank, Water
-from gantline.statics.answers import Equilibrium
 
 if TYPE_CHECKING:
     from gantline.statics.lift import Statics
@@ -55,7 +54,7 @@ def with_what_has_run(question: Statics, recording: Recording, sample: int = -1)
 
 
 def with_what_runs(
-    question: Statics, rest: Equilibrium, body: str, motions: Floats, *, at_level: bool = False
+    question: Statics, recording: Recording, body: str, motions: Floats, *, at_level: bool = False
 ) -> Floats:
     """How a body answers to weights, with what runs through its holes meanwhile.
 
@@ -64,7 +63,7 @@ def with_what_runs(
 
     Args:
         question: The lift.
-        rest: Its equilibrium that was found last.
+        recording: How it rests, of its equilibrium that was found last.
         body: Name of a body that floats.
         motions: Of its centre of gravity and its turns under 1 kg m more along its x and y, and under a
             kilogram more at its centre of gravity, with what is in tanks held, shape (3, 6) [m, rad].
@@ -73,10 +72,10 @@ def with_what_runs(
     Returns:
         The first two of them with what runs, shape (2, 6).
     """
-    places = _surfaces(question, rest, body, at_level)
+    places = _surfaces(question, recording, body, at_level)
     if not places:
         return motions[:2]
-    turn = axes(rest.recording.column("body_orientation", body)[-1])
+    turn = axes(recording.column("body_orientation", body)[-1])
     levers = np.array([lever for lever, _ in places])
     # A kilogram at a lever: at the centre of gravity, moved along the body's axes until it is there.
     shifts = np.linalg.solve(turn[:2, :2], levers[:, :2].T).T
@@ -94,7 +93,9 @@ def _rise(motions: Floats, lever: Floats) -> Floats:
     return rises
 
 
-def _surfaces(question: Statics, rest: Equilibrium, body: str, at_level: bool) -> list[tuple[Floats, float]]:
+def _surfaces(
+    question: Statics, recording: Recording, body: str, at_level: bool
+) -> list[tuple[Floats, float]]:
     """Surfaces that follow the sea, in a body and what is fixed to it.
 
     Returns:
@@ -102,14 +103,14 @@ def _surfaces(question: Statics, rest: Equilibrium, body: str, at_level: bool) -
     """
     if not has_sea(question.scenario):
         return []
-    own = rest.recording.column("body_position", body)[-1]
+    own = recording.column("body_position", body)[-1]
     bodies = bodies_afloat(question.scenario)
     outside = (question.scenario.water or Water()).level
     return [
         (place - own, mass)
         for name in _fixed_to(question, body)
         if name in bodies
-        for place, mass in _surfaces_in(question, rest, name, bodies[name].tanks or {})
+        for place, mass in _surfaces_in(question, recording, name, bodies[name].tanks or {})
         if not at_level or abs(place[2] - outside) < _LEVEL
     ]
 
@@ -124,17 +125,17 @@ def _fixed_to(question: Statics, body: str) -> list[str]:
 
 
 def _surfaces_in(
-    question: Statics, rest: Equilibrium, body: str, tanks: Mapping[str, BallastTank]
+    question: Statics, recording: Recording, body: str, tanks: Mapping[str, BallastTank]
 ) -> Iterator[tuple[Floats, float]]:
     """Surfaces that follow the sea in tanks of a body: their middles (3,) [m], mass of a metre [kg/m]."""
     given = next(one for one in question.assembly.document["bodies"] if one["name"] == body)
     centre = np.array(given["centre_of_gravity"], dtype=float)
-    turn = axes(rest.recording.column("body_orientation", body)[-1])
-    at = rest.recording.column("body_position", body)[-1]
+    turn = axes(recording.column("body_orientation", body)[-1])
+    at = recording.column("body_position", body)[-1]
     level = (question.scenario.water or Water()).level
     turns = hole_turns(question.scenario)
     for name, tank in tanks.items():
-        content = float(rest.recording.column("tank_content", f"{body}.{name}")[-1])
+        content = float(recording.column("tank_content", f"{body}.{name}")[-1])
         holes = (
             at[2] + turn[2] @ (np.array(hole.at) - centre)
             for own, hole in (tank.holes or {}).items()

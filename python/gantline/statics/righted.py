@@ -48,7 +48,7 @@ def of_equilibrium(question: Statics, rest: Equilibrium) -> AtRest:
         heights = _righting_of(question, rest)
     except NoEquilibriumError:  # it answers to no push smoothly
         return AtRest({}, {})
-    return AtRest(heights, by_contingency(question, rest))
+    return AtRest(heights, by_contingency(question, rest, heights))
 
 
 def _righting_of(question: Statics, rest: Equilibrium, *, at_level: bool = False) -> Heights:
@@ -176,7 +176,7 @@ def _without_friction_first(
         try:
             there = rest(losses)
             heights = _righting_of(question, there, at_level=at_level)
-            changes = by_contingency(question, there) or changes
+            changes = by_contingency(question, there, heights) or changes
         except NoEquilibriumError:
             continue
         for name, (heel, trim) in heights.items():

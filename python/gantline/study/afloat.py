@@ -133,5 +133,5 @@ class Afloat:
 
     def metacentric_heights(self) -> tuple[float, float]:
         """For heel and trim [m], see `gantline.statics.inclining`."""
-        found = heights_of(self.question, self.rest, self.vessel, self.displacement())
+        found = heights_of(self.question, self.rest.recording, self.vessel, self.displacement())
         return found.transverse, found.longitudinal

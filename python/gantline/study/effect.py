@@ -19,6 +19,8 @@ __all__ = ["as_given_at", "is_as", "with_effect"]
 _AT_ONCE = 1e-6
 #: Values of checks that differ by less are alike: a share, and of nothing [SI].
 _ALIKE, _NOTHING = 1e-9, 1e-9
+#: Share of its tension by which a sling bears more at least that has something of what is cut [1].
+_GROWN = 0.01
 
 
 def with_effect(state: State, given: State, earlier: Callable[[float], Equilibrium | None]) -> State:
@@ -31,9 +33,26 @@ def with_effect(state: State, given: State, earlier: Callable[[float], Equilibri
     """
     if state.rest is None or given.rest is None or not state.case:
         return state
-    in_vain = tuple(_in_vain(state, given, earlier)) if state.cut else ()
-    nothing = len(in_vain) == len(state.cut) if state.cut else is_as(state, given)
-    return replace(state, in_vain=in_vain, changes_nothing=nothing)
+    if not state.cut:
+        return replace(state, in_vain=(), changes_nothing=is_as(state, given))
+    is_then = abs(state.time - given.time) <= _AT_ONCE
+    before = given.rest if is_then else earlier(state.time)
+    in_vain = () if before is None else tuple(_in_vain(state, before))
+    swings_to = {} if before is None or state.losses != "none" else _swings_to(state, before)
+    nothing = len(in_vain) == len(state.cut)
+    return replace(state, in_vain=in_vain, changes_nothing=nothing, swings_to=swings_to)
+
+
+def _swings_to(state: State, before: Equilibrium) -> dict[str, float]:
+    """How far slings go that bear more as others are cut, by their names, undamped [N].
+
+    What comes on at once comes on twice: a load on the stiffness k of what is left falls as far past its new
+    rest as it was above it.
+    """
+    then = values_of(replace(state, rest=before))["sling_tension"]
+    now = values_of(state)["sling_tension"]
+    grown = {name: force - then[name] for name, force in now.items() if name in then}
+    return {name: now[name] + more for name, more in grown.items() if more > _GROWN * now[name]}
 
 
 def as_given_at(base: Scenario) -> Callable[[float], Equilibrium | None]:
@@ -52,12 +71,8 @@ def as_given_at(base: Scenario) -> Callable[[float], Equilibrium | None]:
     return at
 
 
-def _in_vain(state: State, given: State, earlier: Callable[[float], Equilibrium | None]) -> Iterator[str]:
+def _in_vain(state: State, before: Equilibrium) -> Iterator[str]:
     """Of ropes that a case cuts, those that are not on then, or carry nothing."""
-    is_then = abs(state.time - given.time) <= _AT_ONCE
-    before = given.rest if is_then else earlier(state.time)
-    if before is None:
-        return
     ropes = {f"sling.{sling.name}" for sling in before.recording.rig.slings}
     when = f"{round(state.time, 6):.4g} s"  # a cut is looked at a rounding after its time
     for name in state.cut:

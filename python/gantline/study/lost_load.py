@@ -11,7 +11,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -25,7 +25,7 @@ from gantline.results.file.saved import digest_of
 from gantline.results.loads.hinges import is_shut
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
-from gantline.statics import Equilibrium, Statics
+from gantline.statics import Equilibrium, NoEquilibriumError, Statics
 from gantline.statics.inclining import MetacentricHeights, metacentric_heights
 from gantline.study.afloat import hull_of
 
@@ -79,6 +79,8 @@ class Swing:
         end: Angle up to which A2 counts, the first of these two, or 50° past rest [rad].
         left: A1, the work over the weight that the load has left in it [m rad].
         taken: A2, what it can take on that side [m rad].
+        left_at_design: A1 that the design weight of the load would leave [m rad]; None where it has no more
+            than is simulated, or no equilibrium with it.
         angles: Of the curve [rad], shape (n,).
         arms: Righting arms there, positive where they push back towards the load [m], shape (n,).
     """
@@ -98,6 +100,7 @@ class Swing:
     taken: float
     angles: Floats = field(repr=False)
     arms: Floats = field(repr=False)
+    left_at_design: float | None = None
 
     @property
     def towards(self) -> str:
@@ -110,9 +113,14 @@ class Swing:
         return self.taken / self.left
 
     @property
+    def ratio_at_design(self) -> float | None:
+        """The same with the design weight of the load; None where that is not known."""
+        return None if self.left_at_design is None else self.taken / self.left_at_design
+
+    @property
     def is_held(self) -> bool:
-        """Whether it swings back before water comes in."""
-        return self.taken > self.left
+        """Whether it swings back before water comes in, with the design weight too."""
+        return self.taken > max(self.left, self.left_at_design or 0.0)
 
 
 @dataclass(frozen=True)
@@ -171,7 +179,7 @@ class LostLoad:
 def _swing_json(one: Swing) -> dict[str, Any]:
     single = (
         "vessel", "towards", "away", "before", "after", "farthest", "freeboard", "flooding", "vanishing",
-        "end", "left", "taken", "ratio",
+        "end", "left", "taken", "ratio", "left_at_design", "ratio_at_design",
     )  # fmt: skip
     return {
         **{name: getattr(one, name) for name in single},
@@ -202,6 +210,7 @@ def lose_load(question: Statics, rest: Equilibrium, load: str) -> LostLoad:
         raise ValueError(f"no vessel of this lift floats; {ashore}")
     hung = float(rest.recording.column("load_transferred", load)[-1]) if _is_told(rest, load) else 1.0
     _refuse_aboard(question, rest, load)
+    heavier = _with_design_weight(question, load)
     without = question.lose(load)
     heights = metacentric_heights(question, without)
     swings, under = [], dict[str, list[str]]()
@@ -209,11 +218,21 @@ def lose_load(question: Statics, rest: Equilibrium, load: str) -> LostLoad:
         turn, lie = _lie(rest.recording, vessel)
         wet = [mark for mark, points in vessel.marks.items() if _lowest(lie.up, lie.height, points) < 0.0]
         under |= {vessel.name: wet} if wet else {}
-        swing = _swing(
-            hull_of(question, vessel.name), vessel, turn[2], without.recording, heights[vessel.name]
-        )
+        ups = [turn[2], *(_lie(one, vessel)[0][2] for one in heavier)]
+        swing = _swing(hull_of(question, vessel.name), vessel, ups, without.recording, heights[vessel.name])
         swings += [swing] if swing is not None else []
     return LostLoad(load, without, heights, swings, stands=hung < _HANGS_FROM, under_with_load=under)
+
+
+def _with_design_weight(question: Statics, load: str) -> list[Recording]:
+    """How the lift rests with the design weight of a load; none where it has no more than is simulated."""
+    more = {one.body: one.more_mass for one in question.rig.loads if one.name == load and one.more_mass > 0.0}
+    if not more:
+        return []
+    try:
+        return [question.heavier(more)[1]]
+    except NoEquilibriumError:
+        return []
 
 
 def _refuse_aboard(question: Statics, rest: Equilibrium, load: str) -> None:
@@ -266,20 +285,21 @@ def _lie(recording: Recording, vessel: Vessel) -> tuple[Floats, Lie]:
 
 
 def _swing(
-    hull: Hull, vessel: Vessel, up_before: Floats, without: Recording, heights: MetacentricHeights
+    hull: Hull, vessel: Vessel, ups: Sequence[Floats], without: Recording, heights: MetacentricHeights
 ) -> Swing | None:
     """The swing of a vessel; None where the load does not move it, or nothing rights it without the load.
 
     Args:
         hull: Its hull.
         vessel: It.
-        up_before: Upwards in its axes with the load, shape (3,).
+        ups: Upwards in its axes with the load, and with the design weight of that where it is more, each of
+            shape (3,).
         without: The equilibrium without the load.
         heights: What rights it there.
     """
     turn, lie = _lie(without, vessel)
     up = turn[2]
-    axis = np.cross(up, up_before)[:2]  # of the turn that the vessel makes
+    axis = np.cross(up, ups[0])[:2]  # of the turn that the vessel makes
     if np.linalg.norm(axis) < _STAYS:
         return None
     axis /= np.linalg.norm(axis)
@@ -293,9 +313,14 @@ def _swing(
     mass = float(without.column("vessel_displacement", vessel.name)[-1])
     righting = Righting(turned, mass, aside @ centre, density=vessel.density)
     marks = {name: np.array(points) @ aside.T for name, points in vessel.marks.items()}
-    before, after = (math.atan2(way[1], way[2]) for way in (aside @ up_before, aside @ up))
+    before, after, *heavier = (
+        math.atan2(way[1], way[2]) for way in (aside @ one for one in (ups[0], up, *ups[1:]))
+    )
     away = math.atan2(-aside[1, 1], -aside[1, 0])
-    return _measured(_Curve(righting, marks), vessel.name, away, before, after)
+    curve = _Curve(righting, marks)
+    swing = _measured(curve, vessel.name, away, before, after)
+    left = [curve.at(angle).work - curve.at(after).work for angle in heavier]
+    return replace(swing, left_at_design=max(left, default=None))
 
 
 def _centre_of_gravity(

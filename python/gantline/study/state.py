@@ -52,6 +52,8 @@ class State:
         cause: Why there is none, in one sentence.
         cut: Slings and ropes that the case cuts.
         in_vain: Of what it cuts, what is not there to be cut, and why; a sentence each.
+        swings_to: How far slings go on the way there that bear more since others are cut, by their names,
+            undamped [N].
         changes_nothing: Whether all that is asked of it is as in the lift as it is given.
         stands: Loads that something supports, which hang clear at that time in the lift as it is given.
         checks: Its checks, of slings that the case cuts none.
@@ -68,6 +70,7 @@ class State:
     cause: str = ""
     cut: tuple[str, ...] = ()
     in_vain: tuple[str, ...] = ()
+    swings_to: Mapping[str, float] = field(default_factory=dict)
     changes_nothing: bool = False
     stands: tuple[str, ...] = ()
     checks: Sequence[Check] = ()

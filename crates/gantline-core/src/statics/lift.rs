@@ -48,7 +48,7 @@ pub struct StaticLift {
     slides: Vec<(f64, usize)>,
     /// Where it was followed to.
     trail: way::Trail,
-    /// The system as it is given, while a load of it is lost.
+    /// The system as it is given, while a load of it is lost or weighs more.
     whole: Option<System>,
     fingerprint: u64,
 }

@@ -48,12 +48,15 @@ class ByContingency(FromJson):
         heel: Change of heel, to starboard positive [rad].
         trim: Change of trim, by the stern positive [rad].
         freeboard: Change of freeboard [m].
+        metacentric_height: Change of the metacentric height for heel [m]; None where that is not asked for,
+            or the design weight leaves no equilibrium.
     """
 
     time: float
     heel: float
     trim: float
     freeboard: float
+    metacentric_height: float | None = None
 
 
 class AtRest(NamedTuple):

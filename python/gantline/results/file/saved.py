@@ -173,6 +173,7 @@ class SavedSwing:
         farthest: Angle of the first swing [rad]; None where nothing stops it.
         freeboard: There [m].
         ratio: A2 over A1.
+        at_design: The same with the design weight of the load [1]; None where that is no more, or not known.
     """
 
     vessel: str
@@ -180,6 +181,7 @@ class SavedSwing:
     farthest: float | None
     freeboard: float | None
     ratio: float
+    at_design: float | None = None
 
 
 @dataclass(frozen=True)
@@ -301,12 +303,12 @@ def _read_equilibrium(path: Path) -> Recording:
 
 
 def _swing(given: Mapping[str, Any]) -> SavedSwing:
-    farthest, freeboard = (
-        None if given.get(name) is None else number_in(given, name) for name in ("farthest", "freeboard")
+    farthest, freeboard, at_design = (
+        None if given.get(name) is None else number_in(given, name)
+        for name in ("farthest", "freeboard", "ratio_at_design")
     )
-    return SavedSwing(
-        text_in(given, "vessel"), text_in(given, "towards"), farthest, freeboard, number_in(given, "ratio")
-    )
+    towards, ratio = text_in(given, "towards"), number_in(given, "ratio")
+    return SavedSwing(text_in(given, "vessel"), towards, farthest, freeboard, ratio, at_design)
 
 
 def _case(given: Mapping[str, Any]) -> SavedCase:

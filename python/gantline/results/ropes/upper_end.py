@@ -36,21 +36,30 @@ class UpperEnd:
     time: float
 
 
-def own_weight(recording: Recording, rope: str) -> FloatArray:
+def own_weight(recording: Recording, rope: str, *, of_chain_hoist: bool = True) -> FloatArray:
     """What the upper end of a rope carries over its recorded tension [N], shape (time,).
 
     Half the weight of the part that goes farthest down, and that of a sling's chain hoist; of a mooring line
     that hangs by its weight, and is made fast above its fairlead, what it weighs in between. Of a rope in
     which a hook hangs these are its falls: what goes down to the drum pulls it there by less, not at the top
     by more.
+
+    Args:
+        recording: The recording.
+        rope: Name of the rope.
+        of_chain_hoist: Whether the hoist of a sling counts, which carries what hangs below it, and not
+            itself.
     """
-    return recording.kept(("own_weight", rope), lambda: _found(recording, rope))
+    more = recording.kept(("own_weight", rope), lambda: _found(recording, rope))
+    if not of_chain_hoist:
+        return more
+    slings = {sling.rope: sling.name for sling in recording.rig.slings}
+    hoists: float = sum(one.weight for one in recording.rig.chain_hoists if one.name == slings.get(rope))
+    return more + hoists
 
 
 def _found(recording: Recording, rope: str) -> FloatArray:
-    slings = {sling.rope: sling.name for sling in recording.rig.slings}
-    hoists = sum(one.weight for one in recording.rig.chain_hoists if one.name == slings.get(rope))
-    return _of_rope(recording, rope) + _of_mooring(recording, rope) + hoists
+    return _of_rope(recording, rope) + _of_mooring(recording, rope)
 
 
 def _of_mooring(recording: Recording, rope: str) -> FloatArray:
@@ -78,18 +87,21 @@ def _of_rope(recording: Recording, rope: str) -> FloatArray:
     return weight
 
 
-def peak_at_upper_end(recording: Recording, rope: str, during: BoolArray | None = None) -> UpperEnd | None:
+def peak_at_upper_end(
+    recording: Recording, rope: str, during: BoolArray | None = None, *, of_chain_hoist: bool = True
+) -> UpperEnd | None:
     """The largest tension at the upper end of a rope; over all steps, or over some samples.
 
     Args:
         recording: Any recording.
         rope: Name of the rope.
         during: Samples that count; None for all, and all steps between them.
+        of_chain_hoist: As of `own_weight`.
 
     Returns:
         The peak; None if `during` holds no sample.
     """
-    more = own_weight(recording, rope)
+    more = own_weight(recording, rope, of_chain_hoist=of_chain_hoist)
 
     def own(time: float) -> float:
         return float(np.interp(time, recording.time, more)) if len(more) else 0.0

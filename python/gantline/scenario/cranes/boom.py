@@ -50,7 +50,7 @@ __all__ = [
 ]
 
 
-#: Depth of a boom that nobody gives, over its length [1]: rough, lattice booms have 2 to 3 %.
+#: Depth of a boom that nobody gives, over its length [1]: long lattice booms have 2 to 3 %.
 _THICK = 0.03
 
 _Axis = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]

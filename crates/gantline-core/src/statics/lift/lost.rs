@@ -1,4 +1,4 @@
-//! A load that is lost at once: the equilibrium of what it hung on.
+//! A load that is lost at once, or weighs more than it was said to: the equilibrium of what it hung on.
 
 use super::{StaticLift, way};
 use crate::constraint::AnyConstraint;
@@ -17,10 +17,36 @@ impl StaticLift {
     /// # Errors
     /// [`NoEquilibrium`] where there is none without it.
     pub fn lose(&mut self, body: usize, losses: Losses) -> Result<Rest, NoEquilibrium> {
-        let whole = self.whole.take().unwrap_or_else(|| self.system.clone());
+        let whole = self.kept();
         let lost = self.system.tree.subtree[body].clone();
         let_go(&self.system, &mut self.state, &lost);
         take_off(&mut self.system, &lost);
+        self.go_on_without(whole, losses)
+    }
+
+    /// Puts more mass into bodies, at their centres of gravity, so much by name [kg], and finds the equilibrium downhill of
+    /// that found last; the same is true of it as of that of [`StaticLift::lose`].
+    ///
+    /// # Errors
+    /// [`NoEquilibrium`] where there is none with it, or no such body.
+    pub fn weigh(&mut self, more: &[(String, f64)], losses: Losses) -> Result<Rest, NoEquilibrium> {
+        let whole = self.kept();
+        for (name, mass) in more {
+            let missing =
+                || NoEquilibrium { element: name.clone(), cause: "there is no such body".to_owned() };
+            let index = self.body(name).ok_or_else(missing)?;
+            self.system.tree.bodies[index].mass += mass;
+        }
+        self.go_on_without(whole, losses)
+    }
+
+    /// The lift as it is given, aside from where it is changed.
+    fn kept(&mut self) -> System {
+        self.whole.take().unwrap_or_else(|| self.system.clone())
+    }
+
+    /// The equilibrium of the lift as it has been changed, with `whole` as it is given.
+    fn go_on_without(&mut self, whole: System, losses: Losses) -> Result<Rest, NoEquilibrium> {
         let Self { system, state, statics, .. } = self;
         let found = statics.go_on(system, state, losses);
         self.whole = Some(whole);
