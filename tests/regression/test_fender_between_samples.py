@@ -16,8 +16,8 @@ from afloat import LENGTH, barge, lift_of, written
 from gantline.checks import Verdict
 from gantline.report.afloat import afloat_facts
 from gantline.report.subject import Subject
+from gantline.results.loads.contact_peaks import contact_peak
 from gantline.results.recording import Recording
-from gantline.results.series import contact_peak
 from gantline.simulation import simulate
 from of_recording import checks_of
 
