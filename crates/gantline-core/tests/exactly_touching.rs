@@ -59,3 +59,27 @@ proptest! {
         prop_assert!(normal.z > 0.999, "{normal}");
     }
 }
+
+/// A prism of four sides on its end, with nothing between it and the deck: its normal leaned by 5.6°, since the direction
+/// between two points with no distance between them is rounding.
+#[test]
+fn what_touches_to_the_letter_has_the_normal_of_the_deck() {
+    let length = 3.185_561_532_940_96;
+    let hull = Shape::new(&[Part::Convex(prism(4, 0.5, length))]).expect("it has volume");
+    let thick = 3.834_741_997_237_791;
+    let (size, centre) = (DVec3::new(45.0, 45.0, thick), DVec3::Z * (2.0 - 0.5 * thick));
+    let deck =
+        Shape::new(&[Part::Box { size, centre, orientation: DQuat::IDENTITY }]).expect("it has volume");
+    let poses = [
+        &Pose { position: DVec3::Z * (2.0 + 0.5 * length), rotation: DMat3::from_rotation_y(FRAC_PI_2) },
+        &Pose { position: DVec3::ZERO, rotation: DMat3::IDENTITY },
+    ];
+    let mut found = Vec::new();
+    hull.meet(&deck, poses, 0.05, &mut found);
+    assert_eq!(found.len(), 4);
+    for meeting in found {
+        let normal = meeting.spot.in_world(poses).1;
+        assert!(normal.distance(DVec3::Z) < 1e-9, "{normal}");
+        assert!(meeting.gap.abs() < 1e-9, "{:e}", meeting.gap);
+    }
+}

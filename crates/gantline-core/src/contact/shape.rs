@@ -20,6 +20,8 @@ use crate::tree::pose::Pose;
 
 /// Points of two parts that are closer than this are one [m].
 pub(super) const SAME: f64 = 1e-3;
+/// Parts whose distance is less touch to rounding [m].
+const NOTHING: f64 = 1e-10;
 /// Cosine of the angle between a face and the direction in which shapes part, at most, for them to part along the face:
 /// 1.8°.
 const ALIGNED: f64 = 0.9995;
@@ -218,15 +220,15 @@ fn fill(
     }
 }
 
-/// True where parts may in truth touch to rounding: deeper than [`SAME`], along no direction, or nothing with the normal
-/// that parry gives where it has failed.
+/// True where parts may in truth touch to rounding: deeper than [`SAME`], by [`NOTHING`], so that the direction between them
+/// is rounding too, along no direction, or nothing with the normal that parry gives where it has failed.
 fn is_doubtful(manifolds: &[ContactManifold<(), ()>]) -> bool {
     manifolds.iter().any(|manifold| {
         if manifold.points.is_empty() {
             return manifold.local_n1 == Vector::X;
         }
         let has_direction = (manifold.local_n1.length_squared() - 1.0).abs() < SAME;
-        !has_direction || manifold.points.iter().any(|point| point.dist < -SAME)
+        !has_direction || manifold.points.iter().any(|point| point.dist < -SAME || point.dist.abs() < NOTHING)
     })
 }
 
