@@ -16,6 +16,8 @@ from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
+_UNTIL_PUSHED = "it lies so only while nothing pushes it, and turns over where anything does"
+
 
 def heel(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Heel of a vessel to either side."""
@@ -119,21 +121,34 @@ def _held_by_their_slings(recording: Recording) -> Iterator[Caution]:
 
 
 def turn_over(recording: Recording) -> list[Check]:
-    """A failure for each vessel that nothing rights: nothing in a run need push it."""
+    """A failure for each vessel that nothing rights: nothing in a run need push it.
+
+    A warning for one that nothing rights with the design weight, or of which no equilibrium with it is found.
+    """
     meaning = "what floats comes back where something heels or trims it"
     checks = []
     for vessel in recording.rig.vessels:
-        for time, *heights in [one for one in vessel.righting if min(one[1:]) < 0.0][:1]:
-            shown = format_quantity(min(heights), "m", 2)
-            lies = "it lies so only while nothing pushes it, and turns over where anything does"
+        for verdict, time, remark in [*_unrighted(vessel), *_unrighted_at_design(vessel)][:1]:
             checks.append(
-                Check(
-                    "floats_stably",
-                    Verdict.FAILED,
-                    meaning,
-                    element=vessel.name,
-                    time=time,
-                    remark=f"its GM is {shown}: {lies}",
-                )
+                Check("floats_stably", verdict, meaning, element=vessel.name, time=time, remark=remark)
             )
     return checks
+
+
+def _unrighted(vessel: Vessel) -> Iterator[tuple[Verdict, float, str]]:
+    """When nothing rights a vessel [s], and in words."""
+    for time, *heights in vessel.righting:
+        if min(heights) < 0.0:
+            shown = format_quantity(min(heights), "m", 2)
+            yield Verdict.FAILED, time, f"its GM is {shown}: {_UNTIL_PUSHED}"
+
+
+def _unrighted_at_design(vessel: Vessel) -> Iterator[tuple[Verdict, float, str]]:
+    """The same with the design weight of loads, which is not simulated."""
+    for one in vessel.by_contingency:
+        if one.least_height is not None:
+            shown = format_quantity(one.least_height, "m", 3)
+            yield Verdict.WARNING, one.time, f"with the design weight its GM is {shown}: {_UNTIL_PUSHED}"
+        elif not one.rests:
+            said = "with the design weight no equilibrium is found from here"
+            yield Verdict.WARNING, one.time, f"{said}: 'weight: {{simulate: design}}' tells"

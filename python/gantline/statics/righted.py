@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
@@ -176,7 +177,7 @@ def _without_friction_first(
         try:
             there = rest(losses)
             heights = _righting_of(question, there, at_level=at_level)
-            changes = by_contingency(question, there, heights) or changes
+            changes = _later(changes, by_contingency(question, there, heights))
         except NoEquilibriumError:
             continue
         for name, (heel, trim) in heights.items():
@@ -185,6 +186,20 @@ def _without_friction_first(
         if not _stands_aboard(there):
             break
     return AtRest(found, changes)
+
+
+def _later(
+    before: Mapping[str, ByContingency], found: Mapping[str, ByContingency]
+) -> Mapping[str, ByContingency]:
+    """What the design weight changes as found last, that nothing rights a vessel as found before too."""
+    if not found:
+        return before
+    return {
+        name: replace(one, least_height=before[name].least_height)
+        if one.least_height is None and name in before
+        else one
+        for name, one in found.items()
+    }
 
 
 def _stands_aboard(rest: Equilibrium) -> bool:

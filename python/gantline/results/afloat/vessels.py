@@ -50,6 +50,9 @@ class ByContingency(FromJson):
         freeboard: Change of freeboard [m].
         metacentric_height: Change of the metacentric height for heel [m]; None where that is not asked for,
             or the design weight leaves no equilibrium.
+        least_height: The least metacentric height, for heel or trim, with the design weight [m], where it is
+            below zero; None where nothing turns over, or it is not known.
+        rests: Whether an equilibrium with the design weight is found.
     """
 
     time: float
@@ -57,6 +60,8 @@ class ByContingency(FromJson):
     trim: float
     freeboard: float
     metacentric_height: float | None = None
+    least_height: float | None = None
+    rests: bool = True
 
 
 class AtRest(NamedTuple):
