@@ -10,6 +10,7 @@ from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, c
 from gantline.checks.moorings import moors_by_its_limit
 from gantline.checks.slings import bending_factor, bending_text, no_slings, sling_bend
 from gantline.results import series
+from gantline.results.alike import nothing
 from gantline.results.gear import Rope, Sling
 from gantline.results.recording import Recording
 from gantline.results.ropes.upper_end import peak_at_upper_end
@@ -66,7 +67,8 @@ def _factor(
         yield Missing(element, _NO_STRENGTH, is_strength=True)
         return
     highest = peak_at_upper_end(recording, rope, during)
-    if highest is not None and highest.tension > 0.0:
+    # What rounding of lengths leaves in a rope that just reaches is no force, and a factor on it none.
+    if highest is not None and highest.tension > nothing("kN"):
         force = kilonewton(highest.tension - highest.own_weight)
         if highest.own_weight > 0.0:
             force = f"({force} + {OWN_WEIGHT} {kilonewton(highest.own_weight)})"

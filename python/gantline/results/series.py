@@ -25,7 +25,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gantline.results.alike import earliest_peak, first_peak
+from gantline.results.alike import earliest_peak, first_peak, nothing
 from gantline.results.gear import Equalizer, Sheave, Sling, WrappedSheave
 from gantline.results.loads.hinges import HINGE_OPENED
 from gantline.results.loads.standing import all_stands
@@ -478,8 +478,8 @@ def slings_parted(recording: Recording) -> list[Sling]:
 def of_the_mean(recording: Recording) -> dict[str, float | None]:
     """Tension of every sling of `slings_on` at the end over the mean of all below as much gear [1].
 
-    None where all of these are slack. Slings above a spreader or compensator carry it too, and lean
-    otherwise: beside those below they tell nothing.
+    None where all of these are slack, or just reach. Slings above a spreader or compensator carry it too, and
+    lean otherwise: beside those below they tell nothing.
     """
     slings = slings_on(recording)
     tensions = [float(recording.column("rope_tension", sling.rope)[-1]) for sling in slings]
@@ -489,7 +489,7 @@ def of_the_mean(recording: Recording) -> dict[str, float | None]:
         alike.setdefault(depth, []).append(tension)
     means = {depth: sum(ones) / len(ones) for depth, ones in alike.items()}
     return {
-        sling.name: tension / means[depth] if means[depth] > 0.0 else None
+        sling.name: tension / means[depth] if means[depth] > nothing("kN") else None
         for sling, tension, depth in zip(slings, tensions, depths, strict=True)
     }
 

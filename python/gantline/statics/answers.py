@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.results.afloat.vessels import AtRest, with_rest
+from gantline.results.alike import without_rounding
 from gantline.results.leading_away import stability
 from gantline.results.recording import Recording
 
@@ -154,8 +155,8 @@ class Equilibrium:
         )
 
     def tension(self, rope: str) -> float:
-        """Tension of a rope [N]."""
-        return float(self.recording.column("rope_tension", rope)[-1])
+        """Tension of a rope [N]; none of one that just reaches, which rounding of its length has taut."""
+        return without_rounding(float(self.recording.column("rope_tension", rope)[-1]), 0.0, "kN")
 
 
 @dataclass(frozen=True, eq=False)
