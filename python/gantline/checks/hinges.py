@@ -9,30 +9,62 @@ import numpy as np
 from gantline.checks.check import Check, Verdict
 from gantline.checks.design_weight import largest_ratios
 from gantline.checks.forces import raised_of_capacity
-from gantline.checks.measure import Finding, Missing
+from gantline.checks.measure import Caution, Finding, Missing
 from gantline.results import series
-from gantline.results.loads.hinges import HINGE_OPENED, hinge_force, is_shut
+from gantline.results.loads.hinges import (
+    HINGE_OPENED,
+    Hinge,
+    borne_by_pins,
+    hinge_force,
+    hinge_moment,
+    is_shut,
+)
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
-from gantline.results.variable import BoolArray
+from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
 
 __all__ = ["of_rated_capacity", "opened"]
 
 #: Share of its load's weight that a hinge may bear as it opens [1].
 _LET_GO = 0.02
+#: Two pins of a hinge are so far apart or more: plausible, no document [m].
+_PINS_APART = 1.0
 _UNKNOWN = "it opens as the lift begins, so what it bore is not known; a 'hold' before it tells"
 
 
 def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Force between load and hinge, whichever way, raised to the design weight, over its rated capacity."""
+    """Force between load and hinge, whichever way, raised to the design weight, over its rated capacity.
+
+    Of one of two pins with their distance twice what the one bears that bears most.
+    """
     for hinge in recording.rig.hinges:
         if hinge.rated_capacity is None:
             yield Missing(hinge.name, "rated capacity not known", is_strength=True)
             continue
         ratios = largest_ratios(recording, [hinge.load])
-        force = hinge_force(recording, hinge)
+        force = borne_by_pins(recording, hinge)
         yield from raised_of_capacity(recording, during, hinge.name, force, ratios, hinge.rated_capacity)
+        if hinge.pins_apart is None:
+            yield from _askew(recording, hinge, ratios * during, hinge.rated_capacity)
+
+
+def _askew(recording: Recording, hinge: Hinge, ratios: FloatArray, capacity: float) -> Iterator[Caution]:
+    """A moment askew that is in no force, where pins as near as those of hinges are would not bear it.
+
+    Pins less than b apart bear more than the capacity C with F + 2 M/b = C.
+    """
+    left = capacity - ratios * hinge_force(recording, hinge)
+    moment = ratios * hinge_moment(recording, hinge)
+    nearest = np.divide(2.0 * moment, left, out=np.zeros_like(left), where=left > 0.0)
+    at = int(np.argmax(nearest))
+    if nearest[at] > _PINS_APART:
+        askew = format_quantity(float(moment[at]), "kN m", 1)
+        apart = format_quantity(float(nearest[at]), "m", 2)
+        yield Caution(
+            f"its moment askew of {askew} is not in that: two pins less than {apart} apart bear more than is "
+            "rated; 'pins_apart' counts it"
+        )
 
 
 def opened(recording: Recording) -> list[Check]:

@@ -144,6 +144,7 @@ def hinge_rig(scenario: Scenario, centre: Array | None) -> Json:
                 "pushes": [hinge_joints(name)[what] for what in PUSHES],
                 "turns": [joint for what, joint in hinge_joints(name).items() if what not in PUSHES],
                 "rated_capacity": None if hinge.rated_capacity is None else hinge.rated_capacity * gravity,
+                "pins_apart": hinge.pins_apart,
                 "opened_in": opened_in(scenario, name),
             }
             for name, hinge in scenario.hinges.items()

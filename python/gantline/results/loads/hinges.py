@@ -23,6 +23,7 @@ __all__ = [
     "HINGE_WAYS",
     "Hinge",
     "axial_force",
+    "borne_by_pins",
     "distance_from_axis",
     "held_up",
     "hinge_columns",
@@ -56,6 +57,7 @@ class Hinge(FromJson):
         pushes: Joints whose pins hold the load along the axes of the hinge, in the order of `HINGE_WAYS`.
         turns: Joints whose pins keep it from turning about the two that are not the hinge's own.
         rated_capacity: Largest force that it may bear [N]; None if not said.
+        pins_apart: Distance along its axis of the two pins that it is of [m]; None if not said.
         opened_in: Steps of the plan that open it.
     """
 
@@ -66,6 +68,7 @@ class Hinge(FromJson):
     pushes: Sequence[str] = ()
     turns: Sequence[str] = ()
     rated_capacity: float | None = None
+    pins_apart: float | None = None
     opened_in: Sequence[str] = ()
 
 
@@ -159,6 +162,18 @@ def _upwards(orientation: FloatArray, push: FloatArray) -> FloatArray:
 def hinge_force(recording: Recording, hinge: Hinge) -> FloatArray:
     """Force between load and hinge, whichever way [N], shape (time,)."""
     return recording.column("hinge_force", hinge.name)
+
+
+def borne_by_pins(recording: Recording, hinge: Hinge) -> FloatArray:
+    """Twice what the pin of a hinge bears that bears most, shape (time,) [N]: F + 2 M/b, at most.
+
+    Each of two pins b apart bears half of the force F, and M/b by the moment askew M, which is level with F
+    and against it at one of them at most. Of one of which no distance of pins is said it is F.
+    """
+    force = hinge_force(recording, hinge)
+    return (
+        force if hinge.pins_apart is None else force + 2.0 * hinge_moment(recording, hinge) / hinge.pins_apart
+    )
 
 
 def pulled_up(recording: Recording, hinge: Hinge) -> FloatArray:

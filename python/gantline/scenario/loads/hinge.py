@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 from pydantic import Field
 
 from gantline.scenario.base import Element
-from gantline.scenario.quantities import Direction, Name, Position, PositiveMass, Torque
+from gantline.scenario.quantities import Direction, Name, Position, PositiveLength, PositiveMass, Torque
 
 if TYPE_CHECKING:
     from gantline.scenario.model import Scenario
@@ -37,6 +37,11 @@ class LoadHinge(Element):
     )
     rated_capacity: PositiveMass | None = Field(
         None, description="Largest force between load and hinge, whichever way; not checked if not given."
+    )
+    pins_apart: PositiveLength | None = Field(
+        None,
+        description="Distance along the axis of the two pins that it is of; they bear its moment askew too, "
+        "which 'rated_capacity', of both together, is then held against.",
     )
     friction: Torque = Field(
         0.0, description="Dry friction that holds the turning, a moment; none if not given, or if it opens."
