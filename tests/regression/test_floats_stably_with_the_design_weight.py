@@ -16,6 +16,7 @@ import pytest
 from scipy.optimize import brentq
 
 from gantline.checks import Check, Verdict
+from gantline.results.afloat.vessels import AtRest, ByContingency
 from gantline.results.recording import Recording
 from gantline.scenario import Scenario, parse_scenario
 from gantline.simulation import simulate
@@ -154,3 +155,13 @@ def test_one_that_lies_askew_by_a_hair_heels_by_degrees(found) -> None:  # type:
     assert abs(math.degrees(lies)) < 0.1
     heel = -(lies + recording.rig.vessels[0].by_contingency[0].heel)
     assert least < heel < most
+
+
+def test_one_without_an_equilibrium_is_told() -> None:
+    """Of the lift as it rests with nothing more, told to rest nowhere with more."""
+    question = Statics(aboard(height_for(0.050), "design"))
+    nowhere = ByContingency(0.0, heel=0.0, trim=0.0, freeboard=0.0, rests=False)
+    rest = question.equilibrium(0.0, losses="held").with_rest(AtRest({}, {"barge": nowhere}))
+    [check] = told(rest.recording)
+    assert check.verdict is Verdict.WARNING
+    assert check.remark.startswith("with the design weight no equilibrium is found from here")

@@ -64,7 +64,8 @@ def by_contingency(question: Statics, rest: Equilibrium, heights: Heights) -> di
             found[vessel.name] = replace(change, rests=False)
             continue
         recording, righted = heavier
-        change = _with_heights(change, righted[vessel.name], heights.get(vessel.name))
+        if vessel.name in righted:
+            change = _with_heights(change, righted[vessel.name], heights.get(vessel.name))
         found[vessel.name] = _where_it_rests(change, vessel.name, rest.recording, recording)
     return found
 
@@ -102,17 +103,20 @@ def _heavier(
 ) -> tuple[Recording, Heights] | None:
     """How the lift rests with bodies so much heavier [kg], and metacentric heights of vessels there.
 
-    None where it rests nowhere with that.
+    None where it rests nowhere with that; no heights where it answers to no push smoothly there.
     """
     try:
         heavier, recording = question.heavier(more)
-        found = {}
+    except NoEquilibriumError:
+        return None
+    found: Heights = {}
+    try:
         for one in vessels:
             displaced = float(recording.column("vessel_displacement", one.name)[-1])
             heights = heights_of(heavier, recording, one.body, displaced)
             found[one.name] = heights.transverse, heights.longitudinal
     except NoEquilibriumError:
-        return None
+        return recording, {}
     return recording, found
 
 
