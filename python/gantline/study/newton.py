@@ -233,7 +233,12 @@ class Search:
 
     def _left(self) -> str:
         worst = max(self.now.rows, key=lambda row: abs(row.value))
-        return f"{abs(worst.value):.2g} is left of {worst.name}"
+        return f"{abs(worst.value):.2g} is left of {worst.name}{self._slack()}"
+
+    def _slack(self) -> str:
+        """What is slack by now: lengths of that do nothing, and it goes taut on the way."""
+        slack = self.now.hanging.slack()
+        return f"; slack: {', '.join(slack)}" if slack else ""
 
     def _no_effect(self, slope: Floats, value: Floats) -> str:
         worst = int(np.argmax(np.abs(value)))
@@ -241,8 +246,7 @@ class Search:
         effect = f"{self._what} do not act on what is wanted"
         if strongest > _NO_EFFECT:
             effect = f"{self._what} cannot do all of what is wanted at once"
-        slack = ", ".join(self.now.hanging.slack())
-        return f"{effect}{f'; slack: {slack}' if slack else ''}{_hint(self.now.hanging.rig)}"
+        return f"{effect}{self._slack()}{_hint(self.now.hanging.rig)}"
 
 
 def _hint(rig: Rig) -> str:
