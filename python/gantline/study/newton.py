@@ -8,6 +8,7 @@ is taken (minimum norm), of all changes and not of each step.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -113,13 +114,19 @@ class Search:
         self.steps = 0
         self.first = self.now = self._try(np.zeros(len(unknowns)))
 
-    def run(self) -> Floats:
+    def run(self, start: Floats | None = None) -> Floats:
         """Changes of the unknowns [m].
+
+        Args:
+            start: Those to set out from, if the lift has an equilibrium so; none if not given.
 
         Raises:
             CannotBeError: If no changes do it.
         """
         changes = np.zeros(len(self._unknowns))
+        if start is not None and start.any():
+            with suppress(ScenarioError, NoEquilibriumError, _NoAnswerError):
+                self.now, changes = self._try(start), start
         while self.now.residual > RESIDUAL:
             if self.steps == _STEPS:
                 raise CannotBeError(f"no answer in {_STEPS} steps; {self._left()}")
