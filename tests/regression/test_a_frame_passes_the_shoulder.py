@@ -37,7 +37,8 @@ def test_the_guide_presses_alike_before_and_after() -> None:
     """
     lift = parse_scenario(guided_lift(GUIDE, plan=PLAN, duration=8.0))
     run = simulate(lift, sample_interval=0.002)
-    pressed = sum(run.column("contact_force", f"guide.g.fore/{place}") for place in (1, 2))
+    one, other = (run.column("contact_force", f"guide.g.fore/{place}") for place in (1, 2))
+    pressed = one + other
     aside, _, height = run.column("body_position", "module").T
     lean, out = aside[-1] / (HOOK - 1.0), 3.8
     top = height - 1.0 + 0.6 + out * lean
