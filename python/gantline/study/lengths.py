@@ -8,6 +8,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+import numpy.typing as npt
+
+from gantline.results import series
 from gantline.scenario import Scenario, load_scenario
 from gantline.scenario.errors import nearest
 from gantline.scenario.file.variants import without_cases
@@ -124,7 +128,7 @@ def adjust_lengths(
         return found
 
     search = Search(Statics(scenario), unknowns, rows, time, "lengths of slings")
-    changes = search.run()
+    changes = search.run(_taut(search.first.hanging, [slung[name] for name in chosen]) if shares else None)
     search.refuse_too_far(changes)
     search.refuse_unsound()
     lengths = {name: known[name] + float(more) for name, more in zip(chosen, changes, strict=True)}
@@ -160,6 +164,19 @@ def _refuse(chosen: Sequence[str], shares: Mapping[str, float], known: Collectio
         if not 0.0 <= share <= 1.0:
             sentence = f"{name}: {100.0 * share:g} % is no share of what all slings carry"
             raise ValueError(f"{sentence}; one is written like '30 %' or '0.3'")
+
+
+def _taut(hanging: Hanging, slings: Sequence[SlingRigging]) -> npt.NDArray[np.float64]:
+    """Changes of lengths by which slings that are slack come to bear [m]: until then they act on no share."""
+    recording, slack = hanging.rest.recording, hanging.slack()
+    pulls = [hanging.rest.tension(sling.rope) for sling in hanging.slings if sling.name not in slack]
+    changes = np.zeros(len(slings))
+    for index, sling in enumerate(slings):
+        if sling.name in slack and pulls:
+            top, bottom = (end[-1] for end in series.rope_ends(recording, f"sling.{sling.name}"))
+            stretch = 1.0 + sling.rope.strain_under(sum(pulls) / len(pulls))
+            changes[index] = float(np.linalg.norm(top - bottom)) / stretch - sling.length
+    return changes
 
 
 def _mean_strain(sling: SlingRigging, before: Equilibrium, after: Equilibrium) -> float:

@@ -8,6 +8,7 @@ is taken (minimum norm), of all changes and not of each step.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -113,13 +114,19 @@ class Search:
         self.steps = 0
         self.first = self.now = self._try(np.zeros(len(unknowns)))
 
-    def run(self) -> Floats:
+    def run(self, start: Floats | None = None) -> Floats:
         """Changes of the unknowns [m].
+
+        Args:
+            start: Those to set out from, if the lift has an equilibrium so; none if not given.
 
         Raises:
             CannotBeError: If no changes do it.
         """
         changes = np.zeros(len(self._unknowns))
+        if start is not None and start.any():
+            with suppress(ScenarioError, NoEquilibriumError, _NoAnswerError):
+                self.now, changes = self._try(start), start
         while self.now.residual > RESIDUAL:
             if self.steps == _STEPS:
                 raise CannotBeError(f"no answer in {_STEPS} steps; {self._left()}")
@@ -233,7 +240,12 @@ class Search:
 
     def _left(self) -> str:
         worst = max(self.now.rows, key=lambda row: abs(row.value))
-        return f"{abs(worst.value):.2g} is left of {worst.name}"
+        return f"{abs(worst.value):.2g} is left of {worst.name}{self._slack()}"
+
+    def _slack(self) -> str:
+        """What is slack by now: lengths of that do nothing, and it goes taut on the way."""
+        slack = self.now.hanging.slack()
+        return f"; slack: {', '.join(slack)}" if slack else ""
 
     def _no_effect(self, slope: Floats, value: Floats) -> str:
         worst = int(np.argmax(np.abs(value)))
@@ -241,8 +253,7 @@ class Search:
         effect = f"{self._what} do not act on what is wanted"
         if strongest > _NO_EFFECT:
             effect = f"{self._what} cannot do all of what is wanted at once"
-        slack = ", ".join(self.now.hanging.slack())
-        return f"{effect}{f'; slack: {slack}' if slack else ''}{_hint(self.now.hanging.rig)}"
+        return f"{effect}{self._slack()}{_hint(self.now.hanging.rig)}"
 
 
 def _hint(rig: Rig) -> str:

@@ -17,7 +17,17 @@
 //! s = s₀ − M ρ₀/√(1 − M² τ²),   M = tan α (a·t)/τ²,  τ² = 1 − (a·t)²             (LG3)
 //! ```
 //!
-//! s₀ and ρ₀ where the edge is nearest to the axis. Either is a point of one body against a plane of the other: exact as
+//! s₀ and ρ₀ where the edge is nearest to the axis. An edge hides behind a face of its own on which a rim lies, if that face comes
+//! nearer to the post from the edge on: the rim bears there, until the edge has come to it and takes its place. With m the normal
+//! of the post and t the direction from the edge into that face, an edge counts where
+//!
+//! ```text
+//! m·t ≥ −0.02                                                                     (LG9)
+//! ```
+//!
+//! Without that the top of a wall that slides down along the cylinder would be stopped by the cone, with k τ v sin α at the
+//! shoulder, although it never comes upon it. The 0.02 keep both ends of a line along which a post and a face lie on each other,
+//! and are more than what turns in a damping time. Either is a point of one body against a plane of the other: exact as
 //! the two shift, and but for R dψ²/2 as they turn by dψ, until the spot is found anew ([`crate::stepper::spots`]).
 
 use glam::DVec3;
@@ -31,6 +41,8 @@ use crate::tree::pose::Pose;
 pub const PLACES: usize = 2;
 /// Sine of the angle between a direction and the axis of a post, at least, where one across it is needed.
 const ACROSS: f64 = 1e-6;
+/// Sine of the angle by which a face on which a rim lies may go towards the post from an edge that counts, (LG9).
+const ALONG: f64 = 0.02;
 
 /// A round post, in the frame of its body.
 #[derive(Debug, Clone, PartialEq)]
@@ -182,10 +194,18 @@ impl Wall {
         [upright, flare].into_iter().filter(|(_, _, length)| *length > 0.0)
     }
 
-    /// Middles of its edges [m]: the knee, and the other ends of its faces.
-    fn edges(&self) -> impl Iterator<Item = DVec3> {
-        let ends = self.faces().map(|(away, _, length)| self.knee + away * length);
-        [self.knee].into_iter().chain(ends)
+    /// Its edges, the knee and the other ends of its faces: the middle of each [m], and the directions into the faces there.
+    fn edges(&self) -> impl Iterator<Item = (DVec3, [Option<DVec3>; 2])> {
+        let mut into = [None; 2];
+        for (into, (away, ..)) in into.iter_mut().zip(self.faces()) {
+            *into = Some(away);
+        }
+        let ends = (0..).zip(self.faces()).map(|(face, (away, _, length))| {
+            let mut back = [None; 2];
+            back[face] = Some(-away);
+            (self.knee + away * length, back)
+        });
+        [(self.knee, into)].into_iter().chain(ends)
     }
 }
 
@@ -251,12 +271,20 @@ impl Landing {
     /// Edges of the wall on sides and tip of the post, (LG2) and (LG3).
     fn edges_on_sides(&self, post: &Post, wall: &Wall, poses: [&Pose; 2], found: &mut Vec<Near>) {
         let along = wall.along();
-        for (number, edge) in (7..).zip(wall.edges()) {
+        // Faces on which a rim lies.
+        let bears = [0, 1].map(|face| found.iter().any(|near| (near.meeting.spot.feature - 1) / 3 == face));
+        for (number, (edge, faces)) in (7..).zip(wall.edges()) {
             let places =
                 post.nearest(edge, along, wall.half).map(|s| (edge + along * s, wall.half - s.abs()));
             let [one, other] = places.map(|(point, end)| (point, end, post.beside(point)));
             let (point, end, Beside { gap, normal, left }) =
                 if other.2.gap < one.2.gap { other } else { one };
+            let hides = |(into, bears): (Option<DVec3>, bool)| {
+                bears && into.is_some_and(|into| normal.dot(into) < -ALONG)
+            };
+            if faces.into_iter().zip(bears).any(hides) {
+                continue;
+            }
             let around = post.axis.cross(normal).try_normalize().unwrap_or(along);
             let plane =
                 Plane { point: point - normal * gap, normal, tangents: [around, normal.cross(around)] };
@@ -427,6 +455,23 @@ mod tests {
         heights.sort_by(f64::total_cmp);
         assert!((heights[0] - 0.7).abs() < 1e-12 && (heights[1] - 1.0).abs() < 1e-12, "{heights:?}");
         assert!(found.iter().all(|near| (near.meeting.gap - 0.03).abs() < 1e-12));
+    }
+
+    #[test]
+    fn the_top_of_a_wall_along_the_cylinder_is_no_neighbour_of_the_cone() {
+        // Leant by 0.01 towards the post the wall lies on the shoulder, 1 m up, and its top is 2 mm to 40 mm over that: closer to
+        // the cone than the knee to the cylinder, and yet to go down along the cylinder.
+        let landing = landing();
+        for over in [0.002, 0.01, 0.04] {
+            let (lean, up) = (0.01, 0.5 - over);
+            let pose = pose(&landing, [lean, 0.0, 0.0, 1.0 - up * lean.cos(), 0.2 + up * lean.sin(), 0.0]);
+            let poses = [&Pose::IDENTITY, &pose];
+            let mut found = Vec::new();
+            landing.near(poses, 0.1, &mut found);
+            assert!(found[0].meeting.gap.abs() < 1e-12 && (found[0].left - over).abs() < 1e-12);
+            let slopes = found.iter().map(|near| near.meeting.spot.in_world(poses).1.z.abs());
+            assert!(slopes.fold(0.0, f64::max) < 0.011, "{found:?}");
+        }
     }
 
     #[test]
