@@ -259,10 +259,18 @@ fn distance(one: Placed, other: Placed) -> f64 {
         _ => query::distance(&one.0, one.1.as_ref(), &other.0, other.1.as_ref())
             .map_or(f64::NAN, |found| found.distance),
     };
-    if apart > 0.0 {
+    if apart > 0.0 && apart < at_most(one, other) {
         return apart;
     }
     deepest(one, other).map_or(apart, |contact| contact.dist.min(0.0))
+}
+
+/// More than two parts are apart [m]: the distance of the second from a point of the first, and [`SAME`]. Of some that touch
+/// to rounding parry says metres.
+fn at_most(one: Placed, other: Placed) -> f64 {
+    let Some(map) = one.1.as_support_map() else { return f64::INFINITY };
+    let [own, its] = [one, other].map(|(pose, part)| part.compute_aabb(&pose).center());
+    other.1.distance_to_point(&other.0, map.support_point(&one.0, its - own), true) + SAME
 }
 
 /// Where two parts that meet do so most.
