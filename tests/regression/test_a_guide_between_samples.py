@@ -1,8 +1,8 @@
 """A load that comes down on a landing guide between samples.
 
 Forces of landing guides were those of samples, though the peaks of their contacts over all steps were known.
-A frame that comes down over its post at 6 m/min pressed it with 4.5 kN at one contact, and with 2.9 kN by
-samples 0.5 s apart. What several contacts bear together is still that of samples; a bump of theirs is told.
+A frame that comes down over its post at 6 m/min presses it with 3.9 kN at one contact, and with less than
+2.7 kN by samples 0.5 s apart. What several contacts bear together is still that of samples; a bump of theirs is told.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ def run_of(apart: float) -> Recording:
 
 
 def test_the_peak_of_one_contact_counts() -> None:
-    """By samples 10 ms apart one contact has as much, and both together more."""
-    fine, coarse = run_of(0.01), run_of(0.5)
+    """By samples 2 ms apart one contact has as much, and both together more."""
+    fine, coarse = run_of(0.002), run_of(0.5)
     (guide,) = coarse.rig.guides
     one = max(float(fine.column("contact_force", name).max()) for name in guide.contacts)
     force, time = guide_peak(coarse, guide)
@@ -42,5 +42,5 @@ def test_the_peak_of_one_contact_counts() -> None:
     assert coarse.metrics()["peak_guide_force.g"] == force
     (check,) = checks_of(coarse, "guide_force_of_capacity")
     assert check.value == pytest.approx(force / 50e3) and check.time == time
-    assert dict(attitude(Subject(coarse)))["largest force of a guide"].startswith("g 4.51 kN at 1.2 s")
+    assert dict(attitude(Subject(coarse)))["largest force of a guide"].startswith("g 3.90 kN at 1.2 s")
     assert guide_peak(fine, guide)[0] == float(fine.column("guide_force", "g").max()) > 1.3 * one

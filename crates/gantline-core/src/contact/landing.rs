@@ -17,32 +17,34 @@
 //! s = s₀ − M ρ₀/√(1 − M² τ²),   M = tan α (a·t)/τ²,  τ² = 1 − (a·t)²             (LG3)
 //! ```
 //!
-//! s₀ and ρ₀ where the edge is nearest to the axis. An edge hides behind a face of its own on which a rim lies, if that face comes
-//! nearer to the post from the edge on: the rim bears there, until the edge has come to it and takes its place. With m the normal
-//! of the post and t the direction from the edge into that face, an edge counts where
+//! s₀ and ρ₀ where the edge is nearest to the axis. Two convex bodies touch at one place, or all along a line. Of the planes
+//! through every rim along every face, and through every edge along every side of the post, those count from which rims and
+//! edges lie on their own side alone: they part the two, by the gap, and where that is less than nothing so far are they in each
+//! other. The one that parts them farthest is where they touch. The other end of a line is where another rim or edge is next
+//! nearest, if it lies along the same plane: with the angle θ between its normal and the first it counts
 //!
 //! ```text
-//! m·t ≥ −0.02                                                                     (LG9)
+//! 2 m · max(0, 1 − cos θ − 0.0002)  +  f_max − f                                  (LG9)
 //! ```
 //!
-//! Without that the top of a wall that slides down along the cylinder would be stopped by the cone, with k τ v sin α at the
-//! shoulder, although it never comes upon it. The 0.02 keep both ends of a line along which a post and a face lie on each other,
-//! and are more than what turns in a damping time. Either is a point of one body against a plane of the other: exact as
-//! the two shift, and but for R dψ²/2 as they turn by dψ, until the spot is found anew ([`crate::stepper::spots`]).
+//! farther away, f that of the side of the post along which it would lie: no farther within 1.1°. Without that what has another
+//! direction would press at once with all that it is inside, as the tip of a post does on which the lower end of a flare stands,
+//! or twice as a rim passes the knee; and the top of a wall that slides down along the cylinder would be stopped by the cone.
+//! Either is a point of one body against a plane of the other: exact as the two shift, and but for R dψ²/2 as they turn by dψ,
+//! until the spot is found anew ([`crate::stepper::spots`]).
+
+mod places;
 
 use glam::DVec3;
 
-use super::plane::Plane;
 use super::shape::Meeting;
-use super::spot::Spot;
 use crate::tree::pose::Pose;
+use places::{Place, edges_on_sides, rims_on_faces};
 
 /// Places at which a post and a wall touch at a time, at most: both ends of a line along which they lie on each other.
 pub const PLACES: usize = 2;
 /// Sine of the angle between a direction and the axis of a post, at least, where one across it is needed.
 const ACROSS: f64 = 1e-6;
-/// Sine of the angle by which a face on which a rim lies may go towards the post from an edge that counts, (LG9).
-const ALONG: f64 = 0.02;
 
 /// A round post, in the frame of its body.
 #[derive(Debug, Clone, PartialEq)]
@@ -100,9 +102,10 @@ pub struct Near {
     pub left: f64,
 }
 
-/// A side or the tip of a post at a point beside it.
+/// A side, the tip or the foot of a post at a point beside it.
+#[derive(Clone, Copy)]
 struct Beside {
-    /// f of (LG2) [m].
+    /// Its own part of f in (LG2) [m].
     gap: f64,
     /// Normal out of the post.
     normal: DVec3,
@@ -130,8 +133,8 @@ impl Post {
         [(self.base, self.radius), (at(self.height), self.radius)].into_iter().chain(tip)
     }
 
-    /// What of it is nearest to a point, by (LG2).
-    fn beside(&self, point: DVec3) -> Beside {
+    /// Its cylinder, tip and foot and its cone at a point, by (LG2).
+    fn beside(&self, point: DVec3) -> [Option<Beside>; 4] {
         let apart = point - self.base;
         let height = apart.dot(self.axis);
         let across = apart - self.axis * height;
@@ -152,8 +155,7 @@ impl Post {
             normal: outwards * cos + self.axis * sin,
             left: over.abs().min((over - self.cone).abs()) / cos,
         });
-        let farthest = |one: Beside, other: Beside| if other.gap > one.gap { other } else { one };
-        cone.into_iter().chain([tip, foot]).fold(side, farthest)
+        [Some(side), Some(tip), Some(foot), cone]
     }
 
     /// Where an edge e + s t, |s| ≤ `half`, comes nearest to a side of it, by (LG3): s [m] for the cylinder and the cone.
@@ -194,18 +196,9 @@ impl Wall {
         [upright, flare].into_iter().filter(|(_, _, length)| *length > 0.0)
     }
 
-    /// Its edges, the knee and the other ends of its faces: the middle of each [m], and the directions into the faces there.
-    fn edges(&self) -> impl Iterator<Item = (DVec3, [Option<DVec3>; 2])> {
-        let mut into = [None; 2];
-        for (into, (away, ..)) in into.iter_mut().zip(self.faces()) {
-            *into = Some(away);
-        }
-        let ends = (0..).zip(self.faces()).map(|(face, (away, _, length))| {
-            let mut back = [None; 2];
-            back[face] = Some(-away);
-            (self.knee + away * length, back)
-        });
-        [(self.knee, into)].into_iter().chain(ends)
+    /// Its edges, the knee and the other ends of its faces: the middle of each [m].
+    fn edges(&self) -> impl Iterator<Item = DVec3> {
+        [self.knee].into_iter().chain(self.faces().map(|(away, _, length)| self.knee + away * length))
     }
 }
 
@@ -231,91 +224,38 @@ impl Landing {
         middle.length() + radius
     }
 
-    /// Where the post and the wall are closer than `reach` [m] with their bodies at these poses: the nearest first.
+    /// Where the post and the wall are closer than `reach` [m] with their bodies at these poses: where they touch first, then the
+    /// other end of a line along which they do.
     pub fn near(&self, poses: [&Pose; 2], reach: f64, found: &mut Vec<Near>) {
         found.clear();
         if self.apart(poses) > reach {
             return;
         }
         let (post, wall) = (self.post.placed(poses[0]), self.wall.placed(poses[1]));
-        self.rims_on_faces(&post, &wall, poses, found);
-        self.edges_on_sides(&post, &wall, poses, found);
-        found.retain(|near| near.meeting.gap < reach);
-        found.sort_by(|one, other| one.meeting.gap.total_cmp(&other.meeting.gap));
-        found.truncate(PLACES);
-    }
-
-    /// Rims of the post on faces of the wall, (LG1).
-    fn rims_on_faces(&self, post: &Post, wall: &Wall, poses: [&Pose; 2], found: &mut Vec<Near>) {
-        let along = wall.along();
-        for (face, (away, normal, length)) in (0..).zip(wall.faces()) {
-            let Some(outwards) = (normal - post.axis * post.axis.dot(normal)).try_normalize() else {
-                continue;
-            };
-            for (rim, (centre, radius)) in (0..).zip(post.rims()) {
-                let point = centre - outwards * radius;
-                let from = point - wall.knee;
-                let (down, aside) = (from.dot(away), from.dot(along));
-                let left = down.min(length - down).min(wall.half - aside.abs());
-                // A post whose axis is beyond the wall is beside it.
-                if left < 0.0 || (centre - wall.knee).dot(normal) < 0.0 {
-                    continue;
-                }
-                let plane = Plane { point: wall.knee, normal, tangents: [along, normal.cross(along)] };
-                let spot = spot(poses, point, plane, false, 1 + 3 * face + rim);
-                found.push(Near { meeting: Meeting { spot, gap: from.dot(normal) }, point, left });
-            }
-        }
-    }
-
-    /// Edges of the wall on sides and tip of the post, (LG2) and (LG3).
-    fn edges_on_sides(&self, post: &Post, wall: &Wall, poses: [&Pose; 2], found: &mut Vec<Near>) {
-        let along = wall.along();
-        // Faces on which a rim lies.
-        let bears = [0, 1].map(|face| found.iter().any(|near| (near.meeting.spot.feature - 1) / 3 == face));
-        for (number, (edge, faces)) in (7..).zip(wall.edges()) {
-            let places =
-                post.nearest(edge, along, wall.half).map(|s| (edge + along * s, wall.half - s.abs()));
-            let [one, other] = places.map(|(point, end)| (point, end, post.beside(point)));
-            let (point, end, Beside { gap, normal, left }) =
-                if other.2.gap < one.2.gap { other } else { one };
-            let hides = |(into, bears): (Option<DVec3>, bool)| {
-                bears && into.is_some_and(|into| normal.dot(into) < -ALONG)
-            };
-            if faces.into_iter().zip(bears).any(hides) {
-                continue;
-            }
-            let around = post.axis.cross(normal).try_normalize().unwrap_or(along);
-            let plane =
-                Plane { point: point - normal * gap, normal, tangents: [around, normal.cross(around)] };
-            let spot = spot(poses, point, plane, true, number);
-            // An edge that lies against the post by its end leaves it there.
-            let left = if end > 0.0 { left.min(end) } else { left };
-            found.push(Near { meeting: Meeting { spot, gap }, point, left });
-        }
-    }
-}
-
-/// A point and a plane of the world as a spot of bodies at these poses; the point is of the second where `is_swapped`.
-fn spot(poses: [&Pose; 2], point: DVec3, plane: Plane, is_swapped: bool, feature: u64) -> Spot {
-    let [with_point, with_plane] = if is_swapped { [poses[1], poses[0]] } else { poses };
-    let [to_point, to_plane] = [with_point, with_plane].map(|pose| pose.rotation.transpose());
-    Spot {
-        is_near: true,
-        is_swapped,
-        point: to_point * (point - with_point.position),
-        plane: Plane {
-            point: to_plane * (plane.point - with_plane.position),
-            normal: to_plane * plane.normal,
-            tangents: plane.tangents.map(|tangent| to_plane * tangent),
-        },
-        crossing: None,
-        feature,
+        let mut places = Vec::with_capacity(2 * 3 + 3 * 4);
+        rims_on_faces(&post, &wall, &mut places);
+        edges_on_sides(&post, &wall, &mut places);
+        let by_gap = |one: &(f64, &Place), other: &(f64, &Place)| one.0.total_cmp(&other.0);
+        let parting =
+            places.iter().filter(|place| place.parts).map(|place| (place.gap, place)).max_by(by_gap);
+        // A wall that has come over the axis of the post is parted from it by planes alone that stand far off.
+        let deepest = places.iter().filter_map(|place| Some((place.beside?, place))).min_by(by_gap);
+        let Some((gap, first)) = parting.into_iter().chain(deepest).max_by(by_gap) else { return };
+        let others = places.iter().filter_map(|place| Some((place.after(first)?, place)));
+        let next = others.min_by(by_gap);
+        let tangent = |place: &Place| {
+            let around = place.is_edge.then(|| post.axis.cross(place.normal).try_normalize()).flatten();
+            around.unwrap_or_else(|| wall.along())
+        };
+        let both = [(gap, first)].into_iter().chain(next).filter(|(gap, _)| *gap < reach);
+        found.extend(both.map(|(gap, place)| place.near(poses, tangent(place), gap)));
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI};
+
     use super::*;
     use crate::contact::shape::{Part, Shape};
     use glam::DQuat;
@@ -436,6 +376,47 @@ mod tests {
             prop_assume!(is_alike);
             prop_assert!((near.meeting.spot.gap([&Pose::IDENTITY, &before]) - near.meeting.gap).abs() < 1e-14);
             prop_assert!((near.meeting.spot.gap(poses) - after.meeting.gap).abs() < 10.0 * small * small);
+        }
+    }
+
+    /// How far post and wall are apart along the way on which that is most, in the plane of its axis and the wall's normal and as
+    /// seen from the front: by 3600 ways, each with all rims and edges. What is in each other has less than nothing.
+    fn parted(landing: &Landing, pose: &Pose) -> f64 {
+        let (post, wall) = (&landing.post, landing.wall.placed(pose));
+        let outwards = (wall.normal - post.axis * post.axis.dot(wall.normal)).normalize();
+        let apart = |angle: f64| {
+            let way = outwards * angle.cos() - post.axis * angle.sin();
+            let own = post.rims().map(|(centre, radius)| way.dot(centre - outwards * radius));
+            let its = wall.edges().map(|edge| way.dot(edge));
+            own.fold(f64::INFINITY, f64::min) - its.fold(f64::NEG_INFINITY, f64::max)
+        };
+        (0..=3600)
+            .map(|step| apart(f64::from(step) / 3600.0 * PI - FRAC_PI_2))
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    proptest! {
+        /// Where they are in each other they are so by the shortest way out, to what ways 0.05° apart miss over half a metre, and
+        /// what presses beside it goes nearly the same way: 2 m (1 − cos θ − 0.0002) are more than 30 mm from 10° on.
+        #[test]
+        fn they_are_in_each_other_by_the_shortest_way_out(
+            (lean, height, depth) in (-0.1..0.1_f64, 0.05..1.6_f64, 0.001..0.03_f64),
+        ) {
+            let landing = landing();
+            let at = |distance: f64| pose(&landing, [lean, 0.0, 0.0, height, distance, 0.0]);
+            let (mut close, mut far) = (0.0, 0.9);
+            prop_assume!(parted(&landing, &at(close)) < -depth);
+            for _ in 0..40 {
+                let middle = 0.5 * (close + far);
+                if parted(&landing, &at(middle)) < -depth { close = middle } else { far = middle }
+            }
+            let poses = [&Pose::IDENTITY, &at(far)];
+            let mut found = Vec::new();
+            landing.near(poses, 0.0, &mut found);
+            prop_assert!((found[0].meeting.gap + depth).abs() < 5e-4, "{depth}: {found:?}");
+            let mut ways = found.iter().map(|near| near.meeting.spot.in_world(poses).1);
+            let first = ways.next().unwrap();
+            prop_assert!(ways.all(|way| way.dot(first) > 1.0 - 0.5 * 0.03 - 0.0002), "{found:?}");
         }
     }
 
