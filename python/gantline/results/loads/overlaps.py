@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.results.loads.looks import looks_at
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.solids import box_faces, crossings, skin_of
@@ -23,9 +24,7 @@ from gantline.results.variable import BoolArray, FloatArray, Indices
 
 __all__ = ["Overlap", "overlaps"]
 
-#: Samples at which bodies are looked at, at most: at 20 m/min every half metre of a lift of 15 min.
-_LOOKS = 600
-#: Of these, at most, that what is drawn as triangles is looked at.
+#: Of the samples at which bodies are looked at, at most, that what is drawn as triangles is looked at.
 _EXACT_LOOKS = 60
 #: What is drawn less deep in the other touches it [m].
 _TOUCH = 0.01
@@ -91,7 +90,7 @@ _LOOKED_AT = {
     frozenset(pair)
     for pair in (
         *(("load", "crane"), ("load", "tracks"), ("load", "hull"), ("load", "frame"), ("load", "hook")),
-        *(("load", "support"), ("hook",)),
+        *(("load", "support"), ("hook",), ("hook", "crane"), ("hook", "tracks"), ("hook", "structure")),
         *(("frame",), ("frame", "crane"), ("frame", "tracks"), ("frame", "hull"), ("frame", "structure")),
         *(("crane",), ("crane", "tracks"), ("tracks",), ("crane", "structure")),
         *(("hull",), ("hull", "structure")),
@@ -108,8 +107,7 @@ def overlaps(recording: Recording) -> list[Overlap]:
     if not count:
         return []
     # Of a lift at rest only the last sample is where it rests.
-    first = count - 1 if recording.is_equilibrium else 0
-    looks = np.unique(np.linspace(first, count - 1, min(count, _LOOKS)).astype(int))
+    looks = np.array([count - 1]) if recording.is_equilibrium else looks_at(recording)
     found = []
     for one, other in combinations(_bodies(recording, looks), 2):
         if (
