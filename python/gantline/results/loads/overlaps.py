@@ -62,7 +62,7 @@ class _Body:
     Attributes:
         name: Of the body.
         of: What it belongs to: a crane, itself.
-        kind: `load`, `frame`, `hook`, `hull`, `crane`, `tracks`, `structure` or `support`.
+        kind: `load`, `frame`, `hook`, `hull`, `crane`, `tracks`, `structure`, `fixture` or `support`.
         sizes: Of its boxes, half, shape (boxes, 3) [m].
         centres: Of its boxes from its centre of gravity, its axes, shape (boxes, 3) [m].
         place: Of that centre of gravity, shape (looks, 3) [m].
@@ -85,7 +85,7 @@ class _Body:
 
 
 #: Kinds that are held against each other. A load touches structures in the simulation, and supports as
-#: it comes down on them; what a crane that stands on a hull may reach is not known.
+#: it comes down on them; what a crane that stands on a hull may reach is not known, nor what stands there.
 _LOOKED_AT = {
     frozenset(pair)
     for pair in (
@@ -94,6 +94,7 @@ _LOOKED_AT = {
         *(("frame",), ("frame", "crane"), ("frame", "tracks"), ("frame", "hull"), ("frame", "structure")),
         *(("crane",), ("crane", "tracks"), ("tracks",), ("crane", "structure")),
         *(("hull",), ("hull", "structure")),
+        *(("fixture", "load"), ("fixture", "frame"), ("fixture", "hook")),
     )
 }
 
@@ -121,6 +122,10 @@ def overlaps(recording: Recording) -> list[Overlap]:
             depth, is_past = np.where(counts, depth, 0.0), is_past & counts
         support = next((body.name for body in (one, other) if body.kind == "support"), None)
         least = _TOUCH if support is None else _TILTS
+        if "fixture" in (one.kind, other.kind):
+            # What begins in it, as a foot in its bucket, is drawn so until it has come out.
+            has_been_out = np.logical_or.accumulate(depth <= least)
+            depth, is_past = np.where(has_been_out, depth, 0.0), is_past & has_been_out
         if depth.max() > least:
             since = float(recording.time[looks[int(np.argmax(depth > least))]])
             deep = float(depth.max())
@@ -174,9 +179,10 @@ def _bodies(recording: Recording, looks: Indices) -> Iterator[_Body]:
             default=name,
             key=len,
         )
-        if kind == "body" and of not in cranes:
+        if kind == "body" and of not in cranes and name not in rig.fixtures:
             continue
-        kind = ("tracks" if name in tracks else "crane") if kind == "body" else kind
+        if kind == "body":
+            kind = "tracks" if name in tracks else "crane" if of in cranes else "fixture"
         if name in names and any(kind in pair for pair in _LOOKED_AT):
             yield from _drawn(recording, looks, body, (of, kind))
     drawn = {str(body["name"]) for body in scene.get("bodies") or () if body["shape"] is not None}

@@ -208,13 +208,13 @@ def _loads(recording: Recording) -> Iterator[tuple[Load, FloatArray]]:
 
 
 def _things(recording: Recording) -> Iterator[_Thing]:
-    """Structures, hulls and booms."""
+    """Structures, hulls, booms, and what stands fixed on the ground or on decks."""
     for one in structures_of(recording):
         if one.kind == "structure":
             yield _Thing(one.name, None, one.boxes.reshape(-1, 3)[box_faces(len(one.boxes))])
     booms = {boom.boom: boom.name for boom in recording.rig.booms}
     for body in (recording.attributes.get("scene") or {}).get("bodies") or ():
-        if body["kind"] == "hull" or body["name"] in booms:
+        if body["kind"] == "hull" or body["name"] in (*booms, *recording.rig.fixtures):
             yield _Thing(body["name"], body["name"], skin_of(body), booms.get(body["name"], ""))
 
 
