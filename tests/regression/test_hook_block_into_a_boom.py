@@ -1,4 +1,4 @@
-"""A hook block that swung into the boom of another crane, or was lowered into a wall: nothing was said of it.
+"""A hook block that swung into another crane's boom, or was lowered into a wall or deck: nothing was said.
 
 Hook blocks were held against the load and each other alone. That the falls above went through the boom was a
 warning, and where they did not, as where the hook block only just comes below the boom, not even that.
@@ -12,6 +12,7 @@ import gantline
 from crawler_lift import crawler_lift
 from gantline.checks import Verdict
 from gantline.scenario import parse_scenario
+from module_lift import module_lift
 from of_recording import checks_of
 from swung_crane import BOOM_HEIGHT, swung
 
@@ -37,3 +38,12 @@ def test_a_hook_block_in_a_wall(top: float, is_hit: bool) -> None:
     found = checks_of(gantline.simulate(parse_scenario(lift)), "no_overlap")
     told = [(one.element, one.verdict) for one in found]
     assert told == ([("c1.H to wall", Verdict.FAILED)] if is_hit else [])
+
+
+@pytest.mark.parametrize(("by", "is_hit"), [(18.5, True), (17.5, False)], ids=str)
+def test_a_hook_in_a_deck(by: float, is_hit: bool) -> None:
+    """From 20 m over the water down to half a metre below the deck, which is 2 m up, or as much above it."""
+    lift = module_lift(by, place=(20.0, 12.0), speed=30.0, duration=45.0)
+    found = checks_of(gantline.simulate(parse_scenario(lift)), "no_overlap")
+    hits = [one.verdict for one in found if one.element == "barge to hook"]
+    assert hits == ([Verdict.FAILED] if is_hit else [])

@@ -90,7 +90,8 @@ _LOOKED_AT = {
     frozenset(pair)
     for pair in (
         *(("load", "crane"), ("load", "tracks"), ("load", "hull"), ("load", "frame"), ("load", "hook")),
-        *(("load", "support"), ("hook",), ("hook", "crane"), ("hook", "tracks"), ("hook", "structure")),
+        *(("hook",), ("hook", "crane"), ("hook", "tracks"), ("hook", "structure"), ("hook", "hull")),
+        *(("load", "support"),),
         *(("frame",), ("frame", "crane"), ("frame", "tracks"), ("frame", "hull"), ("frame", "structure")),
         *(("crane",), ("crane", "tracks"), ("tracks",), ("crane", "structure")),
         *(("hull",), ("hull", "structure")),
