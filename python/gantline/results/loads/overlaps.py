@@ -62,7 +62,8 @@ class _Body:
     Attributes:
         name: Of the body.
         of: What it belongs to: a crane, itself.
-        kind: `load`, `frame`, `hook`, `hull`, `crane`, `tracks`, `structure`, `fixture` or `support`.
+        kind: `load`, `frame`, `hook`, `hull`, `boom`, `tracks`, `crane` of other parts of one, `structure`,
+            `fixture` or `support`.
         sizes: Of its boxes, half, shape (boxes, 3) [m].
         centres: Of its boxes from its centre of gravity, its axes, shape (boxes, 3) [m].
         place: Of that centre of gravity, shape (looks, 3) [m].
@@ -85,18 +86,19 @@ class _Body:
 
 
 #: Kinds that are held against each other. A load touches structures in the simulation, and supports as
-#: it comes down on them; what a crane that stands on a hull may reach is not known, nor what stands there.
+#: it comes down on them; what stands on a hull near a crane there may reach into how that is drawn.
 _LOOKED_AT = {
-    frozenset(pair)
-    for pair in (
-        *(("load", "crane"), ("load", "tracks"), ("load", "hull"), ("load", "frame"), ("load", "hook")),
-        *(("hook",), ("hook", "crane"), ("hook", "tracks"), ("hook", "structure"), ("hook", "hull")),
-        *(("load", "support"),),
-        *(("frame",), ("frame", "crane"), ("frame", "tracks"), ("frame", "hull"), ("frame", "structure")),
-        *(("crane",), ("crane", "tracks"), ("tracks",), ("crane", "structure")),
-        *(("hull",), ("hull", "structure")),
-        *(("fixture", "load"), ("fixture", "frame"), ("fixture", "hook")),
-    )
+    frozenset((one, other))
+    for one, others in {
+        "load": ("boom", "crane", "tracks", "hull", "frame", "hook", "support", "fixture"),
+        "hook": ("hook", "boom", "crane", "tracks", "structure", "hull", "fixture"),
+        "frame": ("frame", "boom", "crane", "tracks", "hull", "structure", "fixture"),
+        "boom": ("boom", "crane", "tracks", "structure", "hull", "fixture"),
+        "crane": ("crane", "tracks", "structure", "hull"),
+        "tracks": ("tracks",),
+        "hull": ("hull", "structure"),
+    }.items()
+    for other in others
 }
 
 
@@ -114,6 +116,8 @@ def overlaps(recording: Recording) -> list[Overlap]:
     for one, other in combinations(_bodies(recording, looks), 2):
         if (
             not _is_apart(one, other)
+            or _stands_on(recording, one, other)
+            or _stands_on(recording, other, one)
             or frozenset({one.kind, other.kind}) not in _LOOKED_AT
             or _is_looked_after(recording, one, other)
         ):
@@ -144,6 +148,12 @@ def _is_apart(one: _Body, other: _Body) -> bool:
     return one.of != other.of
 
 
+def _stands_on(recording: Recording, one: _Body, other: _Body) -> bool:
+    """Whether one is a part of a crane that stands on the other, a hull."""
+    standing = {(boom.name, boom.vessel) for boom in recording.rig.booms}
+    return one.kind in ("boom", "crane") and other.kind == "hull" and (one.of, other.name) in standing
+
+
 def _is_looked_after(recording: Recording, one: _Body, other: _Body) -> bool:
     """Whether the lift file watches a pair over the whole lift, or lets it touch.
 
@@ -170,7 +180,7 @@ def _is_looked_after(recording: Recording, one: _Body, other: _Body) -> bool:
 def _bodies(recording: Recording, looks: Indices) -> Iterator[_Body]:
     rig = recording.rig
     cranes = [boom.name for boom in rig.booms] + [crane.name for crane in rig.cranes]
-    tracks = {crawler.tracks for crawler in rig.crawlers}
+    booms, tracks = {boom.boom for boom in rig.booms}, {crawler.tracks for crawler in rig.crawlers}
     scene = recording.attributes.get("scene") or {}
     names = set(recording.coordinates.get("body", ()))
     for body in scene.get("bodies") or ():
@@ -183,7 +193,8 @@ def _bodies(recording: Recording, looks: Indices) -> Iterator[_Body]:
         if kind == "body" and of not in cranes and name not in rig.fixtures:
             continue
         if kind == "body":
-            kind = "tracks" if name in tracks else "crane" if of in cranes else "fixture"
+            kind = "boom" if name in booms else "crane" if of in cranes else "fixture"
+            kind = "tracks" if name in tracks else kind
         if name in names and any(kind in pair for pair in _LOOKED_AT):
             yield from _drawn(recording, looks, body, (of, kind))
     drawn = {str(body["name"]) for body in scene.get("bodies") or () if body["shape"] is not None}
