@@ -276,6 +276,7 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
             **twist_of_falls(scenario, reeved),
             "drum": hoist_drum(name),
             "holds": reeved.holds,
+            **({"has_weaker_brake": True} if reeved.has_weaker_brake else {}),
         }
     elif direct or joined or ropes or over:
         bearing = [name]  # the hook's own joint carries all of them, shackles and equalizers too
