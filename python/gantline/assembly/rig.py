@@ -104,7 +104,7 @@ def _starts_off(rigging: Rigging) -> Json:
 
 
 def _supports_and_watches(scenario: Scenario) -> Json:
-    """Supports with what they bear, and pairs that are watched; nothing in a lift without."""
+    """Supports with what they bear, pairs that are watched or touch, what stands about; nothing without."""
     supports = [
         {
             "name": support_contact(support),
@@ -126,8 +126,26 @@ def _supports_and_watches(scenario: Scenario) -> Json:
     ]
     contacts = (scenario.mechanics and scenario.mechanics.body_contacts) or {}
     touching = [list(contact.between) for contact in contacts.values()]
-    parts_of_it = (("supports", supports), ("watches", watches), ("touching", touching))
+    parts_of_it = (
+        *(("supports", supports), ("watches", watches)),
+        *(("touching", touching), ("fixtures", _fixtures(scenario))),
+    )
     return {key: given for key, given in parts_of_it if given}
+
+
+def _fixtures(scenario: Scenario) -> list[str]:
+    """Bodies of `mechanics` with a shape that stand still on the world, a vessel or another hull."""
+    bodies = {} if scenario.mechanics is None else scenario.mechanics.bodies
+
+    def stands(name: str | None) -> bool:
+        if name is None or name in (scenario.vessels or {}):
+            return True
+        body = bodies.get(name)
+        if body is None or body.hull is not None:
+            return body is not None
+        return body.joint.type == "fixed" and stands(body.parent)
+
+    return [name for name, body in bodies.items() if body.shape and body.hull is None and stands(name)]
 
 
 def _force(scenario: Scenario, mass: float | None) -> float | None:
@@ -258,6 +276,7 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
             **twist_of_falls(scenario, reeved),
             "drum": hoist_drum(name),
             "holds": reeved.holds,
+            **({"has_weaker_brake": True} if reeved.has_weaker_brake else {}),
         }
     elif direct or joined or ropes or over:
         bearing = [name]  # the hook's own joint carries all of them, shackles and equalizers too

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
@@ -16,6 +17,7 @@ from gantline.results import series
 from gantline.results.cranes.pulled_aside import hooks_that_stay, pull_aside
 from gantline.results.gear import Hook
 from gantline.results.loads.hung_so import has_hung_so
+from gantline.results.loads.standing import all_stands
 from gantline.results.recording import Recording
 from gantline.results.ropes.parting import DETACHED, while_there
 from gantline.results.variable import BoolArray, FloatArray
@@ -198,10 +200,35 @@ def of_drive_capacity(recording: Recording, during: BoolArray) -> Iterator[Findi
             continue
         holds = hook.holds * _first_layer_over_last(recording, hook.drum, during)
         of_drum = f"{kilonewton(holds)} of its drum"
+        if hook.has_weaker_brake:
+            yield from _beyond_brake(recording, during, hook, holds)
         if (way := force.on_the_way) is not None:
             yield Found(way.raised / holds, hook.name, way.time, f"{way.text} / {of_drum}")
             continue
         yield Found(force.static / holds, hook.name, formula=f"{force.static_text} / {of_drum}")
+
+
+def _beyond_brake(recording: Recording, during: BoolArray, hook: Hook, holds: float) -> Iterator[Caution]:
+    """That more pulls at a drum while all drives stand than its brake holds, as when a load is caught.
+
+    In a run the motor holds what stands, but for an emergency stop; on a crane the brake does.
+    """
+    if recording.is_equilibrium:
+        return
+    ropes = Counter(fall.rpartition("/")[0] for fall in hook.falls)
+    # After its parts comes the lead line. As a hoist stops it has what friction adds, which holds from then
+    # on: what makes a brake slip on is more than it holds there, and more without any friction too.
+    leads = [recording.column("segment_tension", f"{rope}/{parts}") for rope, parts in ropes.items()]
+    pulls, brake = np.max(leads, axis=0), holds / len(hook.falls)
+    used = np.minimum(pulls / brake, recording.column("hoist_load", hook.name) / holds)
+    used = np.where(during & np.append(all_stands(recording), True), used, 0.0)
+    at = int(np.argmax(used))
+    if used[at] > 1.0:
+        yield Caution(
+            f"each rope of {hook.name} pulls at its drum with {kilonewton(pulls[at])} at "
+            f"{recording.time[at]:.2f} s, while nothing moves, and its brake holds {kilonewton(brake)}: in "
+            "the run the motor holds that, and a hoist that stands on its brake slips"
+        )
 
 
 def _first_layer_over_last(recording: Recording, name: str, during: BoolArray) -> float:

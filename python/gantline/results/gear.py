@@ -54,6 +54,7 @@ class Hook(FromJson):
         is_rope_torque_known: Whether it is that of the rope, and not what such ropes usually have.
         drum: Name of its drum; empty for a hook without reeving.
         holds: Hoist load that motor and brake of its drum both hold on the first layer [N]; None without end.
+        has_weaker_brake: Whether that is what its brake holds, and its motor more.
         wind_limit: Largest gust in which the crane of a fixed hook may lift [m/s]; None if not said, and of
             hooks of other cranes, which have their own.
         wind: Wind or gust of the lift that is held against it [m/s]; None if not said.
@@ -78,6 +79,7 @@ class Hook(FromJson):
     is_rope_torque_known: bool = False
     drum: str = ""
     holds: float | None = None
+    has_weaker_brake: bool = False
     wind_limit: float | None = None
     wind: float | None = None
 

@@ -296,6 +296,7 @@ class Rig(FromJson):
         supports: What the loads stand on, where that is more than the ground.
         watches: Pairs whose distance is watched.
         touching: Pairs that touch each other in the simulation as the lift file says.
+        fixtures: Bodies of `mechanics` with a shape that are fixed to the world, a vessel or another hull.
         hooks: Hooks of all cranes.
         sea: Waves on the water; None where it is still.
         wind: Wind with a direction; None where there is none.
@@ -345,6 +346,7 @@ class Rig(FromJson):
     supports: Sequence[Support] = ()
     watches: Sequence[Watch] = ()
     touching: Sequence[tuple[str, str]] = ()
+    fixtures: Sequence[str] = ()
     hooks: Sequence[Hook] = ()
     sea: Sea | None = None
     wind: Wind | None = None

@@ -78,6 +78,12 @@ class ReevedHook:
         pulls = [pull for pull in (self.hook.hoist.capacity, self.hook.hoist.brake) if pull is not None]
         return min(pulls) * self.reeving.ropes * self.reeving.parts_each if pulls else None
 
+    @property
+    def has_weaker_brake(self) -> bool:
+        """Whether the brake holds less than the motor."""
+        capacity, brake = self.hook.hoist.capacity, self.hook.hoist.brake
+        return capacity is not None and brake is not None and brake < capacity
+
 
 def reeved_hooks(scenario: Scenario) -> list[ReevedHook]:
     """Hooks that hang in ropes, in the order of the lift file."""

@@ -8,12 +8,12 @@ import numpy as np
 
 from gantline.results.afloat.vessels import Vessel
 from gantline.results.rotation import axes
-from gantline.results.surroundings import Ground, is_cut
-from gantline.results.variable import Columns, FloatArray, Names
+from gantline.results.surroundings import SIGNS, Ground, is_cut
+from gantline.results.variable import Columns, FloatArray, Indices, Names
 
 __all__ = ["grounding_warnings"]
 
-#: Samples at which a vessel is looked at, at most: one that pitches or is moved is seen often enough.
+#: Samples at which a vessel is looked at, at most: so many evenly apart, and so many at which it is deepest.
 _LOOKS = 60
 #: Rounding of places [m]: a hull that just touches is not in the ground.
 _ROUNDING = 1e-6
@@ -44,14 +44,13 @@ def grounding_warnings(
         ground = None
     if (ground is None and depth is None) or not vessels:
         return []
-    count = len(columns["time"])
-    looks = np.unique(np.linspace(0, count - 1, min(count, _LOOKS)).astype(int))
     warnings = []
     for vessel in vessels:
         body = list(names["body"]).index(vessel.body)
         from_centre = hulls[vessel.body] - np.asarray(vessel.centre_of_gravity)
-        turns = axes(columns["body_orientation"][looks, body])
-        places = columns["body_position"][looks, body][:, None] + from_centre @ turns.transpose(0, 2, 1)
+        place, turn = columns["body_position"][:, body], columns["body_orientation"][:, body]
+        looks = _looks(place, turn, from_centre)
+        places = place[looks, None] + from_centre @ axes(turn[looks]).transpose(0, 2, 1)
         in_ground, in_bed = np.full((2, len(looks)), -np.inf)
         if ground is not None:
             in_ground = np.array([(ground.under(points) - points[:, 2]).max() for points in places])
@@ -69,6 +68,16 @@ def grounding_warnings(
                 see = "its draft and the 'depth' of the 'water'"
             warnings.append(f"{vessel.name} is {when}, {without}; see {see}")
     return warnings
+
+
+def _looks(place: FloatArray, turn: FloatArray, from_centre: FloatArray) -> Indices:
+    """Samples evenly apart, and those at which the lowest corner of the box about a hull is lowest."""
+    count = len(place)
+    low, high = from_centre.min(axis=0), from_centre.max(axis=0)
+    corners = (low + high) / 2 + SIGNS * (high - low) / 2
+    lowest = (place[:, 2:] + axes(turn)[:, 2] @ corners.T).min(axis=1)
+    evenly = np.linspace(0, count - 1, min(count, _LOOKS)).astype(int)
+    return np.unique(np.concatenate([evenly, np.argsort(lowest, kind="stable")[:_LOOKS]]))
 
 
 def _is_beside(ground: Ground, points: FloatArray, level: float) -> bool:

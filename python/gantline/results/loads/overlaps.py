@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.results.loads.looks import looks_at
 from gantline.results.recording import Recording
 from gantline.results.rotation import axes
 from gantline.results.solids import box_faces, crossings, skin_of
@@ -23,9 +24,7 @@ from gantline.results.variable import BoolArray, FloatArray, Indices
 
 __all__ = ["Overlap", "overlaps"]
 
-#: Samples at which bodies are looked at, at most: at 20 m/min every half metre of a lift of 15 min.
-_LOOKS = 600
-#: Of these, at most, that what is drawn as triangles is looked at.
+#: Of the samples at which bodies are looked at, at most, that what is drawn as triangles is looked at.
 _EXACT_LOOKS = 60
 #: What is drawn less deep in the other touches it [m].
 _TOUCH = 0.01
@@ -63,7 +62,8 @@ class _Body:
     Attributes:
         name: Of the body.
         of: What it belongs to: a crane, itself.
-        kind: `load`, `frame`, `hook`, `hull`, `crane`, `tracks`, `structure` or `support`.
+        kind: `load`, `frame`, `hook`, `hull`, `boom`, `tracks`, `crane` of other parts of one, `structure`,
+            `fixture` or `support`.
         sizes: Of its boxes, half, shape (boxes, 3) [m].
         centres: Of its boxes from its centre of gravity, its axes, shape (boxes, 3) [m].
         place: Of that centre of gravity, shape (looks, 3) [m].
@@ -86,16 +86,19 @@ class _Body:
 
 
 #: Kinds that are held against each other. A load touches structures in the simulation, and supports as
-#: it comes down on them; what a crane that stands on a hull may reach is not known.
+#: it comes down on them; what stands on a hull near a crane there may reach into how that is drawn.
 _LOOKED_AT = {
-    frozenset(pair)
-    for pair in (
-        *(("load", "crane"), ("load", "tracks"), ("load", "hull"), ("load", "frame"), ("load", "hook")),
-        *(("load", "support"), ("hook",)),
-        *(("frame",), ("frame", "crane"), ("frame", "tracks"), ("frame", "hull"), ("frame", "structure")),
-        *(("crane",), ("crane", "tracks"), ("tracks",), ("crane", "structure")),
-        *(("hull",), ("hull", "structure")),
-    )
+    frozenset((one, other))
+    for one, others in {
+        "load": ("boom", "crane", "tracks", "hull", "frame", "hook", "support", "fixture"),
+        "hook": ("hook", "boom", "crane", "tracks", "structure", "hull", "fixture"),
+        "frame": ("frame", "boom", "crane", "tracks", "hull", "structure", "fixture"),
+        "boom": ("boom", "crane", "tracks", "structure", "hull", "fixture"),
+        "crane": ("crane", "tracks", "structure", "hull"),
+        "tracks": ("tracks",),
+        "hull": ("hull", "structure"),
+    }.items()
+    for other in others
 }
 
 
@@ -108,12 +111,13 @@ def overlaps(recording: Recording) -> list[Overlap]:
     if not count:
         return []
     # Of a lift at rest only the last sample is where it rests.
-    first = count - 1 if recording.is_equilibrium else 0
-    looks = np.unique(np.linspace(first, count - 1, min(count, _LOOKS)).astype(int))
+    looks = np.array([count - 1]) if recording.is_equilibrium else looks_at(recording)
     found = []
     for one, other in combinations(_bodies(recording, looks), 2):
         if (
             not _is_apart(one, other)
+            or _stands_on(recording, one, other)
+            or _stands_on(recording, other, one)
             or frozenset({one.kind, other.kind}) not in _LOOKED_AT
             or _is_looked_after(recording, one, other)
         ):
@@ -123,6 +127,10 @@ def overlaps(recording: Recording) -> list[Overlap]:
             depth, is_past = np.where(counts, depth, 0.0), is_past & counts
         support = next((body.name for body in (one, other) if body.kind == "support"), None)
         least = _TOUCH if support is None else _TILTS
+        if "fixture" in (one.kind, other.kind):
+            # What begins in it, as a foot in its bucket, is drawn so until it has come out.
+            has_been_out = np.logical_or.accumulate(depth <= least)
+            depth, is_past = np.where(has_been_out, depth, 0.0), is_past & has_been_out
         if depth.max() > least:
             since = float(recording.time[looks[int(np.argmax(depth > least))]])
             deep = float(depth.max())
@@ -138,6 +146,12 @@ def _is_apart(one: _Body, other: _Body) -> bool:
     if one.kind == other.kind == "hook":
         return one.of != one.name and other.of != other.name
     return one.of != other.of
+
+
+def _stands_on(recording: Recording, one: _Body, other: _Body) -> bool:
+    """Whether one is a part of a crane that stands on the other, a hull."""
+    standing = {(boom.name, boom.vessel) for boom in recording.rig.booms}
+    return one.kind in ("boom", "crane") and other.kind == "hull" and (one.of, other.name) in standing
 
 
 def _is_looked_after(recording: Recording, one: _Body, other: _Body) -> bool:
@@ -166,7 +180,7 @@ def _is_looked_after(recording: Recording, one: _Body, other: _Body) -> bool:
 def _bodies(recording: Recording, looks: Indices) -> Iterator[_Body]:
     rig = recording.rig
     cranes = [boom.name for boom in rig.booms] + [crane.name for crane in rig.cranes]
-    tracks = {crawler.tracks for crawler in rig.crawlers}
+    booms, tracks = {boom.boom for boom in rig.booms}, {crawler.tracks for crawler in rig.crawlers}
     scene = recording.attributes.get("scene") or {}
     names = set(recording.coordinates.get("body", ()))
     for body in scene.get("bodies") or ():
@@ -176,9 +190,11 @@ def _bodies(recording: Recording, looks: Indices) -> Iterator[_Body]:
             default=name,
             key=len,
         )
-        if kind == "body" and of not in cranes:
+        if kind == "body" and of not in cranes and name not in rig.fixtures:
             continue
-        kind = ("tracks" if name in tracks else "crane") if kind == "body" else kind
+        if kind == "body":
+            kind = "boom" if name in booms else "crane" if of in cranes else "fixture"
+            kind = "tracks" if name in tracks else kind
         if name in names and any(kind in pair for pair in _LOOKED_AT):
             yield from _drawn(recording, looks, body, (of, kind))
     drawn = {str(body["name"]) for body in scene.get("bodies") or () if body["shape"] is not None}

@@ -11,12 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
+from gantline.results.loads.looks import looks_at
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes
 from gantline.results.solids import box_faces, crossings, skin_of
 from gantline.results.surroundings import structures_of
-from gantline.results.variable import FloatArray, Indices
+from gantline.results.variable import BoolArray, FloatArray, Indices
 
 __all__ = [
     "OverEdge",
@@ -31,7 +32,8 @@ __all__ = [
 _NEAR_ENDS = 1.0
 #: The sky [m]: how far up a load is looked for over the upper end of a sling.
 _UP = np.array([0.0, 0.0, 1e4])
-#: Samples at which a sling is looked at, at most: a load that turns is seen every few degrees.
+#: Samples at which a sling is looked at, at most: a load that turns is seen every few degrees. Of those at
+#: which a rope meets what is about a structure, hull or boom as many.
 _LOOKS = 60
 #: How deep a sling may cut an edge of its load as drawn, and how deep its lug may lie in it [m]: pins of lugs
 #: stand off the plating, and boxes stand for what has chamfers. The same of baskets of `mechanics`.
@@ -130,7 +132,8 @@ def slings_through_structures(recording: Recording) -> list[Through]:
     rig = recording.rig
     cranes = {hook.name: hook.crane for hook in rig.hooks}
     slings = [_Line(one.name, one.rope, cranes.get(rig.hook_of(one) or "", "")) for one in rig.slings]
-    return [one for thing in _things(recording) for one in _ropes_through(recording, slings, thing)]
+    looks = looks_at(recording)
+    return [one for thing in _things(recording) for one in _ropes_through(recording, slings, thing, looks)]
 
 
 def lines_through(recording: Recording) -> list[Through]:
@@ -144,7 +147,8 @@ def lines_through(recording: Recording) -> list[Through]:
     lines = [_Line(rope, rope, crane) for rope, crane in falls.items()]
     lines += [_Line(line.rope, line.rope) for line in rig.tag_lines]
     things = [*_things(recording), *(_Thing(load.name, load.body, skin) for load, skin in _loads(recording))]
-    return [one for thing in things for one in _ropes_through(recording, lines, thing)]
+    looks = looks_at(recording)
+    return [one for thing in things for one in _ropes_through(recording, lines, thing, looks)]
 
 
 def slings_over_edges(recording: Recording) -> list[OverEdge]:
@@ -204,24 +208,29 @@ def _loads(recording: Recording) -> Iterator[tuple[Load, FloatArray]]:
 
 
 def _things(recording: Recording) -> Iterator[_Thing]:
-    """Structures, hulls and booms."""
+    """Structures, hulls, booms, and what stands fixed on the ground or on decks."""
     for one in structures_of(recording):
         if one.kind == "structure":
             yield _Thing(one.name, None, one.boxes.reshape(-1, 3)[box_faces(len(one.boxes))])
     booms = {boom.boom: boom.name for boom in recording.rig.booms}
     for body in (recording.attributes.get("scene") or {}).get("bodies") or ():
-        if body["kind"] == "hull" or body["name"] in booms:
+        if body["kind"] == "hull" or body["name"] in (*booms, *recording.rig.fixtures):
             yield _Thing(body["name"], body["name"], skin_of(body), booms.get(body["name"], ""))
 
 
-def _ropes_through(recording: Recording, ropes: Sequence[_Line], thing: _Thing) -> Iterator[Through]:
+def _ropes_through(
+    recording: Recording, ropes: Sequence[_Line], thing: _Thing, looks: Indices
+) -> Iterator[Through]:
     """Which ropes go through a thing while they carry; of a boom not those of its crane."""
     for line in ropes if len(thing.skin) else ():
         is_own = bool(thing.crane) and line.crane == thing.crane
         if is_own or _is_watched(recording, thing.name, line.rope):
             continue
-        picked = _looks(recording, line.rope)
+        picked = looks[series.is_carrying(recording.column("rope_tension", line.rope))[looks]]
         points, _ = _along(recording, line.rope, picked, thing.body)
+        meets = np.flatnonzero(_meets_box_about(points, thing.skin))
+        chosen = meets[np.linspace(0, len(meets) - 1, min(len(meets), _LOOKS)).astype(int)]
+        picked, points = picked[chosen], points[chosen]
         look, apart = _through(points, thing.skin)
         if len(look):
             at = float(apart[look == look[0]].max())
@@ -294,6 +303,18 @@ def _along(
     # World from body: rows times the matrix are components along the body's axes.
     own = axes(recording.column("body_orientation", body)[picked])
     return (places - recording.column("body_position", body)[picked, None]) @ own, own
+
+
+def _meets_box_about(points: FloatArray, skin: FloatArray) -> BoolArray:
+    """At which looks a rope meets the box about a skin, shape (looks,): by the slabs of that, in its axes."""
+    low, high = skin.reshape(-1, 3).min(axis=0), skin.reshape(-1, 3).max(axis=0)
+    starts, way = points[:, :-1], np.diff(points, axis=1)
+    way = np.where(way == 0.0, np.finfo(float).tiny, way)
+    with np.errstate(over="ignore"):  # a part along a face comes to the others at infinity
+        one, other = (low - starts) / way, (high - starts) / way
+    first, last = np.minimum(one, other).max(axis=2), np.maximum(one, other).min(axis=2)
+    meets: BoolArray = (np.maximum(first, 0.0) <= np.minimum(last, 1.0)).any(axis=1)
+    return meets
 
 
 def _through(points: FloatArray, skin: FloatArray) -> tuple[Indices, FloatArray]:
