@@ -13,7 +13,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from tests.support.sample_lift import ringing_lift
+
+from sample_lift import ringing_lift
 
 _SAVE = """
 import resource, sys
