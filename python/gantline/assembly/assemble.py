@@ -30,6 +30,7 @@ from gantline.assembly.doubts.contacts import doubtful_contacts
 from gantline.assembly.doubts.cranes import doubtful_cranes
 from gantline.assembly.doubts.drums import doubtful_drums
 from gantline.assembly.doubts.empty import doubtful_empty, doubtful_pins
+from gantline.assembly.doubts.falls import doubtful_falls
 from gantline.assembly.doubts.fenders import doubtful_fenders
 from gantline.assembly.doubts.following import doubtful_following
 from gantline.assembly.doubts.gear import doubtful_gear
@@ -272,6 +273,7 @@ def _doubts(
         *doubtful_stops(scenario),
         *doubtful_lead(scenario, rigging),
         *doubtful_rails(scenario),
+        *doubtful_falls(scenario),
         *doubtful_cranes(scenario),
         *doubtful_booms(scenario),
         *doubtful_ground(scenario),
