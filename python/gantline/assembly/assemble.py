@@ -52,7 +52,7 @@ from gantline.assembly.doubts.stops import doubtful_stops
 from gantline.assembly.doubts.strength import doubtful_strength
 from gantline.assembly.doubts.supports import check_under_load, doubtful_supports
 from gantline.assembly.doubts.tanks import doubtful_tanks
-from gantline.assembly.doubts.tilts import doubtful_tilts
+from gantline.assembly.doubts.tilts import doubtful_tilt_limit, doubtful_tilts
 from gantline.assembly.doubts.travelling import doubtful_travelling
 from gantline.assembly.doubts.turns import doubtful_turns
 from gantline.assembly.doubts.vessels import doubtful_vessels
@@ -270,6 +270,7 @@ def _doubts(
         *doubtful_hook_blocks(scenario),
         *doubtful_ways(parts, scenario),
         *doubtful_tilts(scenario, rigging, lifted),
+        *doubtful_tilt_limit(scenario),
         *doubtful_stops(scenario),
         *doubtful_lead(scenario, rigging),
         *doubtful_rails(scenario),
