@@ -28,6 +28,7 @@ from gantline.assembly.doubts.carried import doubtful_carried
 from gantline.assembly.doubts.compensators import doubtful_compensators
 from gantline.assembly.doubts.contacts import doubtful_contacts
 from gantline.assembly.doubts.cranes import doubtful_cranes
+from gantline.assembly.doubts.dragged import doubtful_dragging
 from gantline.assembly.doubts.drums import doubtful_drums
 from gantline.assembly.doubts.empty import doubtful_empty, doubtful_pins
 from gantline.assembly.doubts.falls import doubtful_falls
@@ -275,6 +276,7 @@ def _doubts(
         *doubtful_lead(scenario, rigging),
         *doubtful_rails(scenario),
         *doubtful_falls(scenario),
+        *doubtful_dragging(scenario, rigging),
         *doubtful_cranes(scenario),
         *doubtful_booms(scenario),
         *doubtful_ground(scenario),
