@@ -10,6 +10,7 @@ import numpy as np
 from gantline.assembly.afloat.hulls import afloat_path
 from gantline.assembly.afloat.vessels import upright_hydrostatics, vessel_hull
 from gantline.assembly.parts import Parts
+from gantline.assembly.plain import ropes_ending_at
 from gantline.scenario import Scenario
 from gantline.scenario.afloat.vessel import Vessel
 from gantline.scenario.errors import Doubt
@@ -63,6 +64,7 @@ def doubtful_vessels(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
         ):
             yield Doubt((*path, *key), f"{name} {sentence}")
         yield from _under_keel(scenario, name, vessel)
+    yield from _unmoored(scenario)
     yield from _buried(parts, scenario)
     yield from _long_lines(parts, scenario)
 
@@ -147,6 +149,19 @@ def _high_sides(vessel: Vessel, breadth: float) -> Iterator[tuple[tuple[str, ...
         high = f"has a hull that stands {format_quantity(freeboard, 'm', 1)} out of the water"
         sentence = f"{high}, and is {breadth:.4g} m wide: a digit of its depth or draft has slipped"
         yield ("hull", "box"), sentence
+
+
+def _unmoored(scenario: Scenario) -> Iterator[Doubt]:
+    """Vessels without a line beside others that are moored: what lies still on paper drifts in a run."""
+    lines = (scenario.mooring_lines or {}).values()
+    moored = {end for line in lines for end in (line.vessel, line.held_by)}
+    others = " and ".join(name for name in scenario.vessels or {} if name in moored)
+    for name, vessel in (scenario.vessels or {}).items():
+        if not others or name in moored or vessel.is_carried or ropes_ending_at(scenario, name):
+            continue
+        sentence = f"{name} has no mooring line, as {others} has: nothing of the water holds it in plan"
+        drifts = f"{sentence}, and it drifts off with what pulls or pushes it"
+        yield Doubt(afloat_path(scenario, name), drifts)
 
 
 def _under_keel(scenario: Scenario, name: str, vessel: Vessel) -> Iterator[Doubt]:
