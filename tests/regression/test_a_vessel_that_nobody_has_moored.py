@@ -20,12 +20,12 @@ LINE = {
 def _told(*moored: str) -> list[tuple[str, str]]:
     lines = {f"of.{name}": {"vessel": name, **LINE} for name in moored}
     lift = load_scenario("off_a_barge").changed({"mooring_lines": lines})
-    return [(one.path, one.sentence) for one in assemble(lift).doubts if "no mooring line" in one.sentence]
+    return [(one.path, one.sentence) for one in assemble(lift).doubts if "on no mooring line" in one.sentence]
 
 
 def test_one_beside_a_moored_one_is_told() -> None:
     sentence = (
-        "cargo has no mooring line, as barge has: nothing of the water holds it in plan, and it drifts off "
+        "cargo is on no mooring line, as barge is: nothing of the water holds it in plan, and it drifts off "
         "with what pulls or pushes it"
     )
     assert _told("barge") == [("vessels.cargo", sentence)]
@@ -38,4 +38,4 @@ def test_none_is_where_all_are_moored() -> None:
 def test_one_that_another_holds_is_moored() -> None:
     """As the scenario itself has it: the cargo barge lies at the crane barge."""
     doubts = assemble(load_scenario("off_a_barge")).doubts
-    assert not any("no mooring line" in one.sentence for one in doubts)
+    assert not any("on no mooring line" in one.sentence for one in doubts)

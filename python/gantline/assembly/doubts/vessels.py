@@ -12,6 +12,7 @@ from gantline.assembly.afloat.vessels import upright_hydrostatics, vessel_hull
 from gantline.assembly.parts import Parts
 from gantline.assembly.plain import ropes_ending_at
 from gantline.scenario import Scenario
+from gantline.scenario.afloat.mooring import is_moored
 from gantline.scenario.afloat.vessel import Vessel
 from gantline.scenario.errors import Doubt
 from gantline.scenario.loads.structures import BoxStructure
@@ -152,14 +153,14 @@ def _high_sides(vessel: Vessel, breadth: float) -> Iterator[tuple[tuple[str, ...
 
 
 def _unmoored(scenario: Scenario) -> Iterator[Doubt]:
-    """Vessels without a line beside others that are moored: what lies still on paper drifts in a run."""
-    lines = (scenario.mooring_lines or {}).values()
-    moored = {end for line in lines for end in (line.vessel, line.held_by)}
-    others = " and ".join(name for name in scenario.vessels or {} if name in moored)
-    for name, vessel in (scenario.vessels or {}).items():
-        if not others or name in moored or vessel.is_carried or ropes_ending_at(scenario, name):
+    """Vessels that no line holds beside others that are moored: what lies still on paper drifts in a run."""
+    vessels = scenario.vessels or {}
+    moored = [name for name in vessels if is_moored(scenario, name)]
+    others = " and ".join(moored)
+    for name, vessel in vessels.items():
+        if not moored or name in moored or vessel.is_carried or ropes_ending_at(scenario, name):
             continue
-        sentence = f"{name} has no mooring line, as {others} has: nothing of the water holds it in plan"
+        sentence = f"{name} is on no mooring line, as {others} is: nothing of the water holds it in plan"
         drifts = f"{sentence}, and it drifts off with what pulls or pushes it"
         yield Doubt(afloat_path(scenario, name), drifts)
 
