@@ -298,7 +298,16 @@ def _missing(key: str, node: Any) -> str:
     hint = f" (is '{shorten(misspelt)}' a misspelt '{key}'?)" if misspelt is not None else ""
     what = node.what or "this mapping"
     need = "need" if is_or_are(what) == "are" else "needs"
-    return f"'{key}' is missing; {what} {need} it{hint}"
+    return f"'{key}' is missing; {what} {need} it{hint or _explained(key, node)}"
+
+
+def _explained(key: str, node: MapNode) -> str:
+    """What a key says, in brackets; nothing where that is no more than its name."""
+    said = "" if node.explained is None else node.explained(key)
+    if {*said.lower().split()} <= {*key.split("_"), "its", "the", "of"}:
+        return ""
+    first = said[0].lower() if said[1].islower() else said[0]
+    return f" ({first}{said[1:]})"
 
 
 def _at_other_level(key: str, around: Sequence[Any]) -> str | None:
