@@ -40,10 +40,3 @@ def test_no_room_is_an_error_of_the_file_and_no_crash(share: float, tmp_path: Pa
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout == f"File too large {part}\n"
     assert list(tmp_path.iterdir()) == [whole]
-
-
-def test_room_that_is_held_is_given_back(tmp_path: Path) -> None:
-    """The file ends where its tables do, and not a megabyte behind them."""
-    path = ringing_lift().save(tmp_path / "whole.nc")
-    held = 1 << 20
-    assert path.stat().st_size < held
