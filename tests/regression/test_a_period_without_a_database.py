@@ -1,4 +1,4 @@
-"""`added_mass: {period: 6 s}` of a vessel was told that it is for a database, and nothing that can be done."""
+"""`added_mass: {period: 6 s}` of a vessel was told that a period is for a database, and nothing to do."""
 
 from __future__ import annotations
 

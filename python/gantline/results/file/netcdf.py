@@ -67,6 +67,7 @@ def save_recording(recording: Recording, path: Path) -> Path:
         with _Kept(trial, path) as tables, h5netcdf.File(tables, "w") as file:
             _write(recording, file, tables.hold)
             tables.hold(0)
+        os.truncate(trial, _end_of(trial))
     return path
 
 
@@ -85,6 +86,17 @@ def _hold(handle: int, size: int, path: Path) -> None:
         # Any other is of a file system, or of a device, that knows no such promise.
         if problem.errno in _NO_ROOM:
             raise OSError(problem.errno, problem.strerror, str(path)) from None
+
+
+def _end_of(path: Path) -> int:
+    """Where the tables of a file say that it ends [bytes]: behind it is room that was held and is not used.
+
+    The superblock has it, with addresses of eight bytes (HDF5 File Format Specification 3.0, II.A).
+    """
+    with path.open("rb") as file:
+        superblock = file.read(64)
+    place = {0: 40, 1: 44}.get(superblock[8], 28)
+    return int.from_bytes(superblock[place : place + 8], "little")
 
 
 class _Kept(h5py.File):  # type: ignore[misc]  # h5py says nothing of its types
