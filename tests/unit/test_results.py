@@ -326,9 +326,9 @@ def test_what_was_lifted_is_read_without_samples(tmp_path: Path) -> None:
 
 
 def test_tables_that_stay_open_change_no_byte(tmp_path: Path) -> None:
-    """Against what h5netcdf writes into a file that it has opened itself."""
+    """Against what h5netcdf writes into a file that it has opened itself, with no room held for it."""
     recording = short_lift()
     with h5netcdf.File(tmp_path / "plain.nc", "w") as file:
-        _write(recording, file)
+        _write(recording, file, lambda size: None)
     save_recording(recording, tmp_path / "kept.nc")
     assert (tmp_path / "kept.nc").read_bytes() == (tmp_path / "plain.nc").read_bytes()

@@ -28,8 +28,10 @@ from gantline.assembly.doubts.carried import doubtful_carried
 from gantline.assembly.doubts.compensators import doubtful_compensators
 from gantline.assembly.doubts.contacts import doubtful_contacts
 from gantline.assembly.doubts.cranes import doubtful_cranes
+from gantline.assembly.doubts.dragged import doubtful_dragging
 from gantline.assembly.doubts.drums import doubtful_drums
 from gantline.assembly.doubts.empty import doubtful_empty, doubtful_pins
+from gantline.assembly.doubts.falls import doubtful_falls
 from gantline.assembly.doubts.fenders import doubtful_fenders
 from gantline.assembly.doubts.following import doubtful_following
 from gantline.assembly.doubts.gear import doubtful_gear
@@ -51,7 +53,7 @@ from gantline.assembly.doubts.stops import doubtful_stops
 from gantline.assembly.doubts.strength import doubtful_strength
 from gantline.assembly.doubts.supports import check_under_load, doubtful_supports
 from gantline.assembly.doubts.tanks import doubtful_tanks
-from gantline.assembly.doubts.tilts import doubtful_tilts
+from gantline.assembly.doubts.tilts import doubtful_tilt_limit, doubtful_tilts
 from gantline.assembly.doubts.travelling import doubtful_travelling
 from gantline.assembly.doubts.turns import doubtful_turns
 from gantline.assembly.doubts.vessels import doubtful_vessels
@@ -269,9 +271,12 @@ def _doubts(
         *doubtful_hook_blocks(scenario),
         *doubtful_ways(parts, scenario),
         *doubtful_tilts(scenario, rigging, lifted),
+        *doubtful_tilt_limit(scenario),
         *doubtful_stops(scenario),
         *doubtful_lead(scenario, rigging),
         *doubtful_rails(scenario),
+        *doubtful_falls(scenario),
+        *doubtful_dragging(scenario, rigging),
         *doubtful_cranes(scenario),
         *doubtful_booms(scenario),
         *doubtful_ground(scenario),

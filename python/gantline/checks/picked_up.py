@@ -19,7 +19,7 @@ from gantline.results.rotation import tilt
 from gantline.results.variable import FloatArray
 from gantline.units import format_quantity
 
-__all__ = ["leans", "picked_up", "what_helps"]
+__all__ = ["beside_supports", "leans", "picked_up", "what_helps"]
 
 #: A load that has hung clear for so long was not just coming off; one that does bounces for less [s].
 _HUNG = 5.0
@@ -131,6 +131,44 @@ def leans(recording: Recording) -> list[Check]:
         checks.append(
             Check("stands_by_itself", Verdict.WARNING, meaning, element=load.name, time=down, remark=remark)
         )
+    return checks
+
+
+def beside_supports(recording: Recording) -> list[Check]:
+    """A warning for each group of supports on which a load that steps set down has never stood.
+
+    Who has built it meant the load to come down there. One that was taken away before is left out.
+    """
+    checks = []
+    removed = {name for _, _, name in recording.events("support_removed")}
+    for load in recording.rig.loads:
+        down = _stands_for_good(recording, load)
+        if not down:
+            continue  # it hangs, or has stood from the start
+        groups: dict[str, list[str]] = {}
+        for support in recording.rig.supports:
+            if support.name in load.contacts and support.removed_at is None:
+                groups.setdefault(support.group, []).append(support.name)
+        forces = {
+            group: np.stack([recording.column("contact_force", name) for name in names])
+            for group, names in groups.items()
+            if group and removed.isdisjoint(names)
+        }
+        below = [group for group, force in forces.items() if force[:, -1].any()]
+        place = [format_quantity(one, "m", 2) for one in recording.column("body_position", load.body)[-1]]
+        for group, force in forces.items():
+            if force.any():
+                continue
+            stands = f"it stands on {' and '.join(below)}" if below else "it stands on something else"
+            said = f"set down at {down:.2f} s, {stands}, and {group} bears nothing all along"
+            at = f"its centre of gravity is at x {place[0]}, y {place[1]} and z {place[2]} then"
+            meaning = "loads come to the supports that are there for them"
+            remark = f"{said}: {at}; see places, heading and level of {group}, and what brings the load there"
+            checks.append(
+                Check(
+                    "comes_to_supports", Verdict.WARNING, meaning, element=load.name, time=down, remark=remark
+                )
+            )
     return checks
 
 

@@ -27,7 +27,7 @@ from gantline.checks.loads import (
 from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, named
 from gantline.checks.overlaps import run_into
 from gantline.checks.parted import parted
-from gantline.checks.picked_up import leans, picked_up
+from gantline.checks.picked_up import beside_supports, leans, picked_up
 from gantline.checks.plan import (
     came_down,
     fell_behind,
@@ -513,4 +513,10 @@ _BESIDE_LIMITS: tuple[Callable[[Recording], Iterable[Check]], ...] = (
     _unknown,
 )
 #: The same of runs alone, which have moments to tell apart.
-_OF_RUNS: tuple[Callable[[Recording], Iterable[Check]], ...] = (stood_still, came_down, hit, picked_up)
+_OF_RUNS: tuple[Callable[[Recording], Iterable[Check]], ...] = (
+    stood_still,
+    came_down,
+    hit,
+    picked_up,
+    beside_supports,
+)

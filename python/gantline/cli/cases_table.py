@@ -60,7 +60,7 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
     states, governed = _states(groups, width), _governing(groups, width)
     numbered = _numbered([name for name, _ in groups], [*states, *governed], width)
     parts = [
-        [f"{result.title}, at rest"],
+        [f"{result.title}, at rest", *_standing(result, width)],
         [*states, *why],
         governed,
         numbered,
@@ -70,6 +70,18 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
         [_verdict(result)],
     ]
     return [line for part in parts if part for line in (*part, "")][:-1]
+
+
+def _standing(result: CasesResult, width: int) -> list[str]:
+    """That the lift as it is given stands in part at the time that is looked at."""
+    if not result.given.partly_stands:
+        return []
+    when = f"at {show(result.given.time, 's', 1)} {' and '.join(result.given.partly_stands)}"
+    sentence = (
+        f"{when}: slings and hooks carry more where it hangs; '--time' asks for another moment, and "
+        "'gantline statics --steps' lists how much hangs at the end of each step"
+    )
+    return textwrap.wrap(sentence, width, initial_indent="  ", subsequent_indent="    ")
 
 
 def _states(groups: Sequence[tuple[str, Sequence[State]]], width: int) -> list[str]:

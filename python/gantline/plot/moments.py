@@ -11,6 +11,7 @@ from gantline.results.loads.hinges import HINGE_OPENED
 from gantline.results.loads.lift_off import hangs_from_the_start, lift_off_time
 from gantline.results.loads.upending import is_turned
 from gantline.results.recording import Recording
+from gantline.results.status import INCOMPLETE
 from gantline.units import format_quantity
 
 #: Most stages of a lift that one picture shows.
@@ -73,7 +74,8 @@ def stages(recording: Recording) -> list[Moment]:
 
     Steps side by side are one stage, under the name of the first of them. A load that is turned as it hangs
     is shown at a third and at two thirds of its turn as well; one whose hinge opens as that does, and not as
-    its slings come taut, when it lies as at the start.
+    its slings come taut, when it lies as at the start. A run that broke off is shown where it did, too: there
+    something went wrong.
 
     Args:
         recording: Any recording.
@@ -83,8 +85,10 @@ def stages(recording: Recording) -> list[Moment]:
     """
     clear_from = 0.0 if _hang(recording) else lift_off_time(recording)
     opened = [_moment(recording, f"{name} opens", time) for time, _, name in recording.events(HINGE_OPENED)]
+    broke_off = recording.attributes.get("status") in INCOMPLETE
+    ended = [_moment(recording, "end", float(recording.time[-1]))] if broke_off else []
     left_out = {"peak tension", "end", *(("slings taut",) if opened else ())}
-    known = [one for one in moments(recording) if one.name not in left_out] + opened
+    known = [one for one in moments(recording) if one.name not in left_out] + opened + ended
     known += _turning(recording)[: _STAGES - 1 - len(known)]
     after = [
         _moment(recording, f"end of '{name}'", time)

@@ -11,6 +11,7 @@ from gantline.results.alike import first_peak
 from gantline.results.loads.clearances import watched_during
 from gantline.results.loads.contact_peaks import guide_peak
 from gantline.results.loads.drift import load_drift
+from gantline.results.loads.guides import told_missed
 from gantline.results.loads.hinges import hinge_force
 from gantline.results.loads.lift_off import lift_off_in_words
 from gantline.results.loads.set_down import set_down_in_words
@@ -114,21 +115,23 @@ def _tag_lines(subject: Subject) -> list[tuple[str, str]]:
 
 
 def _guides(subject: Subject) -> list[tuple[str, str]]:
-    """What the landing guides bear at most, and what that is of the weight that they guide."""
+    """Landing guides that the load missed, and what they bear at most, of the weight that they guide too."""
     rig = subject.rig
     weights = {load.name: load.weight for load in rig.loads}
     presses = [(guide_peak(subject.recording, guide), guide) for guide in rig.guides]
     if not presses:
         return []
+    missed = told_missed(rig.guides, map(str, subject.recording.attributes.get("warnings") or ()))
+    rows = [("missed by the load", f"guide{'s' * (len(missed) > 1)} {', '.join(missed)}")] if missed else []
     (force, time), guide = presses[first_peak([one[0][0] for one in presses])]
     if force == 0.0:
-        return [("largest force of a guide", "none is touched")]
+        return [*rows, ("largest force of a guide", "none is touched")]
     text = f"{guide.name} {show(force, 'kN', 1)} at {show(time, 's', 1)}"
     shares = [f"{show(force / weights[guide.load], '%', 1)} of the weight"]
     # Raised to the design weight, as the check has it.
     used = values_of(subject.recording, "guide_force_of_capacity")
     shares += [f"{show(used[guide.name], '%', 0)} of capacity"] if guide.name in used else []
-    return [("largest force of a guide", f"{text}, {', '.join(shares)}")]
+    return [*rows, ("largest force of a guide", f"{text}, {', '.join(shares)}")]
 
 
 #: Steps after which a load swings, and hangs where it was taken.

@@ -94,11 +94,13 @@ def _between_crests(subject: Subject, load: FloatArray) -> list[float | None]:
     """What a load cell reads on the mean of many waves [kg]; of one wave a sample tells next to nothing.
 
     Supports bear (1 - p) W of the weight W when the share p has come over. Where one hook bears all the rest
-    its hoist load is less than that of the load clear by just as much; how several share only a plan
-    without waves tells.
+    its hoist load is less than that of the load clear by just as much; how several share, or a hook and a
+    hinge, only a plan without waves tells.
     """
     static, rig = subject.static(load), subject.rig
-    if static is None or len(rig.hooks) > 1:
+    if rig.hinges:
+        static = _once_clear(subject, load)
+    if static is None or len(rig.hooks) > 1 or rig.hinges:
         return [*(None for _ in READINGS[1:]), _mass(subject, static)]
     weighs = sum((series.load_weight(subject.recording, one) for one in rig.loads), np.zeros(len(load)))
     weight = subject.static(weighs) or 0.0

@@ -248,6 +248,7 @@ def what_if(subject: Subject) -> dict[str, Any] | None:
     troubled = [one for one in cases.cases if one.troubles]
     return {
         "rows": rows,
+        "standing": " and ".join(cases.cases[0].partly_stands) if cases.cases else "",
         "sound": cases.is_sound,
         "troubled": [(one.name or "as given", _briefly(one.troubles)) for one in troubled[:_MOST_TROUBLED]],
         "more": max(0, len(troubled) - _MOST_TROUBLED),

@@ -28,6 +28,7 @@ class Element(BaseModel):
     def _from_mapping(cls, data: Any, handler: ModelWrapValidatorHandler[Any]) -> Any:
         if isinstance(data, MapNode):
             data.allowed = cls.keys()
+            data.explained = cls.explained
             data.what = cls.what
             cls.refuse_early(data)
         elif not isinstance(data, (dict, cls)):
@@ -57,6 +58,13 @@ class Element(BaseModel):
     def needed_keys(cls) -> set[str]:
         """Those of them that it cannot be without."""
         return {field.alias or name for name, field in cls.model_fields.items() if field.is_required()}
+
+    @classmethod
+    def explained(cls, key: str) -> str:
+        """What a key says, in the first sentence of its description; empty if it has none."""
+        fields = ((field.alias or name, field) for name, field in cls.model_fields.items())
+        description = next((field.description for name, field in fields if name == key), None) or ""
+        return description.partition(". ")[0].removesuffix(".")
 
     @classmethod
     def refuse_early(cls, data: MapNode) -> None:

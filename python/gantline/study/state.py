@@ -22,6 +22,7 @@ from gantline.results.recording import Recording
 from gantline.results.rotation import heading
 from gantline.scenario import StartError
 from gantline.statics import Equilibrium, Losses, NoEquilibriumError, Statics
+from gantline.units import format_quantity
 
 __all__ = [
     "LOSSES",
@@ -36,6 +37,9 @@ __all__ = [
     "values_of",
     "worst_of",
 ]
+
+#: Shares of the weight of a load that is not lifted, of which a check tells, and of one that hangs [1].
+_PARTLY = (0.05, 0.95)
 
 
 @dataclass(frozen=True)
@@ -109,6 +113,27 @@ class State:
         loads = () if self.rest is None else self.rest.recording.rig.loads
         return told if len(told) == len(loads) else ()
 
+    @property
+    def partly_stands(self) -> tuple[str, ...]:
+        """Loads that stand then with a part of their weight, and how much of it hangs, in words.
+
+        Of a load that a plan has set down slings and hooks carry what its last step has left in them, which
+        is nothing to rely on. Loads in hinges are left out: these bear a part all along.
+        """
+        if self.rest is None:
+            return ()
+        recording = self.rest.recording
+        hinged = {hinge.load for hinge in recording.rig.hinges}
+        told = []
+        for load in recording.rig.loads if "load_transferred" in recording else ():
+            if load.name not in recording.coordinates["load"] or load.name in hinged:
+                continue
+            share = float(recording.column("load_transferred", load.name)[-1])
+            if _PARTLY[0] <= share < _PARTLY[1]:
+                hangs = format_quantity(share, "%", 0)
+                told.append(f"{load.name} stands, with {hangs} of its weight in its slings")
+        return tuple(told)
+
     def to_json(self) -> dict[str, Any]:
         """All of it as a JSON object, SI units."""
         rest, check = self.rest, self.governing
@@ -127,6 +152,7 @@ class State:
             "in_vain": list(self.in_vain),
             "stands": list(self.stands),
             "not_lifted": list(self.not_lifted),
+            "partly_stands": list(self.partly_stands),
             **values_of(self),
             "first_order_sling_tension": dict(self.first_order) or None,
             "failed": list(self.failed),

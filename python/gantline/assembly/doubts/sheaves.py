@@ -1,9 +1,10 @@
-"""Sheaves of equalizers that cannot well be meant: losses where there are none, and no room for a groove."""
+"""Sheaves that cannot well be meant: losses where there are none, and no room for a groove."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from gantline.assembly.cranes.reeving import reeved_hooks
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Path
@@ -18,6 +19,7 @@ _TIGHTEST = 2.0
 
 def doubtful_sheaves(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
     """Each place that gives losses to sheaves that are none, and each sheave thinner than its rope."""
+    yield from _thin_in_falls(scenario)
     for name, equalizer in rigging.equalizers.items():
         yield from _thin(scenario, name, equalizer)
         if equalizer.has_sheaves:
@@ -54,7 +56,21 @@ def _thin(scenario: Scenario, name: str, equalizer: EqualizerRigging) -> Iterato
             given = (scenario.equalizers or {})[name]
             own = getattr(given, key) is not None
             path = ("equalizers", name) if own else ("equalizer_types", str(given.type))
-            wide = f"have a pitch diameter of {1e3 * diameter:g} mm"
-            sentence = f"the {key.replace('_', ' ')} of {name} {wide}, their rope is {1e3 * thick:g} mm thick"
-            usual = "11 to 25 times that is usual, and a unit has slipped"
-            yield Doubt((*path, key, "pitch_diameter"), f"{sentence}; {usual}")
+            sentence = f"the {key.replace('_', ' ')} of {name} have a pitch diameter of {1e3 * diameter:g} mm"
+            yield Doubt((*path, key, "pitch_diameter"), f"{sentence}, {_slipped(thick)}")
+
+
+def _thin_in_falls(scenario: Scenario) -> Iterator[Doubt]:
+    """The same of sheaves of hooks."""
+    for hook in reeved_hooks(scenario):
+        thick = (scenario.ropes or {})[hook.reeving.rope].diameter
+        diameter = hook.reeving.diameter(thick)
+        if thick is not None and diameter < _TIGHTEST * thick:
+            sentence = f"the sheaves of {hook.name} have a diameter of {1e3 * diameter:g} mm"
+            path = (*hook.hook.paths["reeving"], "sheave_diameter")
+            yield Doubt(path, f"{sentence}, {_slipped(thick)}")
+
+
+def _slipped(thick: float) -> str:
+    usual = "11 to 25 times that is usual, and a unit has slipped"
+    return f"their rope is {1e3 * thick:g} mm thick; {usual}"

@@ -1,4 +1,4 @@
-"""Steps that wait for a tilt to which no hook can bring the load: it hangs in balance before.
+"""Steps that wait for a tilt to which no hook can bring the load, or that a limit does not allow.
 
 A load whose lugs of one end are hoisted over those of the other turns until it hangs from the higher ones
 alone, with its centre of gravity plumb below them: the slings of the lower end then bear nothing, and slings
@@ -20,11 +20,12 @@ from gantline.scenario.cranes.hooks import full_names
 from gantline.scenario.cranes.kept_plumb import slings_under
 from gantline.scenario.errors import Doubt
 from gantline.scenario.plan.lead import LeadStep
+from gantline.scenario.plan.plan import Step
 from gantline.scenario.plan.slinging import slings_on
 from gantline.scenario.plan.steps import AlongStep, HookStep
 from gantline.units import format_quantity
 
-__all__ = ["balance", "doubtful_tilts", "lugs_under"]
+__all__ = ["balance", "doubtful_tilt_limit", "doubtful_tilts", "lugs_under"]
 
 #: How far beyond its balance a step has to wait before that is told [rad]: lines of lugs are not quite level.
 _BEYOND = math.radians(0.5)
@@ -68,6 +69,31 @@ def doubtful_tilts(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | No
             hangs = f"{alone} the load hangs at {format_quantity(most, 'deg', 1)}"
             slack = "the slings of its other end hang slack from there on, and the step does not end by it"
             yield Doubt(("plan", place, "until"), f"{waits}, and {hangs}: {slack}")
+
+
+def doubtful_tilt_limit(scenario: Scenario) -> Iterator[Doubt]:
+    """A limit of the tilt over the whole lift, of a load that a step of its plan is to tilt farther."""
+    limit = None if scenario.limits is None else scenario.limits.load_tilt
+    if limit is None:
+        return
+    beyond = next((step for step in scenario.plan if _tilts_to(step) > limit), None)
+    if beyond is None:
+        return
+    asked, most = (format_quantity(one, "deg", 1) for one in (_tilts_to(beyond), limit))
+    sentence = (
+        f"{most} hold over the whole lift, and step '{beyond.step}' tilts the load to {asked}: it fails"
+    )
+    right = "leave it out, and let steps at whose end the load hangs level 'require' it"
+    yield Doubt(("limits", "load_tilt"), f"{sentence}; {right}")
+
+
+def _tilts_to(step: Step) -> float:
+    """Tilt beyond which the load has to come by the end of a step [rad]; 0 of others."""
+    until = getattr(step, "until", None)
+    waits = None if until is None or until.load_tilt is None else until.load_tilt.above
+    bound = None if step.require is None else step.require.load_tilt
+    requires = bound.value if bound is not None and bound.relation == "above" else 0.0
+    return max(waits or 0.0, requires)
 
 
 def lugs_under(

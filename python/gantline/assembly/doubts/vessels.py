@@ -10,8 +10,11 @@ import numpy as np
 from gantline.assembly.afloat.hulls import afloat_path
 from gantline.assembly.afloat.vessels import upright_hydrostatics, vessel_hull
 from gantline.assembly.parts import Parts
+from gantline.assembly.plain import ropes_ending_at
 from gantline.scenario import Scenario
+from gantline.scenario.afloat.mooring import is_moored
 from gantline.scenario.afloat.vessel import Vessel
+from gantline.scenario.cranes.boom import FloatingCrane
 from gantline.scenario.errors import Doubt
 from gantline.scenario.loads.structures import BoxStructure
 from gantline.units import format_by_size, format_quantity
@@ -35,6 +38,8 @@ _ADDED = {
 }
 #: Shares of critical damping beside what `radiation` takes of a motion: what hull and lines add to that [1].
 _BESIDE_WAVES = {"heave": 0.1, "pitch": 0.1, "roll": 0.2}
+#: A light hull weighs a fifth of what it displaces laden; less than this share is a slip [1].
+_LIGHTEST = 0.02
 #: Periods of surge, sway and yaw on moorings, stiff fenders of a quay and slack chains included [s].
 _PERIODS = (3.0, 600.0)
 #: Lines are shorter than this times the distance of their ends, and this much more [1, m].
@@ -56,6 +61,7 @@ def doubtful_vessels(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
         length, breadth, _ = np.ptp(vessel_hull(scenario, name, vessel).box, axis=0)
         for key, sentence in (
             *_radii(vessel, float(length), float(breadth)),
+            *_light(scenario, name, vessel),
             *_added(scenario, name, vessel, float(length), float(breadth)),
             *_twice(vessel),
             *_periods(vessel),
@@ -63,6 +69,7 @@ def doubtful_vessels(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
         ):
             yield Doubt((*path, *key), f"{name} {sentence}")
         yield from _under_keel(scenario, name, vessel)
+    yield from _unmoored(scenario)
     yield from _buried(parts, scenario)
     yield from _long_lines(parts, scenario)
 
@@ -87,6 +94,18 @@ def _radii(vessel: Vessel, length: float, breadth: float) -> Iterator[tuple[tupl
             usual = usual if axis == "x" else f"about {format_quantity(0.27 * size, 'm', 1)}"
             yield key, f"{has}: usual about {axis} is {usual}"
             return
+
+
+def _light(scenario: Scenario, name: str, vessel: Vessel) -> Iterator[tuple[tuple[str, ...], str]]:
+    """Own masses and tanks that are next to nothing of what the vessel displaces at its draft."""
+    if vessel.is_carried:
+        return
+    own = vessel.mass + math.fsum(tank.content for tank in (vessel.tanks or {}).values())
+    displaced = upright_hydrostatics(scenario, name, vessel).mass
+    if own < _LIGHTEST * displaced:
+        weighs, displaces = (format_by_size(one, "mass", 3) for one in (own, displaced))
+        sentence = f"weighs {weighs} with its tanks, and displaces {displaces} at its draft"
+        yield ("masses",), f"{sentence}: a unit has slipped, kg for t"
 
 
 def _added(
@@ -149,12 +168,31 @@ def _high_sides(vessel: Vessel, breadth: float) -> Iterator[tuple[tuple[str, ...
         yield ("hull", "box"), sentence
 
 
+def _unmoored(scenario: Scenario) -> Iterator[Doubt]:
+    """Vessels that no line holds beside others that are moored: what lies still on paper drifts in a run."""
+    vessels = scenario.vessels or {}
+    moored = [name for name in vessels if is_moored(scenario, name)]
+    others = " and ".join(moored)
+    for name, vessel in vessels.items():
+        if not moored or name in moored or vessel.is_carried or ropes_ending_at(scenario, name):
+            continue
+        sentence = f"{name} is on no mooring line, as {others} is: nothing of the water holds it in plan"
+        drifts = f"{sentence}, and it drifts off with what pulls or pushes it"
+        yield Doubt(afloat_path(scenario, name), drifts)
+
+
 def _under_keel(scenario: Scenario, name: str, vessel: Vessel) -> Iterator[Doubt]:
-    """Lines that leave a vessel far below its keel: the sign of a height, which counts from the keel."""
+    """Lines and booms that begin below the keel: the sign of a height, which counts from there."""
     extent = vessel.hull.extent
     if extent is None:
         return
     keel = extent[0][2]
+    for crane, given in (scenario.cranes or {}).items():
+        if isinstance(given, FloatingCrane) and given.vessel == name and given.boom.heel_pins.at[2] < keel:
+            below = format_quantity(keel - given.boom.heel_pins.at[2], "m", 1)
+            sentence = f"the heel pins of {crane} are {below} below the keel of {name}"
+            path = ("cranes", crane, "boom", "heel_pins", "at")
+            yield Doubt(path, f"{sentence}; heights count up from it")
     for line, one in (scenario.mooring_lines or {}).items():
         for key, body, end in (("fairlead", one.vessel, one.fairlead), ("to", one.holder, one.to)):
             if body == name and end[2] < keel - _UNDER_KEEL:

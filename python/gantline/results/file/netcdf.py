@@ -8,12 +8,13 @@ The file holds no clock time: the same recording gives the same bytes.
 
 from __future__ import annotations
 
+import errno
 import json
 import math
 import os
 import zlib
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from itertools import product
@@ -39,6 +40,8 @@ _OF_THE_FORMAT = frozenset({"recording_format", "_NCProperties"})
 _LEVEL = 1  # of gzip: higher ones take longer and save nothing
 _COMPRESS_FROM = 1 << 16  # bytes; smaller variables are not worth a chunk index
 _WORKERS = os.cpu_count() or 1
+_ROOM = 1 << 20  # bytes, for tables of the file itself: some 100 kB of a recording of a hundred variables
+_NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
 _COMPONENTS = frozenset({"xyz", "wxyz"})  # each in chunks of its own: its values are like their neighbours
 
 #: Infinite where there is nothing left that they could be of: ropes that have all parted.
@@ -58,17 +61,55 @@ def save_recording(recording: Recording, path: Path) -> Path:
     Raises:
         OSError: If it cannot be written.
     """
-    with replaced(path) as trial, _Kept(trial) as tables, h5netcdf.File(tables, "w") as file:
-        _write(recording, file)
+    with replaced(path) as trial:
+        with trial.open("r+b") as empty:
+            _hold(empty.fileno(), _ROOM, path)
+        with _Kept(trial, path) as tables, h5netcdf.File(tables, "w") as file:
+            _write(recording, file, tables.hold)
+            tables.hold(0)
+        os.truncate(trial, _end_of(trial))
     return path
+
+
+def _hold(handle: int, size: int, path: Path) -> None:
+    """Take room on the disk for the first bytes of a file.
+
+    The library writes what it holds before it closes a file, and where it cannot, it brings the whole program
+    down as that ends. So room is asked for beforehand, and the library meets no full disk.
+
+    Raises:
+        OSError: If there is none; the error is that of the path.
+    """
+    try:
+        os.posix_fallocate(handle, 0, size)
+    except OSError as problem:
+        # Any other is of a file system, or of a device, that knows no such promise.
+        if problem.errno in _NO_ROOM:
+            raise OSError(problem.errno, problem.strerror, str(path)) from None
+
+
+def _end_of(path: Path) -> int:
+    """Where the tables of a file say that it ends [bytes]: behind it is room that was held and is not used.
+
+    The superblock has it, with addresses of eight bytes (HDF5 File Format Specification 3.0, II.A).
+    """
+    with path.open("rb") as file:
+        superblock = file.read(64)
+    place = {0: 40, 1: 44}.get(superblock[8], 28)
+    return int.from_bytes(superblock[place : place + 8], "little")
 
 
 class _Kept(h5py.File):  # type: ignore[misc]  # h5py says nothing of its types
     """A new file whose tables stay open: h5netcdf looks each of them up some dozen times."""
 
-    def __init__(self, path: Path) -> None:
-        super().__init__(path, "w", track_order=True)
+    def __init__(self, trial: Path, path: Path) -> None:
+        super().__init__(trial, "w", track_order=True)
         self._found: dict[str, Any] = {}
+        self._path = path
+
+    def hold(self, size: int) -> None:
+        """Hold room for so many bytes more, and for what the library writes as it closes the file."""
+        _hold(self.id.get_vfd_handle(), self.id.get_filesize() + size + _ROOM, self._path)
 
     def __getitem__(self, name: Any) -> Any:
         if name == "/":
@@ -165,7 +206,7 @@ def _reason(words: str) -> str:
     return words
 
 
-def _write(recording: Recording, file: h5netcdf.File) -> None:
+def _write(recording: Recording, file: h5netcdf.File, hold: Callable[[int], None]) -> None:
     # An event-free lift has an event dimension of length 0, which NetCDF keeps as an unlimited one.
     file.dimensions = {dim: size or None for dim, size in recording.sizes.items()}
     for dim, labels in recording.coordinates.items():
@@ -174,13 +215,17 @@ def _write(recording: Recording, file: h5netcdf.File) -> None:
             names[...] = np.array(labels, dtype=object)
     with ThreadPoolExecutor(_WORKERS) as pool:
         for name, variable in recording.variables.items():
-            _write_variable(file, name, variable, pool)
+            _write_variable(file, name, variable, pool, hold)
     file.attrs["recording_format"] = _FORMAT
     for name, value in recording.attributes.items():
-        file.attrs[name] = value if name in _PLAIN_TEXT else json.dumps(value, allow_nan=False)
+        text = value if name in _PLAIN_TEXT else json.dumps(value, allow_nan=False)
+        hold(len(text.encode()))
+        file.attrs[name] = text
 
 
-def _write_variable(file: h5netcdf.File, name: str, variable: Variable, pool: Executor) -> None:
+def _write_variable(
+    file: h5netcdf.File, name: str, variable: Variable, pool: Executor, hold: Callable[[int], None]
+) -> None:
     values = variable.values
     options: dict[str, Any] = {}
     is_large = not variable.is_text and values.nbytes >= _COMPRESS_FROM
@@ -195,15 +240,20 @@ def _write_variable(file: h5netcdf.File, name: str, variable: Variable, pool: Ex
         name, variable.dims, dtype=h5py.string_dtype() if variable.is_text else "<f8", **options
     )
     if is_large:
-        _write_chunks(target._h5ds, values, options["chunks"], pool)
+        _write_chunks(target._h5ds, values, options["chunks"], pool, hold)
     elif values.size:
+        hold(values.nbytes)
         target[...] = values.astype(object) if variable.is_text else values
     target.attrs["units"] = variable.unit
     target.attrs["long_name"] = variable.description
 
 
 def _write_chunks(
-    target: h5py.Dataset, values: np.ndarray[Any, np.dtype[Any]], shape: tuple[int, ...], pool: Executor
+    target: h5py.Dataset,
+    values: np.ndarray[Any, np.dtype[Any]],
+    shape: tuple[int, ...],
+    pool: Executor,
+    hold: Callable[[int], None],
 ) -> None:
     """Write a dataset in chunks of whole rows, or of a component of them, compressed on all processors.
 
@@ -211,16 +261,20 @@ def _write_chunks(
     to it as they are to stand in the file. Only so many are under way that memory stays small.
     """
     pending: deque[tuple[tuple[int, ...], Future[bytes]]] = deque()
+
+    def write(most: int) -> None:
+        while len(pending) > most:
+            place, packed = pending.popleft()
+            hold(len(packed.result()))
+            target.id.write_direct_chunk(place, packed.result())
+
     whole = np.asarray(values, dtype="<f8")
     starts = product(*(range(0, size, chunk) for size, chunk in zip(whole.shape, shape, strict=True)))
     for start in starts:
         chunk = whole[tuple(slice(at, at + size) for at, size in zip(start, shape, strict=True))]
         pending.append((start, pool.submit(_filtered, chunk, shape[0])))
-        if len(pending) > 2 * _WORKERS:
-            place, packed = pending.popleft()
-            target.id.write_direct_chunk(place, packed.result())
-    for place, packed in pending:
-        target.id.write_direct_chunk(place, packed.result())
+        write(2 * _WORKERS)
+    write(0)
 
 
 def _filtered(chunk: np.ndarray[Any, np.dtype[Any]], rows: int) -> bytes:

@@ -88,6 +88,7 @@ class SavedCase:
             equilibrium and why, instability, loads that stand and should hang, failed checks.
         remarks: What it asks for in vain, and that it changes nothing.
         has_losses: Whether some of these equilibria are bounds of what losses of sheaves do.
+        partly_stands: Loads that stand with a part of their weight in the first of them, in words.
     """
 
     name: str
@@ -95,6 +96,7 @@ class SavedCase:
     troubles: Sequence[str]
     remarks: Sequence[str] = ()
     has_losses: bool = False
+    partly_stands: Sequence[str] = ()
 
 
 @dataclass(frozen=True)
@@ -332,7 +334,10 @@ def _case(given: Mapping[str, Any]) -> SavedCase:
         remarks.append("changes nothing")
     told, said = (tuple(dict.fromkeys(each)) for each in (troubles, remarks))
     has_losses = any(state.get("losses") != "none" for state in states)
-    return SavedCase(text_in(given, "case"), len(states), told, said, has_losses)
+    # Files from before there was the word say nothing of it.
+    partly = list_in(states[0], "partly_stands") if states and "partly_stands" in states[0] else []
+    stands = [one for one in partly if isinstance(one, str)]
+    return SavedCase(text_in(given, "case"), len(states), told, said, has_losses, stands)
 
 
 def _worst(given: Mapping[str, Any]) -> SavedWorst:

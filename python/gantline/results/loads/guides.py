@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -13,7 +13,7 @@ from gantline.results.strength import FromJson
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 from gantline.units import format_quantity
 
-__all__ = ["Guide", "guide_force", "guide_state", "missed_guides"]
+__all__ = ["Guide", "guide_force", "guide_state", "missed_guides", "told_missed"]
 
 #: Faces that look at each other, of frames; those of the other pair stand across them.
 _OPPOSITE = (("fore", "aft"), ("port", "starboard"))
@@ -119,8 +119,18 @@ def missed_guides(
         ]
         if missed:
             time, words = min(missed)
-            found.append(f"the load misses guide {guide.name}: {words} at {format_quantity(time, 's', 2)}")
+            found.append(f"{_misses(guide)}{words} at {format_quantity(time, 's', 2)}")
     return found
+
+
+def told_missed(guides: Sequence[Guide], warnings: Iterable[str]) -> list[str]:
+    """Names of the guides of which `missed_guides` has told in the warnings of a recording."""
+    told = tuple(warnings)
+    return [guide.name for guide in guides if any(one.startswith(_misses(guide)) for one in told)]
+
+
+def _misses(guide: Guide) -> str:
+    return f"the load misses guide {guide.name}: "
 
 
 def _missed(

@@ -181,7 +181,8 @@ class _OfWater(_ByFile):
                 raise refuse("'period' is missing; it is written like '9 s', or 'infinite_frequency'")
         for key in ("body", "heading_in_file", "period"):
             if key in data and "database" not in data:
-                raise refuse(f"'{key}' is for a 'database'", key)
+                right = f"without one each motion has its own number, {', '.join(MOTIONS)}"
+                raise refuse(f"'{key}' is for a 'database'; {right}", key)
 
     @property
     def diagonal(self) -> list[float]:

@@ -23,6 +23,10 @@ _OPENED: Final = re.compile(r"\s*(?:- )?([\w.-]+)\s*:?\{")
 _SEVERAL_KEYS: Final = re.compile(
     r"\s*((?:- )?(?:[\w.-]+:\s+(?=[\w.-]+:\s))?)([\w.-]+:\s+[^,'\"]+),\s*[\w.-]+:\s"
 )
+#: A value behind which a comment begins, where a comma or bracket would be.
+_CUT_OFF: Final = re.compile(r"[^\s,{\[]\s+#")
+#: A value of words, up to a ':' within it.
+_OF_WORDS: Final = re.compile(r"\b(?:title|remark|step|rule|number|source|origin|name)\s*:\s+[^,:]*$")
 _UNITS: Final = frozenset(unit for units in DIMENSIONS.values() for unit in units if unit)
 #: Where a line ends in YAML.
 _NEW_LINE: Final = re.compile("\r\n|[\r\n\x85\u2028\u2029]")
@@ -109,15 +113,19 @@ def _in_brackets(found: str, begin: Any, at: Any, text: str) -> Problem:
     closing = _CLOSING[opening]
     if at.line > begin.line:
         sentence = f"'{opening}' opens here and is not closed before line {at.line + 1}"
-        return Problem(
-            begin.line + 1, "", f"{sentence}: a '{closing}' is missing, or a ',' at the end of a line"
-        )
+        missing = f"a '{closing}' is missing, or a ',' at the end of a line"
+        if _CUT_OFF.search(_NEW_LINE.split(text[begin.index :], maxsplit=1)[0]):
+            missing += "; ' #' begins a comment, and a text with it stands in quotes"
+        return Problem(begin.line + 1, "", f"{sentence}: {missing}")
     if (right := _unit_behind_a_list(_before(text, at), _shown(text, at))) is not None:
         return Problem(at.line + 1, "", right)
     # The parser sees that a comma is missing only at the colon behind the next key.
     key = re.findall(r"[^\s,:{\[]*\s*$", _before(text, at))[0] if found.endswith("got ':'") else ""
     rest = shorten(key + _shown(text, at)) or "the end"
-    return Problem(at.line + 1, "", f"a ',' or '{closing}' is missing before '{rest}'")
+    sentence = f"a ',' or '{closing}' is missing before '{rest}'"
+    if key and _OF_WORDS.search(_before(text, at)):
+        sentence += "; a text with a ':' in it stands in quotes"
+    return Problem(at.line + 1, "", sentence)
 
 
 def _second_colon(line: str) -> str:

@@ -131,6 +131,11 @@ _IN_WATER = (
     "volume",
     "water_damping",
 )
+#: Sailors and forecasts say where it comes from.
+_COMES_FROM = ("coming_from", "from", "from_direction")
+_GOES_TO = (
+    "'direction' is where it goes to, from world x towards y: what comes from 30 deg has 'direction: 210 deg'"
+)
 #: What people look for and is not there: what there is in its place, by what it is looked for in.
 _INSTEAD = {
     "until": dict.fromkeys(
@@ -174,7 +179,10 @@ _INSTEAD = {
             "the wind in which a crane may lift is its own 'wind_limit', held against that of the lift",
         ),
     },
+    "wind": dict.fromkeys(_COMES_FROM, _GOES_TO),
+    "current": dict.fromkeys(_COMES_FROM, _GOES_TO),
     "waves": {
+        **dict.fromkeys(_COMES_FROM, _GOES_TO),
         **dict.fromkeys(
             ("mean_period", "tz", "zero_crossing_period", "zero_up_crossing_period"), _MEAN_PERIOD
         ),
@@ -290,7 +298,16 @@ def _missing(key: str, node: Any) -> str:
     hint = f" (is '{shorten(misspelt)}' a misspelt '{key}'?)" if misspelt is not None else ""
     what = node.what or "this mapping"
     need = "need" if is_or_are(what) == "are" else "needs"
-    return f"'{key}' is missing; {what} {need} it{hint}"
+    return f"'{key}' is missing; {what} {need} it{hint or _explained(key, node)}"
+
+
+def _explained(key: str, node: MapNode) -> str:
+    """What a key says, in brackets; nothing where that is no more than its name."""
+    said = "" if node.explained is None else node.explained(key)
+    if {*said.lower().split()} <= {*key.split("_"), "its", "the", "of"}:
+        return ""
+    first = said[0].lower() if said[1].islower() else said[0]
+    return f" ({first}{said[1:]})"
 
 
 def _at_other_level(key: str, around: Sequence[Any]) -> str | None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import stat
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, Final
 
@@ -98,12 +98,14 @@ class MapNode(dict[str, Any]):
         line: line of the mapping's start, from 1.
         key_lines: line of each key.
         allowed: keys that the model which read this mapping knows; set while it is validated.
+        explained: what such a key says, in words; set alike.
         what: what that model is called in messages.
     """
 
     line: int
     key_lines: dict[str, int]
     allowed: tuple[str, ...] = ()
+    explained: Callable[[str], str] | None = None
     what: str = ""
 
 
