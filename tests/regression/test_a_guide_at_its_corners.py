@@ -15,7 +15,9 @@ from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from guided_lift import guided_lift
 
-POST = "post: {at: [3.6 m, 0 m, 0 m], diameter: 0.4 m, height: 1 m, cone: {length: 0.5 m, tip_diameter: 0.2 m}}"
+POST = (
+    "post: {at: [3.6 m, 0 m, 0 m], diameter: 0.4 m, height: 1 m, cone: {length: 0.5 m, tip_diameter: 0.2 m}}"
+)
 """Its shoulder is 0.2 m from its axis and 1 m up, its tip 0.1 m and 1.5 m."""
 FLARE = "height: 0.6 m, flare: {length: 0.4 m, angle: 30 deg}"
 PLAN = "  - {step: lower, lower: crane, speed: 6 m/min, by: 0.8 m}\n  - {step: rest, hold: until_end}\n"
