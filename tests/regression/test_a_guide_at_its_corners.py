@@ -1,10 +1,10 @@
 """A post and a side of a frame that are in each other at a corner: knee over shoulder, flare on the tip.
 
 Of all rims on faces and edges on sides the two that were deepest pressed, whatever their directions. A knee
-that came from the cone to the cylinder had the shoulder on its flare and on its upright face, and a guide that
-pressed with 1.36 kN had 4.85 kN there for a moment. A flare that stood on the tip of its post pressed with its
-face, and from one millisecond to the next with its lower end as well: 130 kN became 337 kN. That only
-what goes the same way presses is held by the tests of `crates/gantline-core/src/contact/landing.rs`.
+that came from the cone to the cylinder had the shoulder on its flare and on its upright face, and a guide
+that pressed with 1.36 kN had 4.85 kN there for a moment. A flare that stood on the tip of its post pressed
+with its face, and from one millisecond to the next with its lower end as well: 130 kN became 337 kN. That
+only what goes the same way presses is held by the tests of `crates/gantline-core/src/contact/landing.rs`.
 """
 
 from __future__ import annotations

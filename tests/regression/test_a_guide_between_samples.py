@@ -2,7 +2,8 @@
 
 Forces of landing guides were those of samples, though the peaks of their contacts over all steps were known.
 A frame that comes down over its post at 6 m/min presses it with 3.9 kN at one contact, and with less than
-2.7 kN by samples 0.5 s apart. What several contacts bear together is still that of samples; a bump of theirs is told.
+2.7 kN by samples 0.5 s apart. What several contacts bear together is still that of samples; a bump of theirs
+is told.
 """
 
 from __future__ import annotations

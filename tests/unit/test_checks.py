@@ -62,6 +62,15 @@ def test_travel_over_its_limit_is_a_warning_and_over_its_stroke_a_failure() -> N
     assert failed.remark == "e1.1 up 101.0 % at 1.00 s: it would have met its stop, which is not simulated"
 
 
+def test_checks_are_kept_and_nobody_changes_them_for_another() -> None:
+    recording = ringing_lift(rig=sample_rig(load_tilt=0.1))
+    first = check_recording(recording)
+    told = list(first)
+    first.clear()
+    assert check_recording(recording) == told
+    assert all(one is other for one, other in zip(check_recording(recording), told, strict=True))
+
+
 def test_what_is_no_number_fails() -> None:
     # A file that somebody else wrote, or that is damaged: a comparison with NaN is false whatever is asked.
     found = with_travel(up=math.nan)

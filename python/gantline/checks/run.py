@@ -24,7 +24,7 @@ from gantline.checks.loads import (
     run_through,
     run_through_structures,
 )
-from gantline.checks.measure import Caution, Found, Measure, Missing, Refused, named
+from gantline.checks.measure import Caution, Finding, Found, Measure, Missing, Refused, named
 from gantline.checks.overlaps import run_into
 from gantline.checks.parted import parted
 from gantline.checks.picked_up import beside_supports, leans, picked_up
@@ -81,8 +81,12 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         that were left and warnings of the recording, which `docs/concepts/checks.md` lists; and that a run
         lifts nothing, holds nothing still or ends before its plan.
     """
-    rig = recorded(recording).rig
-    _hold_steps(recording, ending)
+    _hold_steps(recorded(recording), ending)
+    return list(recording.kept(("checks", *ending), lambda: tuple(_all_checks(recording, ending))))
+
+
+def _all_checks(recording: Recording, ending: Collection[str]) -> list[Check]:
+    rig = recording.rig
     limits = {key: limit for key, limit in rig.limits.items() if key != "rule" and limit is not None}
     hands_in = bool(rig.loads or rig.hooks or rig.slings or rig.vessels or rig.mooring_lines or rig.fenders)
     found = [
@@ -128,7 +132,7 @@ def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> d
     pick = min if measure.at_least else max
     values: dict[str, float] = {}
     during = series.everywhere(recording) if at is None else at
-    for found in measure.findings(recording, during) if during.any() else ():
+    for found in _findings(measure, recording, during):
         if isinstance(found, Found):
             values[found.element] = pick(found.value, values.get(found.element, found.value))
     return values
@@ -152,9 +156,18 @@ class _Outcome:
     cautions: tuple[str, ...]
 
 
+def _findings(measure: Measure, recording: Recording, during: BoolArray) -> Sequence[Finding]:
+    """What a measure finds; checks, tables and first page all ask for that of the whole lift."""
+    if during.all() and during.size:
+        return recording.kept(
+            ("findings", measure.meaning), lambda: tuple(measure.findings(recording, during))
+        )
+    return tuple(measure.findings(recording, during)) if during.any() else ()
+
+
 def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome:
     inside = during & series.is_clear(recording) if measure.when_clear else during
-    findings = list(measure.findings(recording, inside)) if inside.any() else []
+    findings = _findings(measure, recording, inside)
     values = [one for one in findings if isinstance(one, Found)]
     pick = min if measure.at_least else max
     return _Outcome(

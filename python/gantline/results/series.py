@@ -400,6 +400,10 @@ def out_of_plane_angles(recording: Recording, sling: Sling) -> dict[tuple[str, s
 
     By load or spreader and lug; of those of which the main plate is known.
     """
+    return recording.kept(("out_of_plane_angles", sling.name), lambda: _to_main_plates(recording, sling))
+
+
+def _to_main_plates(recording: Recording, sling: Sling) -> dict[tuple[str, str], FloatArray]:
     found: dict[tuple[str, str], FloatArray] = {}
     for end, of, lug in sling.at_lugs():
         holder = recording.rig.with_lugs(of)
@@ -408,7 +412,7 @@ def out_of_plane_angles(recording: Recording, sling: Sling) -> dict[tuple[str, s
             continue
         body = axes(recording.column("body_orientation", holder.body))
         normal = body @ np.asarray(plate.main_plate_normal, dtype=np.float64)
-        across = np.sum(normal * sling_direction(recording, sling, end), axis=1)
+        across = np.einsum("ij,ij->i", normal, sling_direction(recording, sling, end))
         found[of, lug] = np.abs(np.arcsin(np.clip(across, -1.0, 1.0)))
     return found
 
@@ -520,8 +524,8 @@ def tension_ratio(recording: Recording, sheave: Sheave) -> FloatArray:
     1 % of the largest tension: of a rope that is hardly taut the inertia of the sheave makes ratios that mean
     nothing.
     """
-    tension = recording.column("sheave_tension", sheave.name)
-    low, high = tension.min(axis=1), tension.max(axis=1)
+    before, after = recording.column("sheave_tension", sheave.name).T
+    low, high = np.minimum(before, after), np.maximum(before, after)
     counts = low > _CARRYING_FROM * np.max(high, initial=0.0)
     clear = is_clear(recording)
     if clear.any():
