@@ -35,14 +35,14 @@ pub struct Place {
 }
 
 impl Place {
-    /// Normal towards the post.
-    fn to_post(&self) -> DVec3 {
+    /// Normal towards the post, whichever has it.
+    fn facing(&self) -> DVec3 {
         if self.is_edge { -self.normal } else { self.normal }
     }
 
     /// How far apart they are there if they touch at another place, (LG9) [m].
     pub fn after(&self, first: &Self) -> Option<f64> {
-        let turned = (1.0 - self.to_post().dot(first.to_post()) - ALONG).max(0.0);
+        let turned = (1.0 - self.facing().dot(first.facing()) - ALONG).max(0.0);
         Some(self.beside? + TURNED * turned).filter(|_| self.feature != first.feature)
     }
 
