@@ -86,29 +86,29 @@ pub fn rims_on_faces(post: &Post, wall: &Wall, places: &mut Vec<Place>) {
     }
 }
 
-/// Edges of the wall on sides, tip and foot of the post, (LG2) and (LG3).
+/// Edges of the wall on cylinder, tip, foot and cone of the post, (LG2) and (LG3).
 pub fn edges_on_sides(post: &Post, wall: &Wall, places: &mut Vec<Place>) {
     let along = wall.along();
-    // Nearest to the cylinder and to the cone.
+    // Where each is nearest to the cylinder and to the cone.
     let points = |edge: DVec3| post.nearest(edge, along, wall.half).map(|s| (edge + along * s, s));
-    for (feature, edge) in (7..).zip(wall.edges()) {
-        let [of_cylinder, of_cone] = points(edge).map(|(point, s)| (point, s, post.beside(point)));
+    let edges: Vec<_> = wall.edges().map(points).collect();
+    for (feature, edge) in (7..).zip(&edges) {
+        let [by_cylinder, by_cone] = edge.map(|(point, _)| post.beside(point));
         let farthest = |sides: &[Option<Beside>; 4]| {
             sides.iter().flatten().map(|side| side.gap).fold(f64::NEG_INFINITY, f64::max)
         };
-        let least = farthest(&of_cylinder.2).min(farthest(&of_cone.2));
-        for side in 0..4 {
-            let which = usize::from(side == 3);
-            let (point, s, sides) = if side == 3 { &of_cone } else { &of_cylinder };
-            let Some(Beside { gap, normal, left }) = sides[side] else { continue };
-            let parts = |other: DVec3| normal.dot(points(other)[which].0 - *point) >= -ROUNDING;
+        let least = farthest(&by_cylinder).min(farthest(&by_cone));
+        let sides = by_cylinder[..3].iter().map(|side| (0, side)).chain([(1, &by_cone[3])]);
+        for (which, side) in sides {
+            let Some(Beside { gap, normal, left }) = *side else { continue };
+            let (point, s) = edge[which];
             let end = wall.half - s.abs();
             places.push(Place {
-                point: *point,
+                point,
                 normal,
                 gap,
                 beside: Some(least + (least - gap).max(0.0)),
-                parts: wall.edges().all(parts),
+                parts: edges.iter().all(|other| normal.dot(other[which].0 - point) >= -ROUNDING),
                 // An edge that lies against the post by its end leaves it there.
                 left: if end > 0.0 { left.min(end) } else { left },
                 is_edge: true,
