@@ -59,7 +59,7 @@ from gantline.assembly.doubts.turns import doubtful_turns
 from gantline.assembly.doubts.vessels import doubtful_vessels
 from gantline.assembly.doubts.waits import doubtful_waits
 from gantline.assembly.doubts.ways import doubtful_ways
-from gantline.assembly.doubts.weight import doubtful_density, doubtful_weight
+from gantline.assembly.doubts.weight import doubtful_density, doubtful_gravity, doubtful_weight
 from gantline.assembly.loads.carried import settle_with_load
 from gantline.assembly.loads.guides import add_guides
 from gantline.assembly.loads.in_water import add_in_water
@@ -256,6 +256,7 @@ def _doubts(
         *parts.doubts,
         *doubtful_weight(scenario, rigging),
         *doubtful_density(scenario),
+        *doubtful_gravity(scenario),
         *doubtful_masses(scenario),
         *doubtful_empty(scenario, rigging),
         *doubtful_pins(scenario, rigging, pins),

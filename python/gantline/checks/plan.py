@@ -37,6 +37,10 @@ _STILL = {
 }
 #: Keys that name a time.
 _TIMES = ("brake_from", "emergency_stop_at")
+#: Steps in which boom heads go up and down.
+_HEADS = {"luff", "lead"}
+#: How far a hook goes the other way than its step says before that is told [m].
+_BACK = 0.1
 #: Steps that take a load along and do not lower it.
 _TAKES_ALONG = {"luff", "slew", "lead", "traverse", "travel"}
 #: Steps that lower a load, or that bring what it hangs from or stands over somewhere else.
@@ -101,8 +105,16 @@ def not_lifted(recording: Recording) -> list[Check]:
     return checks
 
 
-def stood_still(recording: Recording) -> list[Check]:
-    """A warning where steps moved nothing: what they wait for held, or their time was over, as they began.
+def steps_move(recording: Recording) -> list[Check]:
+    """A warning where steps moved nothing, or hoisted a hook down or lowered it up."""
+    remarks = [*_stood_still(recording), *_went_back(recording)]
+    if not remarks:
+        return []
+    return [Check("plan_moves", Verdict.WARNING, "steps move what they say", remark="; ".join(remarks))]
+
+
+def _stood_still(recording: Recording) -> Iterator[str]:
+    """Steps that moved nothing: what they wait for held, or their time was over, as they began.
 
     A vessel that floats elsewhere than the lift file has it may take the load before the first step does; and
     `above` that was meant as `below` makes a step that is over at once. A step before that waits for a
@@ -114,19 +126,43 @@ def stood_still(recording: Recording) -> list[Check]:
     moving = [step for step in recording.rig.plan if step.kind in _HOISTS or step.ends_by in _TIMES]
     at_once = [step for step in moving if step.step in ends and ends[step.step] == begins.get(step.step)]
     if not at_once:
-        return []
+        return
     still: dict[str, list[str]] = {}
     for step in at_once:
         still.setdefault(_STILL.get(step.ends_by, _STILL["until"]), []).append(step.step)
-    remark = "; ".join(f"{why}, and nothing moved: {named(names)}" for why, names in still.items())
+    yield from (f"{why}, and nothing moved: {named(names)}" for why, names in still.items())
     hung = [
         f"{100.0 * share:.0f} % of {load.name} {_hangs(recording, load)}"
         for load in recording.rig.loads
         if (share := float(recording.column("load_transferred", load.name)[0])) > _HANGS
     ]
     if hung and begins[at_once[0].step] == recording.time[0]:
-        remark += f"; {' and '.join(hung)} before the plan begins"
-    return [Check("plan_moves", Verdict.WARNING, "steps move what they say", remark=remark)]
+        yield f"{' and '.join(hung)} before the plan begins"
+
+
+def _went_back(recording: Recording) -> Iterator[str]:
+    """Steps that end at a height from which their hook was on the other side as they began.
+
+    Where a step before waits for a condition, only the run knows where the hook is, and the drive goes to the
+    height from either side. A boom head that goes up or down meanwhile takes its hook along; what a vessel
+    does is less than what counts here.
+    """
+    spans = progress.spans(recording)
+    heads = [spans[step.step] for step in recording.rig.plan if step.kind in _HEADS and step.step in spans]
+    for step in recording.rig.plan:
+        if step.to is None or step.kind not in _HOISTS or step.step not in spans:
+            continue
+        begin, end = spans[step.step]
+        if any(since < end and begin < until for since, until in heads):
+            continue
+        up = 1.0 if step.kind == "hoist" else -1.0
+        for hook in (one.name for one in recording.rig.hooks if f"{one.name}.hoist" in step.drives):
+            heights = recording.column("body_position", hook)[:, 2]
+            first, last = (float(one) for one in np.interp((begin, end), recording.time, heights))
+            if up * (step.to - first) < -_BACK and up * (last - first) < -_BACK:
+                went = "goes down" if up > 0.0 else "goes up"
+                way = f"from {format_quantity(first, 'm', 2)} to {format_quantity(last, 'm', 2)}"
+                yield f"'{step.step}' is to {step.kind} {hook}, which {went} {way}"
 
 
 def _hangs(recording: Recording, load: Load) -> str:

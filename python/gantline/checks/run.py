@@ -35,7 +35,7 @@ from gantline.checks.plan import (
     never_still,
     not_lifted,
     ran_out,
-    stood_still,
+    steps_move,
     unfinished,
 )
 from gantline.checks.ranges import left_range
@@ -527,7 +527,7 @@ _BESIDE_LIMITS: tuple[Callable[[Recording], Iterable[Check]], ...] = (
 )
 #: The same of runs alone, which have moments to tell apart.
 _OF_RUNS: tuple[Callable[[Recording], Iterable[Check]], ...] = (
-    stood_still,
+    steps_move,
     came_down,
     hit,
     picked_up,

@@ -17,8 +17,10 @@ from gantline.units import format_by_size
 
 __all__ = ["doubtful_fenders"]
 
-#: The side of a vessel may be so far out of its hull, on a platform or a sponson [m], as a fairlead may.
+#: The side of a vessel may be so far out of its hull, on a platform or a sponson [m], as a fairlead may; it
+#: may be as far behind the outermost point, at a pointed bow, where it is that near to a flank [m].
 _OFF_HULL = 10.0
+_ON_FLANK = 2.0
 
 
 def doubtful_fenders(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
@@ -68,10 +70,19 @@ def _off(parts: Parts, scenario: Scenario, body: str, place: Array, side: Array)
     if hull is None:
         return None
     position, turn = parts.pose(body)
-    along = hull.vertices @ (turn.T @ side)
-    low, high = float(along.min()), float(along.max())
-    beyond = float((place - position) @ side) - high
+    beyond, half = _beyond(hull.vertices @ turn.T, place - position, side)
     if beyond > _OFF_HULL:
         return f"{beyond:.3g} m off"
-    # It may stand back from the outermost point, in a notch or at a pointed bow, but is nearer to that side.
-    return f"{-beyond:.3g} m inside" if -beyond > (high - low) / 2 else None
+    across = np.array([-side[1], side[0], 0.0])
+    flank = max(_beyond(hull.vertices @ turn.T, place - position, way)[0] for way in (across, -across))
+    # It may stand back from the outermost point, in a notch or at a pointed bow, but is nearer to that side,
+    # and not on a flank far from it.
+    is_elsewhere = -beyond > half or (-beyond > _OFF_HULL and flank > -_ON_FLANK)
+    return f"{-beyond:.3g} m inside" if is_elsewhere else None
+
+
+def _beyond(hull: Array, place: Array, way: Array) -> tuple[float, float]:
+    """How far a place is beyond the outermost point of a hull one way, and half its size that way [m]."""
+    along = hull @ way
+    low, high = float(along.min()), float(along.max())
+    return float(place @ way) - high, (high - low) / 2

@@ -48,6 +48,7 @@ def doubtful_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None
         if isinstance(stream, Stream) and stream.speed > 0.0:
             doubts += [*_fast(kind, stream), *_passing(parts, scenario, kind, stream)]
     doubts += _off_the_hull(scenario)
+    doubts += _at_the_stern(scenario)
     if scenario.load is not None and lifted is not None:
         doubts += _off_the_load(scenario.load, lifted)
         doubts += _falls_that_stand(scenario, scenario.load)
@@ -118,6 +119,21 @@ def _off_the_hull(scenario: Scenario) -> Iterator[Doubt]:
                 hull = f"its hull {across * depth:.4g} m^2, {dry}"
                 sentence = f"{name} has {whole:.4g} m^2 of wind areas along {along}, and {hull}"
                 yield Doubt((*afloat_path(scenario, name), "wind_areas"), f"{sentence}; a number has slipped")
+
+
+def _at_the_stern(scenario: Scenario) -> Iterator[Doubt]:
+    """Of areas across a vessel that say nothing of where they are: they turn her, and heel her otherwise.
+
+    A stream that meets a side pushes it near its middle; what nobody has placed pushes where axes begin.
+    """
+    for name in scenario.vessels or {}:
+        vessel, path = (scenario.vessels or {})[name], afloat_path(scenario, name)
+        for kind in ("wind", "current"):
+            for key, area in (getattr(vessel, f"{kind}_areas") or {}).items():
+                if area.along == "y" and "at" not in area.model_fields_set:
+                    where = "at her stern and on her keel, where the axes of a vessel begin"
+                    sentence = f"the {kind} area {key} of {name} has no 'at', and pushes {where}"
+                    yield Doubt((*path, f"{kind}_areas", key), f"{sentence}: say where its middle is")
 
 
 def _off_the_load(load: Load, lifted: LiftedLoad) -> Iterator[Doubt]:

@@ -14,6 +14,7 @@ from gantline.scenario import Rigging, Scenario
 from gantline.scenario.base import Element
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Path
+from gantline.scenario.plan.bounds import Bound
 from gantline.units import format_by_size, format_quantity
 
 __all__ = ["FARTHEST", "STRONGEST", "doubtful_strength"]
@@ -162,21 +163,29 @@ def _beside_the_load(scenario: Scenario, values: Iterable[_Said]) -> Iterator[Do
 
 
 def _limits(scenario: Scenario) -> Iterator[Doubt]:
-    """Limits that nothing can be over."""
+    """Limits, and bounds that steps require, that nothing can be over."""
     limits = scenario.limits
-    if limits is None:
-        return
-    for key in type(limits).model_fields:
-        value = getattr(limits, key)
-        if not isinstance(value, float):
-            continue
-        is_share = "_of_" in key or key.startswith(("equalizer_travel", "tension_spread"))
-        if is_share and value > _MOST_SHARE:
-            sentence = f"a limit of {format_quantity(value, '%', 0)} lets everything pass"
-            yield Doubt(("limits", key), f"{sentence}; 100 % is all there is, and {_SLIPPED}")
-        elif key in _ANGLES and value > math.radians(_ANGLES[key]) * (1 + 1e-9):
-            sentence = f"a limit of {format_quantity(value, 'deg', 0)} lets everything pass"
-            yield Doubt(("limits", key), f"{sentence}; {_SLIPPED}")
+    of_lift = () if limits is None else ((key, getattr(limits, key)) for key in type(limits).model_fields)
+    for key, value in of_lift:
+        if isinstance(value, float):
+            yield from _limit(("limits", key), key, value)
+    for place, step in enumerate(scenario.plan):
+        require = step.require
+        for key in () if require is None else type(require).model_fields:
+            bound = getattr(require, key)
+            if isinstance(bound, Bound) and bound.relation == "below":
+                yield from _limit(("plan", place, "require", key), key, bound.value)
+
+
+def _limit(path: Path, key: str, value: float) -> Iterator[Doubt]:
+    """Of a limit by its key, a share [1] or an angle [rad]."""
+    is_share = "_of_" in key or key.startswith(("equalizer_travel", "tension_spread"))
+    if is_share and value > _MOST_SHARE:
+        sentence = f"a limit of {format_quantity(value, '%', 0)} lets everything pass"
+        yield Doubt(path, f"{sentence}; 100 % is all there is, and {_SLIPPED}")
+    elif key in _ANGLES and value > math.radians(_ANGLES[key]) * (1 + 1e-9):
+        sentence = f"a limit of {format_quantity(value, 'deg', 0)} lets everything pass"
+        yield Doubt(path, f"{sentence}; {_SLIPPED}")
 
 
 def _travels(rigging: Rigging) -> Iterator[Doubt]:

@@ -1,4 +1,4 @@
-"""Loads heavier than all that they hang from may carry, or than what they are made of: a slip."""
+"""Loads heavier than what they hang from may carry, than what they are made of, or than on Earth: a slip."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from gantline.scenario.errors import Doubt
 from gantline.scenario.loads.hinge import opened_in
 from gantline.units import format_by_size
 
-__all__ = ["doubtful_density", "doubtful_weight"]
+__all__ = ["doubtful_density", "doubtful_gravity", "doubtful_weight"]
 
 #: Loads that are tilted up by one end leave about half of their weight where they stand; what is more than
 #: this many times what may be carried is a slip [1].
@@ -22,6 +22,8 @@ _DENSEST = 1.5
 #: A tube weighs no more than this many times its wall of steel, and no less than that share of it [1]: a
 #: lining of 150 mm makes two and a half of one of 30 mm, and glass fibre is a quarter as heavy as steel.
 _OF_WALL, _LEAST_OF_WALL = 5.0, 0.1
+#: Gravity is 9.764 m/s^2 to 9.834 m/s^2 on the ground, and some reckon with 10 m/s^2 [m/s^2].
+_LEAST_GRAVITY, _MOST_GRAVITY = 9.75, 10.0
 
 
 def doubtful_weight(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
@@ -62,6 +64,14 @@ def doubtful_density(scenario: Scenario) -> Iterator[Doubt]:
         weighs = f"the load weighs {format_by_size(mass, 'mass', 4)}"
         sentence = f"{weighs}, and {of_steel} {format_by_size(solid, 'mass', 4)}"
         yield Doubt(("load", "weight"), f"{sentence}; a digit of one of them has slipped")
+
+
+def doubtful_gravity(scenario: Scenario) -> Iterator[Doubt]:
+    """Whether a load weighs what it does nowhere: with a tenth of gravity ropes seem ten times as strong."""
+    gravity = scenario.simulation.gravity
+    if scenario.load is not None and not _LEAST_GRAVITY <= gravity <= _MOST_GRAVITY:
+        sentence = f"a load weighs {gravity:g} N/kg nowhere on Earth, where gravity is 9.76 to 9.84 m/s^2"
+        yield Doubt(("simulation", "gravity"), f"{sentence}; a unit or digit has slipped")
 
 
 def _carried_by(scenario: Scenario, hooks: set[str]) -> float:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
-from gantline.results.loads.looks import looks_at
+from gantline.results.loads.looks import looks_along, looks_at
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes
@@ -32,13 +32,12 @@ __all__ = [
 _NEAR_ENDS = 1.0
 #: The sky [m]: how far up a load is looked for over the upper end of a sling.
 _UP = np.array([0.0, 0.0, 1e4])
-#: Samples at which a sling is looked at, at most: a load that turns is seen every few degrees. Of those at
-#: which a rope meets what is about a structure, hull or boom as many.
+#: Moments that are looked at, at most, of those at which a rope meets what is about a structure or a body.
 _LOOKS = 60
 #: How deep a sling may cut an edge of its load as drawn, and how deep its lug may lie in it [m]: pins of lugs
 #: stand off the plating, and boxes stand for what has chamfers. The same of baskets of `mechanics`.
 _DEEP = 0.1
-#: Looks and places along a sling at which that is measured.
+#: Looks at which that is measured, where a sling comes out farthest from its lug, and places along it.
 _EXACT_LOOKS, _PLACES = 6, 20
 #: Along the axes of a body, either way: whatever is inside meets its skin in all of them.
 _SIX_WAYS = np.concatenate([np.eye(3), -np.eye(3)])
@@ -179,20 +178,21 @@ def _edges(
 ) -> Iterator[tuple[float, float, float]]:
     """When a rope goes over an edge near its first end, 0, or last, 1 [s], how deep, how far off [m]."""
     rope, is_last = end
-    picked = _looks(recording, rope)
-    points, _ = _along(recording, rope, picked, body)
-    if not len(points):
+    picked = _looks(recording, rope, body)
+    if not len(picked):
         return
+    points, _ = _along(recording, rope, picked, body)
     points = points[:, ::-1] if is_last else points
     lugs, way = points[:, 0], points[:, 1] - points[:, 0]
     length = np.linalg.norm(way, axis=1)
     near = lugs + way * np.minimum(_NEAR_ENDS / length, 1.0)[:, None]
     through, line = crossings(lugs, near, skin)
     apart = np.linalg.norm(through - lugs[line], axis=1)
-    looks = np.unique(line[apart > _DEEP])
-    chosen = looks[np.linspace(0, len(looks) - 1, min(len(looks), _EXACT_LOOKS)).astype(int)]
-    for look in chosen:
-        out = float(apart[line == look].max())
+    comes_out = np.zeros(len(lugs))
+    np.maximum.at(comes_out, line, apart)
+    chosen = np.argsort(-comes_out, kind="stable")[:_EXACT_LOOKS]
+    for look in chosen[comes_out[chosen] > _DEEP]:
+        out = float(comes_out[look])
         places = lugs[look] + np.linspace(0.0, out / length[look], _PLACES)[:, None] * way[look]
         depths = _depths(places, skin)
         deep = float(depths.max())
@@ -267,7 +267,7 @@ def _first_seen(
     recording: Recording, load: Load, rope: str, skin: FloatArray
 ) -> tuple[float, float | None] | None:
     """When a rope that carries goes through a skin for the first time [s], and `Through.at` [m]."""
-    picked = _looks(recording, rope)
+    picked = _looks(recording, rope, load.body)
     if not len(picked):
         return None
     points, own = _along(recording, rope, picked, load.body)
@@ -282,12 +282,10 @@ def _first_seen(
     return float(recording.time[picked[first]]), at
 
 
-def _looks(recording: Recording, rope: str) -> Indices:
-    """Samples at which a rope that carries is looked at."""
+def _looks(recording: Recording, rope: str, body: str) -> Indices:
+    """Samples at which a rope that carries is looked at as a body sees it."""
     carries = np.flatnonzero(series.is_carrying(recording.column("rope_tension", rope)))
-    if not len(carries):
-        return carries
-    return np.unique(carries[np.linspace(0, len(carries) - 1, _LOOKS).astype(int)])
+    return carries[looks_along(_along(recording, rope, carries, body)[0])]
 
 
 def _along(
