@@ -1,8 +1,8 @@
 """A current that pushed a barge at her stern, since the area of her side said nothing of where it is.
 
 Four lines held her in a current from abeam. Her side has its middle amidships, and what is not placed pushes
-where the axes of a vessel begin: the lines at the bow bore 101 kN for 124 kN, and those at the stern 159 kN.
-Nothing was said.
+where the axes of a vessel begin: the worst line at the bow bore 115 kN and at the stern 159 kN, for 124 kN
+each. Nothing was said.
 """
 
 from __future__ import annotations
