@@ -39,8 +39,10 @@ from gantline.assembly.doubts.ground import doubtful_ground
 from gantline.assembly.doubts.guides import GuideFit, doubtful_guides, guide_fits
 from gantline.assembly.doubts.heading import doubtful_heading
 from gantline.assembly.doubts.heights import doubtful_heights
+from gantline.assembly.doubts.highest import doubtful_highest
 from gantline.assembly.doubts.hinges import doubtful_hinges
 from gantline.assembly.doubts.hook_blocks import doubtful_hook_blocks
+from gantline.assembly.doubts.jerks import doubtful_accelerations
 from gantline.assembly.doubts.lead import doubtful_lead
 from gantline.assembly.doubts.lee import doubtful_lee
 from gantline.assembly.doubts.levels import doubtful_levels
@@ -269,6 +271,8 @@ def _doubts(
         *doubtful_carried(parts, scenario),
         *doubtful_heights(scenario),
         *doubtful_hook_blocks(scenario),
+        *doubtful_highest(parts, scenario),
+        *doubtful_accelerations(scenario),
         *doubtful_ways(parts, scenario),
         *doubtful_tilts(scenario, rigging, lifted),
         *doubtful_tilt_limit(scenario),
