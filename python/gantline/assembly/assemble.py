@@ -50,6 +50,7 @@ from gantline.assembly.doubts.masses import doubtful_masses
 from gantline.assembly.doubts.rails import doubtful_rails
 from gantline.assembly.doubts.ratings import doubtful_ratings
 from gantline.assembly.doubts.reach import doubtful_reach
+from gantline.assembly.doubts.set_down import doubtful_set_down
 from gantline.assembly.doubts.sheaves import doubtful_sheaves
 from gantline.assembly.doubts.stops import doubtful_stops
 from gantline.assembly.doubts.strength import doubtful_strength
@@ -281,6 +282,7 @@ def _doubts(
         *doubtful_rails(scenario),
         *doubtful_falls(scenario),
         *doubtful_dragging(scenario, rigging),
+        *doubtful_set_down(scenario, rigging),
         *doubtful_cranes(scenario),
         *doubtful_booms(scenario),
         *doubtful_ground(scenario),
