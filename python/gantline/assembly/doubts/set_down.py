@@ -10,7 +10,6 @@ from gantline.scenario import Rigging, Scenario
 from gantline.scenario.cranes.hooks import full_names
 from gantline.scenario.cranes.kept_plumb import slings_under
 from gantline.scenario.errors import Doubt
-from gantline.scenario.plan.plan import Step
 from gantline.scenario.plan.slinging import slings_on
 from gantline.scenario.plan.steps import HoldStep, HookStep, LowerStep
 from gantline.units import format_quantity
