@@ -147,7 +147,7 @@ def _missed(
     names: Names,
     side: str,
 ) -> list[tuple[float, str, float]]:
-    """When a face first stands on the tip or on the wrong side of its post, words for it, and by how much [m]."""
+    """When a face first stands on the tip or is on the wrong side of its post, words for it, by how much."""
     post, wall = pair["post"], pair["wall"]
     base, axis = _seen(document, columns, names, post["body"], post["base"], post["axis"])
     radius, top = post.get("tip_radius", post["radius"]), post["height"] + post.get("cone", 0.0)
