@@ -169,7 +169,7 @@ def _look_over(simulation: Simulation) -> None:
         ("node of a rope", "nodes of ropes"): nodes,
         ("drum", "drums"): drums,
         ("contact", "contacts"): len(document["contacts"]),
-        ("support", "supports"): len(document["supports"]),
+        ("support", "supports"): len(rig.supports),
         ("landing guide", "landing guides"): len(rig.guides),
     }
     counts = ", ".join(f"{number} {what[number > 1]}" for what, number in numbers.items() if number)
