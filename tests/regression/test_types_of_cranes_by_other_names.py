@@ -13,8 +13,8 @@ from gantline.scenario import ScenarioError, parse_scenario
     [
         (
             "strand_jack",
-            "a strand jack is a drum of 'mechanics' with a 'drive', its bundle a rope from there to the load; "
-            "or 'type: fixed_hook' with a sling, where the load goes straight up",
+            "a strand jack is a drum of 'mechanics' with a 'drive', its bundle a rope from there to "
+            "the load; or 'type: fixed_hook' with a sling, where the load goes straight up",
         ),
         ("gantry_crane", "a 'gantry_crane' is written as 'type: goliath' here"),
         ("pedestal_crane", "a 'pedestal_crane' is written as 'type: floating_crane' here"),
