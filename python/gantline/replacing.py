@@ -9,7 +9,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-__all__ = ["remove_file", "replace_bytes", "replace_text", "replaced"]
+__all__ = ["ROOM_OF_TABLES", "hold_room", "remove_file", "replace_bytes", "replace_text", "replaced"]
+
+#: What a NetCDF file has beside its values [bytes]: some 100 kB of a recording of a hundred variables.
+ROOM_OF_TABLES = 1 << 20
+_NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
 
 
 @contextmanager
@@ -41,6 +45,28 @@ def replaced(path: Path) -> Iterator[Path]:
     except BaseException:
         trial.unlink(missing_ok=True)
         raise
+
+
+def hold_room(handle: int, size: int, path: Path) -> None:
+    """Take room on the disk for the first bytes of a file that HDF5 writes.
+
+    It writes what it holds before it closes a file, and where it cannot, it brings the whole program down as
+    that ends. So room is asked for beforehand, and it meets no full disk.
+
+    Args:
+        handle: Of the file.
+        size: How many bytes.
+        path: What the file is called in the error.
+
+    Raises:
+        OSError: If there is none; the error is that of the path.
+    """
+    try:
+        os.posix_fallocate(handle, 0, size)
+    except OSError as problem:
+        # Any other is of a file system, or of a device, that knows no such promise.
+        if problem.errno in _NO_ROOM:
+            raise OSError(problem.errno, problem.strerror, str(path)) from None
 
 
 def replace_text(path: Path, text: str) -> None:

@@ -184,6 +184,13 @@ _TOLERANCE: Final = re.compile(r"±|\+\s*/?\s*-")
 _DASHES: Final = "\u2212\u2010\u2011\u2012\u2013\u2014\uff0d"
 #: With which a mass weighs a force where one is given for the other [m/s^2].
 _GRAVITY: Final = 9.81
+#: Points of the compass that people give for directions, as angles from east towards north [deg].
+_COMPASS: Final = {
+    point: (90.0 - 22.5 * place) % 360.0
+    for place, point in enumerate(
+        ("N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE", "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW")
+    )
+}
 _LONGEST: Final = 60
 
 
@@ -386,6 +393,11 @@ def _not_a_number(shown: str, dimension: str) -> str:
     if _QUANTITY.fullmatch(shown.strip()[1:].strip()) and shown.strip()[0] in _DASHES:
         dash, right = shown.strip()[0], f"-{shown.strip()[1:].strip()}"
         return f"'{shown}' begins with '{dash}', a dash; a minus sign is '-': write '{right}'"
+    if dimension == "angle" and (angle := _COMPASS.get(shown.strip().upper())) is not None:
+        point, opposite = shown.strip(), (angle + 180.0) % 360.0
+        counts = "angles count from world x towards y, of wind, current and waves to where they go"
+        ends = f"'{angle:g} deg' is towards {point}, and what comes from {point} has '{opposite:g} deg'"
+        return f"'{point}' is a point of the compass; {counts}: with x to the east and y to the north {ends}"
     return f"'{shown}' is not a number with a unit; {example(dimension)}"
 
 

@@ -24,7 +24,8 @@ def refused(text: str) -> str:
 def test_the_way_to_the_lugs_is_told() -> None:
     """Lugs lie around x = 0, y = 0: with the hook at (3, -2) m they are 3.61 m away."""
     said = refused(LIFT.replace("at: [0 m, 0 m, 11 m]", "at: [3 m, -2 m, 11 m]"))
-    way = "crane stands 3.61 m beside the middle of its lugs, which is 3.00 m along −x and 2.00 m along +y"
+    beside = "crane stands 3.61 m beside the middle of its lugs"
+    way = f"{beside}: from it they are 3.00 m along −x and 2.00 m along +y"
     assert f"{way}; lower the hook or make the sling longer" in said
 
 
@@ -40,10 +41,10 @@ def test_a_hook_above_a_bar_is_told_by_the_lugs_of_the_load() -> None:
     at = "at: [0 m, 0 m, "
     assert at in text
     said = refused(text.replace(at, "at: [9 m, 0 m, ", 1))
-    assert "hook stands 9.00 m beside the middle of its lugs, which is 9.00 m along −x" in said
+    assert "hook stands 9.00 m beside the middle of its lugs: from it they are 9.00 m along −x" in said
 
 
 def test_where_no_height_helps_the_way_stands_last() -> None:
     said = refused(LIFT.replace("at: [0 m, 0 m, 11 m]", "at: [0 m, 20 m, 11 m]"))
-    way = "crane stands 20.00 m beside the middle of its lugs, which is 20.00 m along −y"
+    way = "crane stands 20.00 m beside the middle of its lugs: from it they are 20.00 m along −y"
     assert f"which no height of the hook makes up; put crane, boom or load elsewhere: {way}" in said

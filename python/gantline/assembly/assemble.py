@@ -39,8 +39,10 @@ from gantline.assembly.doubts.ground import doubtful_ground
 from gantline.assembly.doubts.guides import GuideFit, doubtful_guides, guide_fits
 from gantline.assembly.doubts.heading import doubtful_heading
 from gantline.assembly.doubts.heights import doubtful_heights
+from gantline.assembly.doubts.highest import doubtful_highest
 from gantline.assembly.doubts.hinges import doubtful_hinges
 from gantline.assembly.doubts.hook_blocks import doubtful_hook_blocks
+from gantline.assembly.doubts.jerks import doubtful_accelerations
 from gantline.assembly.doubts.lead import doubtful_lead
 from gantline.assembly.doubts.lee import doubtful_lee
 from gantline.assembly.doubts.levels import doubtful_levels
@@ -48,6 +50,7 @@ from gantline.assembly.doubts.masses import doubtful_masses
 from gantline.assembly.doubts.rails import doubtful_rails
 from gantline.assembly.doubts.ratings import doubtful_ratings
 from gantline.assembly.doubts.reach import doubtful_reach
+from gantline.assembly.doubts.set_down import doubtful_set_down
 from gantline.assembly.doubts.sheaves import doubtful_sheaves
 from gantline.assembly.doubts.stops import doubtful_stops
 from gantline.assembly.doubts.strength import doubtful_strength
@@ -270,6 +273,8 @@ def _doubts(
         *doubtful_carried(parts, scenario),
         *doubtful_heights(scenario),
         *doubtful_hook_blocks(scenario),
+        *doubtful_highest(parts, scenario),
+        *doubtful_accelerations(scenario),
         *doubtful_ways(parts, scenario),
         *doubtful_tilts(scenario, rigging, lifted),
         *doubtful_tilt_limit(scenario),
@@ -278,6 +283,7 @@ def _doubts(
         *doubtful_rails(scenario),
         *doubtful_falls(scenario),
         *doubtful_dragging(scenario, rigging),
+        *doubtful_set_down(scenario, rigging),
         *doubtful_cranes(scenario),
         *doubtful_booms(scenario),
         *doubtful_ground(scenario),

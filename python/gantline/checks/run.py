@@ -13,6 +13,7 @@ from gantline.checks.crawlers import left_ground, out_of_level
 from gantline.checks.drums import turns_left
 from gantline.checks.ends import about_end_of_step, one_sample, second_half_of_hold
 from gantline.checks.equalizers import held_upright
+from gantline.checks.guides import beside_guides
 from gantline.checks.held_down import held_down, shut_in, tied_down
 from gantline.checks.hinges import opened
 from gantline.checks.limits import LIMITS
@@ -532,4 +533,5 @@ _OF_RUNS: tuple[Callable[[Recording], Iterable[Check]], ...] = (
     hit,
     picked_up,
     beside_supports,
+    beside_guides,
 )

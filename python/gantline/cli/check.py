@@ -169,6 +169,8 @@ def _look_over(simulation: Simulation) -> None:
         ("node of a rope", "nodes of ropes"): nodes,
         ("drum", "drums"): drums,
         ("contact", "contacts"): len(document["contacts"]),
+        ("support", "supports"): len(rig.supports),
+        ("landing guide", "landing guides"): len(rig.guides),
     }
     counts = ", ".join(f"{number} {what[number > 1]}" for what, number in numbers.items() if number)
     typer.echo(f"{simulation.scenario.source}: in order ({counts}; {simulation.duration:g} s to simulate)")

@@ -100,15 +100,26 @@ def _measure(recording: Recording, measure: str, sample: int, span: slice) -> It
         yield "not known here"
         return
     variable, unit, digits, names = sources[measure]
+    idle = _idle_supports(recording, sample, list(names.values())) if measure == "support_force" else set()
     for name, label in names.items():
+        if label in idle:
+            continue
         if label:
             values = recording.column(variable, label)
             last, most = float(values[sample]), float(values[span].max())
             swings = measure in ("load_swing", *AS_IT_SWINGS) and most > last + _TOLD * most
             beside = f" (up to {show(most, unit, digits)} in this hold)" if swings else ""
             yield f"{name} {show(last, unit, digits)}{beside}"
+    if idle:
+        yield f"{'all' if len(idle) == len(names) else 'the other'} {len(idle)} {show(0.0, unit, digits)}"
     if measure == "support_force":
         yield from _beside_supports(recording, sample, digits)
+
+
+def _idle_supports(recording: Recording, sample: int, supports: list[str]) -> set[str]:
+    """Supports that bear nothing at a sample, if there are several: of stools most do before a set-down."""
+    idle = {one for one in supports if recording.column("contact_force", one)[sample] == 0.0}
+    return idle if len(idle) > 1 else set()
 
 
 def _sources(recording: Recording, sample: int) -> dict[str, _Source]:

@@ -120,5 +120,6 @@ def write_parquet(recording: Recording, path: str | Path, variables: Sequence[st
             "Parquet needs the package pyarrow, which is not installed; CSV needs nothing"
         ) from None
     found = pyarrow.table(dict(columns(recording, variables)))
-    with replaced(Path(path)) as trial:
-        parquet.write_table(found, trial)
+    # Files of Python say what is wrong with a disk in words of the system, those of the package in its own.
+    with replaced(Path(path)) as trial, trial.open("wb") as file:
+        parquet.write_table(found, file)

@@ -58,7 +58,8 @@ def hook_aside(
         for part, axis in zip(way, "xy", strict=True)
         if abs(part) >= 5e-3
     )
-    return f"{hook} stands {format_quantity(aside, 'm', 2)} beside the middle of its lugs, which is {goes}"
+    stands = f"{hook} stands {format_quantity(aside, 'm', 2)} beside the middle of its lugs"
+    return f"{stands}: from it they are {goes}"
 
 
 def _hooks_over(rigging: Rigging, sling: SlingRigging) -> Iterator[str]:

@@ -186,7 +186,7 @@ def _light_hook_blocks(scenario: Scenario) -> Iterator[Doubt]:
             weight, carried = format_by_size(gear.mass, "mass", 4), format_quantity(rated, "t", 1)
             carries = f"weighs {weight} and may carry {carried}"
             sentence = f"the hook block of {name} {carries}; a unit has slipped, kg for t"
-            yield Doubt((*hook.paths[""], "hook_block"), sentence)
+            yield Doubt(hook.paths["hook_block"], sentence)
 
 
 def _strong_hoists(scenario: Scenario) -> Iterator[Doubt]:

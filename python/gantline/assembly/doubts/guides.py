@@ -22,6 +22,7 @@ from gantline.scenario.loads.guide import (
     LandingGuide,
     guide_body,
 )
+from gantline.scenario.loads.structures import ground_at
 from gantline.scenario.plan.lead import LeadStep
 from gantline.scenario.plan.steps import MovingStep
 from gantline.units import format_quantity
@@ -36,6 +37,10 @@ _UPRIGHT = 0.98
 _DEEP = 0.01
 #: What a face misses by less is caught: rounding [m].
 _JUST = 1e-6
+#: Posts and bumpers are 0.1 to 1.5 m thick; none is thicker than this [m].
+_THICKEST = 5.0
+#: How far below the ground a foot is told: blinding and bases of posts are thinner [m].
+_BURIED = 0.1
 
 
 @dataclass(frozen=True)
@@ -193,8 +198,10 @@ def _of_wall(bumper: Bumper, wall: GuideWall, apart: Array, out: Array) -> Guide
 def doubtful_guides(parts: Parts, scenario: Scenario, fits: Mapping[str, GuideFit]) -> Iterator[Doubt]:
     """Each guide that the load comes down beside, that stands amid a vessel, or that friction holds it on."""
     for name, guide in (scenario.guides or {}).items():
-        yield from _too_flat(name, guide)
+        thick = list(_too_thick(name, guide))
+        yield from thick or _too_flat(name, guide)
         if guide.holder is None:
+            yield from _below_ground(scenario, name, guide)
             yield from _in_vessels(parts, scenario, name, guide)
     for name, fit in fits.items():
         if fit.depth > _DEEP:
@@ -211,6 +218,25 @@ def doubtful_guides(parts: Parts, scenario: Scenario, fits: Mapping[str, GuideFi
             where, ends = missed
             moved = "as the load hangs at the start, from where no step takes it along"
             yield Doubt(("guides", name), f"the load misses guide {name}: {where}, {moved}; it {ends}")
+
+
+def _too_thick(name: str, guide: LandingGuide) -> Iterator[Doubt]:
+    """A post or bumper as thick as none is; its cone is then no flat one."""
+    what, of = ("post", guide.post) if guide.post is not None else ("bumper", guide.bumper_there)
+    if of.diameter > _THICKEST:
+        thick = f"the {what} of guide {name} has a diameter of {format_quantity(of.diameter, 'm', 2)}"
+        yield Doubt(("guides", name, what, "diameter"), f"{thick}; a unit has slipped, m for mm")
+
+
+def _below_ground(scenario: Scenario, name: str, guide: LandingGuide) -> Iterator[Doubt]:
+    """A post or wall of the world whose foot is below the ground, or below the floor of a dock there."""
+    x, y, foot = guide.foot[0]
+    ground = ground_at(scenario, x, y)
+    if ground is not None and foot < ground - _BURIED:
+        what = "post" if guide.post is not None else "wall"
+        below = f"the foot of the {what} of guide {name} is {format_quantity(ground - foot, 'm', 2)}"
+        ends = f"its height counts from there; from the ground on it is right with z at {ground:g} m"
+        yield Doubt(("guides", name, what, "at"), f"{below} below the ground, and {ends}")
 
 
 def _in_vessels(parts: Parts, scenario: Scenario, name: str, guide: LandingGuide) -> Iterator[Doubt]:

@@ -17,7 +17,7 @@ from gantline.scenario.consistency.supports import foot_of
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Findings
 from gantline.scenario.loads.load import Load
-from gantline.scenario.loads.structures import dock_of
+from gantline.scenario.loads.structures import dock_of, ground_at
 
 __all__ = ["bears_nothing", "check_under_load", "doubtful_supports", "shown_gap", "too_low"]
 
@@ -160,15 +160,11 @@ def _buried(scenario: Scenario, path: tuple[str, ...], own: Sequence[UnderLoad])
 
     In a dock, down to its floor, there is none.
     """
-    if scenario.ground is None:
-        return
-    dock = dock_of(scenario)
     deep: dict[str, float] = {}
     for one in own:
         x, y, top = one.pad["at"]
-        is_in_dock = dock is not None and dock.x[0] <= x <= dock.x[1] and dock.y[0] <= y <= dock.y[1]
-        level = dock.floor if dock is not None and is_in_dock else scenario.ground.level
-        if top < level - _STANDING:
+        level = ground_at(scenario, x, y)
+        if level is not None and top < level - _STANDING:
             deep[one.support.name] = level - top
     if deep:
         lie = "lies" if len(deep) == 1 else "lie"

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from gantline.hydro.database.model import AXES, DRIFTING, DatabaseError, HydrodynamicDatabase
-from gantline.replacing import replaced
+from gantline.replacing import ROOM_OF_TABLES, hold_room, replaced
 
 __all__ = ["write_database"]
 
@@ -77,6 +77,10 @@ def write_database(database: HydrodynamicDatabase, path: str | Path) -> Path:
         tables["rotation_center"] = (("xyz",), database.reference)
     if database.displacement is not None:
         tables["disp_volume"] = ((), np.asarray(database.displacement))
+    dataset = xarray.Dataset(tables, coordinates)
     with replaced(place) as written:
-        xarray.Dataset(tables, coordinates).to_netcdf(written, engine="h5netcdf")
+        with written.open("r+b") as empty:
+            # Given back as xarray begins the file anew, a moment later.
+            hold_room(empty.fileno(), dataset.nbytes + ROOM_OF_TABLES, place)
+        dataset.to_netcdf(written, engine="h5netcdf")
     return place

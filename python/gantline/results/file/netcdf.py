@@ -8,7 +8,6 @@ The file holds no clock time: the same recording gives the same bytes.
 
 from __future__ import annotations
 
-import errno
 import json
 import math
 import os
@@ -25,7 +24,7 @@ import h5netcdf
 import h5py
 import numpy as np
 
-from gantline.replacing import replaced
+from gantline.replacing import ROOM_OF_TABLES, hold_room, replaced
 from gantline.results.file.form import FormError
 from gantline.results.file.layout import hold_variable
 from gantline.results.file.validity import hold_recording
@@ -40,8 +39,6 @@ _OF_THE_FORMAT = frozenset({"recording_format", "_NCProperties"})
 _LEVEL = 1  # of gzip: higher ones take longer and save nothing
 _COMPRESS_FROM = 1 << 16  # bytes; smaller variables are not worth a chunk index
 _WORKERS = os.cpu_count() or 1
-_ROOM = 1 << 20  # bytes, for tables of the file itself: some 100 kB of a recording of a hundred variables
-_NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
 _COMPONENTS = frozenset({"xyz", "wxyz"})  # each in chunks of its own: its values are like their neighbours
 
 #: Infinite where there is nothing left that they could be of: ropes that have all parted.
@@ -63,29 +60,12 @@ def save_recording(recording: Recording, path: Path) -> Path:
     """
     with replaced(path) as trial:
         with trial.open("r+b") as empty:
-            _hold(empty.fileno(), _ROOM, path)
+            hold_room(empty.fileno(), ROOM_OF_TABLES, path)
         with _Kept(trial, path) as tables, h5netcdf.File(tables, "w") as file:
             _write(recording, file, tables.hold)
             tables.hold(0)
         os.truncate(trial, _end_of(trial))
     return path
-
-
-def _hold(handle: int, size: int, path: Path) -> None:
-    """Take room on the disk for the first bytes of a file.
-
-    The library writes what it holds before it closes a file, and where it cannot, it brings the whole program
-    down as that ends. So room is asked for beforehand, and the library meets no full disk.
-
-    Raises:
-        OSError: If there is none; the error is that of the path.
-    """
-    try:
-        os.posix_fallocate(handle, 0, size)
-    except OSError as problem:
-        # Any other is of a file system, or of a device, that knows no such promise.
-        if problem.errno in _NO_ROOM:
-            raise OSError(problem.errno, problem.strerror, str(path)) from None
 
 
 def _end_of(path: Path) -> int:
@@ -109,7 +89,7 @@ class _Kept(h5py.File):  # type: ignore[misc]  # h5py says nothing of its types
 
     def hold(self, size: int) -> None:
         """Hold room for so many bytes more, and for what the library writes as it closes the file."""
-        _hold(self.id.get_vfd_handle(), self.id.get_filesize() + size + _ROOM, self._path)
+        hold_room(self.id.get_vfd_handle(), self.id.get_filesize() + size + ROOM_OF_TABLES, self._path)
 
     def __getitem__(self, name: Any) -> Any:
         if name == "/":

@@ -118,15 +118,21 @@ def missed_guides(
             )
         ]
         if missed:
-            time, words = min(missed)
-            found.append(f"{_misses(guide)}{words} at {format_quantity(time, 's', 2)}")
+            time, words, by = min(missed)
+            lacks = f"it misses by {format_quantity(by, 'm', 2)}"
+            found.append(f"{_misses(guide)}{words} at {format_quantity(time, 's', 2)}; {lacks}")
     return found
 
 
-def told_missed(guides: Sequence[Guide], warnings: Iterable[str]) -> list[str]:
-    """Names of the guides of which `missed_guides` has told in the warnings of a recording."""
+def told_missed(guides: Sequence[Guide], warnings: Iterable[str]) -> dict[str, str]:
+    """What `missed_guides` has told in the warnings of a recording, by the name of the guide."""
     told = tuple(warnings)
-    return [guide.name for guide in guides if any(one.startswith(_misses(guide)) for one in told)]
+    return {
+        guide.name: one.removeprefix(_misses(guide))
+        for guide in guides
+        for one in told
+        if one.startswith(_misses(guide))
+    }
 
 
 def _misses(guide: Guide) -> str:
@@ -140,8 +146,8 @@ def _missed(
     columns: Columns,
     names: Names,
     side: str,
-) -> list[tuple[float, str]]:
-    """When first a face stands on the tip, or is on the wrong side of its post, and words for it."""
+) -> list[tuple[float, str, float]]:
+    """When a face first stands on the tip or is on the wrong side of its post, words for it, by how much."""
     post, wall = pair["post"], pair["wall"]
     base, axis = _seen(document, columns, names, post["body"], post["base"], post["axis"])
     radius, top = post.get("tip_radius", post["radius"]), post["height"] + post.get("cone", 0.0)
@@ -169,7 +175,9 @@ def _missed(
         (stands, f"{face} stands on the rim of the {'bumper' if side == 'wall' else 'post'}"),
         (beside, f"{face} is on the wrong side of the {'bumper' if side == 'wall' else 'post'}"),
     )
-    return [(float(columns["time"][int(np.argmax(when))]), words) for when, words in kinds if when.any()]
+    firsts = [(int(np.argmax(when)), words) for when, words in kinds if when.any()]
+    # With its lip outside of the tip a face catches it.
+    return [(float(columns["time"][first]), words, float(radius - inside[first])) for first, words in firsts]
 
 
 def _seen(

@@ -57,7 +57,13 @@ __all__ = [
 #: Crane types that this version can simulate.
 _CRANES = ("fixed_hook", "goliath", "floating_crane", "crawler")
 #: What other words for a type of crane mean.
-_MEANT = {"sheerleg": "floating_crane", "sheerlegs": "floating_crane", "crawler_crane": "crawler"}
+_MEANT = {
+    **dict.fromkeys(("sheerleg", "sheerlegs", "pedestal_crane"), "floating_crane"),
+    **dict.fromkeys(("gantry", "gantry_crane"), "goliath"),
+    "crawler_crane": "crawler",
+}
+#: A strand jack is no crane: what stands for it.
+_JACKS = ("strand_jack", "strand_jacks")
 
 
 class Hoist(Element):
@@ -182,6 +188,10 @@ class FixedHook(Element):
             raise refuse(f"'type' is missing; a crane is one of {known}{hint}")
         if isinstance(kind, str) and kind in _MEANT:
             raise refuse(f"a {found(kind)} is written as 'type: {_MEANT[str(kind)]}' here", "type")
+        if kind in _JACKS:
+            drum = "a drum of 'mechanics' with a 'drive', its bundle a rope from there to the load"
+            hook = "or 'type: fixed_hook' with a sling, where the load goes straight up"
+            raise refuse(f"a strand jack is {drum}; {hook}", "type")
         raise refuse(f"{found(kind)} is not a type of crane; known here: {known}", "type")
 
 

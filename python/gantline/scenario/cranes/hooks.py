@@ -23,7 +23,9 @@ PARTS = ("rated_capacity", "highest", "hook_block", "reeving", "drum", "hoist")
 #: Of these, what it cannot do without.
 NEEDED = ("hook_block", "reeving", "drum", "hoist")
 #: Of these, what others say something about at its own place in the lift file.
-_SAID = ("reeving", "drum", "rated_capacity")
+_SAID = ("reeving", "drum", "rated_capacity", "highest", "hook_block", "hoist")
+#: Of these, what lift files call otherwise.
+_WORDS = {"hook_block": "block"}
 
 
 @dataclass(frozen=True)
@@ -47,7 +49,7 @@ class Hook:
         name: full name: of its crane, or `<crane>.<hook>`.
         crane: name of its crane.
         carrier: what takes it along; None of a hook that no crane stands behind.
-        paths: where the lift file says `reeving`, `drum` and `rated_capacity`; the hook itself is `""`.
+        paths: where the lift file says its parts, those of `_SAID`; the hook itself is `""`.
         place: of a hook at a boom along and across the boom, where its upper sheaves are pinned; of another x
             and y of its bearing point at the start, world axes [m].
         above: of a hook at a boom how far that pin is above the middle line of the boom, square to it [m].
@@ -140,7 +142,7 @@ def _fixed(name: str, crane: FixedHook) -> Hook:
         name=name,
         crane=name,
         carrier=None,
-        paths={"": path} | {key: (*path, key) for key in _SAID},
+        paths={"": path} | {key: (*path, _WORDS.get(key, key)) for key in _SAID},
         place=crane.at[:2],
         above=0.0,
         height=crane.at[2],
@@ -178,7 +180,8 @@ def _of_carrier(of: _Place, given: CarriedHook, kind: HookType | None, includes:
     paths = {"": of.path}
     for key in _SAID:
         own = getattr(given, key) is not None
-        paths[key] = (*of.path, key) if own else ("hook_types", str(given.type), key)
+        word = _WORDS.get(key, key)
+        paths[key] = (*of.path, word) if own else ("hook_types", str(given.type), word)
     return Hook(
         name=of.name,
         crane=of.crane,

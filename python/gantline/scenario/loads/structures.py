@@ -13,7 +13,7 @@ from gantline.scenario.quantities import Damping, Length, ListOf, PositiveStiffn
 if TYPE_CHECKING:
     from gantline.scenario.model import Scenario
 
-__all__ = ["BoxStructure", "Dock", "Structure", "dock_of"]
+__all__ = ["BoxStructure", "Dock", "Structure", "dock_of", "ground_at"]
 
 _Extent = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
 
@@ -77,3 +77,12 @@ Structure = Annotated[Dock | BoxStructure, Field(discriminator="type")]
 def dock_of(scenario: Scenario) -> Dock | None:
     """The dock of a lift, if there is one."""
     return next((one for one in (scenario.structures or {}).values() if isinstance(one, Dock)), None)
+
+
+def ground_at(scenario: Scenario, x: float, y: float) -> float | None:
+    """Height of the ground at a place, or of the floor of the dock there [m]; None where there is none."""
+    if scenario.ground is None:
+        return None
+    dock = dock_of(scenario)
+    is_in_dock = dock is not None and dock.x[0] <= x <= dock.x[1] and dock.y[0] <= y <= dock.y[1]
+    return dock.floor if dock is not None and is_in_dock else scenario.ground.level
