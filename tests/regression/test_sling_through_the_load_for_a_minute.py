@@ -53,9 +53,7 @@ plan:
 def run(duration: float, below: float) -> Recording:
     """The lift with its lugs so far below the top of the box [m]."""
     height = 4.0 - below
-    return simulate(
-        parse_scenario(LIFT.format(duration=duration, height=height, hook=10.0 + height + 20.0))
-    )
+    return simulate(parse_scenario(LIFT.format(duration=duration, height=height, hook=10.0 + height + 20.0)))
 
 
 @pytest.mark.parametrize("duration", [80.0, 7200.0], ids=str)
