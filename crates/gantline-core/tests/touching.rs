@@ -112,6 +112,13 @@ fn touches(system: &System) -> impl Iterator<Item = (usize, &AnyConstraint)> {
     all.filter(|(_, constraint)| matches!(constraint, AnyConstraint::Touch(_)))
 }
 
+/// Derivative by central differences over one and two steps, each after and before, without what grows as the step
+/// squared: a rim that lies nearly flat on its plane bends within millimetres.
+fn extrapolated(values: [[f64; 2]; 2]) -> f64 {
+    let [once, twice] = values.map(|[after, before]| after - before);
+    (8.0 * once - twice) / (12.0 * STEP)
+}
+
 fn unit(size: usize, dof: usize) -> Vec<f64> {
     (0..size).map(|other| if other == dof { 1.0 } else { 0.0 }).collect()
 }
@@ -143,14 +150,16 @@ proptest! {
             }
             for dof in 0..system.tree.velocities {
                 let direction = unit(system.tree.velocities, dof);
-                let [after, before] = [STEP, -STEP].map(|step| moved(&system, &state, &direction, step).1);
+                let [once, twice] = [STEP, 2.0 * STEP].map(|step| {
+                    [step, -step].map(|step| moved(&system, &state, &direction, step).1)
+                });
                 for row in first..first + 3 {
-                    let difference = (after.value[row] - before.value[row]) / (2.0 * STEP);
+                    let difference = extrapolated([&once, &twice].map(|frames| frames.each_ref().map(|frame| frame.value[row])));
                     let exact = system.rows.rate(&frame.gradient, row, &direction);
                     prop_assert!((difference - exact).abs() < CLOSE, "row {row} dof {dof}: {difference} {exact}");
                 }
                 for entry in entries.clone() {
-                    let difference = (after.gradient[entry] - before.gradient[entry]) / (2.0 * STEP);
+                    let difference = extrapolated([&once, &twice].map(|frames| frames.each_ref().map(|frame| frame.gradient[entry])));
                     prop_assert!((difference - curved[entry][dof]).abs() < 1e-6, "entry {entry} dof {dof}: {difference} {}", curved[entry][dof]);
                 }
             }
