@@ -16,11 +16,11 @@ SCENARIO = Path(__file__).parents[2] / "scenarios" / "onto_a_platform"
 
 
 def test_pages_say_what_happens_without_compensation(tmp_path: Path) -> None:
-    """The swell picks it up 1.3 s after it has touched, and drops it: speed, and forces that then act.
+    """The swell picks it up 2.3 s after it has touched, and drops it: speed, and forces that then act.
 
-    It bounces before, so that twelve runs whose weights differ by 1e-9 to 1e-4 come down at 13.4 or
-    13.9 m/min, and stools bear 325 to 389 kN; so do runs on different processors. The guides of all had
-    488 kN.
+    It bounces before, so that twelve runs whose weights differ by 1e-9 to 1e-4 come down at 9.1 to
+    9.3 m/min, and stools bear 338 to 427 kN; so do runs on different processors. The guides of all had
+    552 kN.
     """
     shutil.copytree(SCENARIO, tmp_path / "lift")
     file = tmp_path / "lift" / "scenario.yaml"
@@ -32,14 +32,14 @@ def test_pages_say_what_happens_without_compensation(tmp_path: Path) -> None:
     stays, softly = checks["stays_set_down"], checks["set_down_softly"]
     assert stays.time is not None
     touched = min(time for time, _, name in recording.events("set_down") if name == "skid")
-    assert stays.time - touched == pytest.approx(1.3, abs=0.05)
+    assert stays.time - touched == pytest.approx(2.3, abs=0.1)
     speed = re.search(r"at ([\d.]+) m/min", f"{softly.formula} {softly.remark}")
     assert speed is not None
     stools = [name for name in recording.coordinates["contact"] if name.startswith("support.")]
-    assert 13.0 < float(speed[1]) < 14.0
-    assert 320.0 < max(recording.column("contact_force", name).max() for name in stools) / 1e3 < 390.0
+    assert 8.5 < float(speed[1]) < 9.5
+    assert 330.0 < max(recording.column("contact_force", name).max() for name in stools) / 1e3 < 430.0
     guide = f"{recording['guide_force'].values.max() / 1e3:.0f} kN"
-    lands, stool = "13 to 14 m/min", "320 to 390 kN"
+    lands, stool = "9 m/min", "330 to 430 kN"
     page = "docs/concepts/heave_compensation.md"
     assert unsaid(page, f"comes down at {lands}", f"a stool bears {stool} for", f"{guide} for 132 kN") == []
     assert unsaid("docs/guides/afloat.md", f"drops it at {lands}") == []

@@ -39,7 +39,7 @@ use glam::DVec3;
 
 use super::shape::Meeting;
 use crate::tree::pose::Pose;
-use places::{Place, edges_on_sides, rims_on_faces};
+use places::{Place, ROUNDING, edges_on_sides, rims_on_faces};
 
 /// Places at which a post and a wall touch at a time, at most: both ends of a line along which they lie on each other.
 pub const PLACES: usize = 2;
@@ -236,11 +236,16 @@ impl Landing {
         rims_on_faces(&post, &wall, &mut places);
         edges_on_sides(&post, &wall, &mut places);
         let by_gap = |one: &(f64, &Place), other: &(f64, &Place)| one.0.total_cmp(&other.0);
-        let parting =
-            places.iter().filter(|place| place.parts).map(|place| (place.gap, place)).max_by(by_gap);
         // A wall that has come over the axis of the post is parted from it by planes alone that stand far off.
-        let deepest = places.iter().filter_map(|place| Some((place.beside?, place))).min_by(by_gap);
-        let Some((gap, first)) = parting.into_iter().chain(deepest).max_by(by_gap) else { return };
+        let parting = places.iter().filter(|place| place.parts && place.gap > -post.radius);
+        let farthest = parting.clone().map(|place| place.gap).fold(f64::NEG_INFINITY, f64::max);
+        // Of what lies in one plane what can be the end of a line: the foot of a post may lie in that of a wall above it.
+        let ends = parting.filter(|place| place.gap >= farthest - ROUNDING);
+        let touching = ends.map(|place| (place.beside.unwrap_or(f64::INFINITY), place)).min_by(by_gap);
+        let deepest = || places.iter().filter_map(|place| Some((place.beside?, place))).min_by(by_gap);
+        let Some((gap, first)) = touching.map(|(_, place)| (place.gap, place)).or_else(deepest) else {
+            return;
+        };
         let others = places.iter().filter_map(|place| Some((place.after(first)?, place)));
         let next = others.min_by(by_gap);
         let tangent = |place: &Place| {
@@ -463,6 +468,17 @@ mod tests {
         let normal = near.meeting.spot.in_world([&Pose::IDENTITY, &Pose::IDENTITY]).1;
         assert!(near.meeting.gap.abs() < 1e-12);
         // Towards the post, the first body: the way of the wall is the opposite.
+        assert!((normal - DVec3::new(0.3, 0.0, -0.12) / length).length() < 1e-12);
+    }
+
+    #[test]
+    fn a_knee_just_below_the_tip_is_pushed_aside_and_up_all_the_same() {
+        // 14 mm past the rim of the tip, 80 mm from the axis, and 8.3 mm below it: out along the normal of the cone by 16.1 mm.
+        // Level it would be the 14 mm of the rim, after which the cone is still in it.
+        let near = standing(-0.066, 1.3 - 0.0083)[0];
+        let length = 0.3_f64.hypot(0.12);
+        assert!((near.meeting.gap + (0.014 * 0.3 + 0.0083 * 0.12) / length).abs() < 1e-12, "{near:?}");
+        let normal = near.meeting.spot.in_world([&Pose::IDENTITY, &Pose::IDENTITY]).1;
         assert!((normal - DVec3::new(0.3, 0.0, -0.12) / length).length() < 1e-12);
     }
 

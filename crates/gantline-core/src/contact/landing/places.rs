@@ -12,7 +12,7 @@ use crate::tree::pose::Pose;
 const TURNED: f64 = 2.0;
 const ALONG: f64 = 2e-4;
 /// Rounding of a place [m].
-const ROUNDING: f64 = 1e-12;
+pub const ROUNDING: f64 = 1e-12;
 
 /// Where a rim lies along a face, or an edge along a side.
 #[derive(Clone, Copy)]
