@@ -4,6 +4,7 @@ Of four slings under one hook one is 0.2 m too long, and it or that across from 
 a level load stopped where it goes taut and said `no change betters it any more; 0.0068 is left of the slope
 along y [rad]`: not what is slack, though the page on wanted attitudes says that this is named. Whoever wanted
 a share for it too was told that `lengths of slings do not act on what is wanted`: its own does, once taut.
+Level alone can be had as well, by lengths with which all four bear.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import pytest
 
 from gantline.results import series
 from gantline.scenario import Scenario, parse_scenario
-from gantline.study import CannotBeError, adjust_lengths
+from gantline.study import CannotBeError, LengthAnswer, adjust_lengths
 from hooked_lift import TWO_HOOKS_LUGS, hooked_lift
 from mechanics import G
 
@@ -33,9 +34,20 @@ def four_slings(centre: tuple[float, float]) -> Scenario:
 
 
 def test_what_is_slack_is_named() -> None:
-    """The centre of gravity is nearer to S4, so that S1 is slack."""
-    with pytest.raises(CannotBeError, match=r"is left of the slope along y \[rad\]; slack: S1$"):
-        adjust_lengths(four_slings(CENTRES[0]), slopes=(0.0, 0.0))
+    """The centre of gravity is nearer to S4, so that S1 is slack; S2 and S3 alone cannot do it."""
+    with pytest.raises(CannotBeError, match=r"; slack: S1$"):
+        adjust_lengths(four_slings(CENTRES[0]), slopes=(0.0, 0.0), slings=["S2"])
+
+
+@pytest.mark.parametrize("centre", CENTRES)
+def test_level_alone_is_had_with_shares_that_are_even(centre: tuple[float, float]) -> None:
+    """With Σ V = W and Σ V (x, y) = W c the least Σ V² is V = W/4 (1 + x c_x/a² + y c_y/b²), lugs at ±a, ±b."""
+    answer = adjust_lengths(four_slings(centre), slopes=(0.0, 0.0))
+    assert answer.slack_by_least_change
+    expected = [
+        0.25 * (1.0 + x * centre[0] / 4.0**2 + y * centre[1] / 2.0**2) for x, y, _ in TWO_HOOKS_LUGS.values()
+    ]
+    assert upright(answer) == pytest.approx(expected, abs=1e-7)
 
 
 @pytest.mark.parametrize("centre", CENTRES)
@@ -48,10 +60,14 @@ def test_a_sling_that_is_slack_takes_the_share_that_is_wanted(
     assert min(answer.before.tension(f"sling.S{lug}") for lug in TWO_HOOKS_LUGS) == 0.0
     aft, ahead = (0.5 * (1.0 - centre[1] / 2.0), 0.5 * (1.0 + centre[0] / 4.0))
     expected = [1.0 + share - aft - ahead, aft - share, ahead - share, share]
-    recording = answer.after.recording
-    upright = []
+    assert upright(answer) == pytest.approx(expected, abs=1e-7)
+
+
+def upright(answer: LengthAnswer) -> list[float]:
+    """Vertical forces of the slings over the weight [1]."""
+    shares = []
     for lug in TWO_HOOKS_LUGS:
-        top, bottom = (one[-1] for one in series.rope_ends(recording, f"sling.S{lug}"))
+        top, bottom = (one[-1] for one in series.rope_ends(answer.after.recording, f"sling.S{lug}"))
         along = (top - bottom) / np.linalg.norm(top - bottom)
-        upright.append(answer.after.tension(f"sling.S{lug}") * along[2] / (200e3 * G))
-    assert upright == pytest.approx(expected, abs=1e-7)
+        shares.append(float(answer.after.tension(f"sling.S{lug}") * along[2] / (200e3 * G)))
+    return shares

@@ -163,12 +163,15 @@ def _slings(answer: LengthAnswer) -> list[str]:
         for name, length in answer.lengths.items()
     ]
     head = ("Sling", "length", "new length", "change", "tension", "new tension")
+    way, slack = "least change of lengths", ", ".join(answer.slack_by_least_change)
+    if slack:
+        way = f"least change with even shares of the load: that without would leave {slack} slack"
     return [
         *table(head, rows, "lrrrrr"),
         "",
         *_attitude(answer.before, answer.after),
         *_chain_hoists(answer),
-        f"  least change of lengths; residual {answer.residual:.1e}, {_steps(answer.steps)}",
+        f"  {way}; residual {answer.residual:.1e}, {_steps(answer.steps)}",
         "",
         *_as_case("lengths", answer.values),
     ]

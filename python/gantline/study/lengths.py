@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -12,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline.results import series
+from gantline.results.rotation import axes
 from gantline.scenario import Scenario, load_scenario
 from gantline.scenario.errors import nearest
 from gantline.scenario.file.variants import without_cases
@@ -19,13 +21,15 @@ from gantline.scenario.rigging import SlingRigging, resolve
 from gantline.statics import Equilibrium, Statics
 from gantline.study.asked import names_of
 from gantline.study.hanging import Hanging, Row
-from gantline.study.newton import AdjustError, CannotBeError, Search, Unknown
+from gantline.study.newton import AdjustError, CannotBeError, Search, SlackError, Unknown
 from gantline.study.state import rest_json
 
 __all__ = ["LengthAnswer", "adjust_lengths"]
 
 #: Most by which a length may change where it is not said, of the length.
 _MOST = 0.1
+#: What changes, in words.
+_WHAT = "lengths of slings"
 
 
 @dataclass(frozen=True)
@@ -39,6 +43,8 @@ class LengthAnswer:
             less than 0 where it hauls in; stretched as the chain is meanwhile, in the mean.
         before: The lift as it is given, at rest.
         after: The same with the new lengths.
+        slack_by_least_change: Slings that the least change would leave slack, where slopes were wanted and no
+            shares: of all changes with the slopes that is taken then whose shares are as even as can be.
         residual: What is left of slopes, heading and shares [rad, 1]; the largest.
         steps: Steps of Newton's method.
         scenario: The lift file with the new lengths.
@@ -49,6 +55,7 @@ class LengthAnswer:
     chain_hoists: Mapping[str, float]
     before: Equilibrium
     after: Equilibrium
+    slack_by_least_change: Sequence[str]
     residual: float
     steps: int
     scenario: Scenario
@@ -67,6 +74,7 @@ class LengthAnswer:
             "chain_hoists": dict(self.chain_hoists),
             "before": rest_json(self.before),
             "after": rest_json(self.after),
+            "slack_by_least_change": list(self.slack_by_least_change),
             "residual": self.residual,
             "steps": self.steps,
         }
@@ -83,6 +91,9 @@ def adjust_lengths(
     time: float | None = None,
 ) -> LengthAnswer:
     """Unstretched lengths of slings with which a load hangs as wanted, changed as little as can be.
+
+    Where slopes are wanted, no shares, and the least change would leave slings slack of those that go from one
+    hook to the load, they are changed so that these share it as evenly as can be.
 
     Args:
         lift: A lift file, its folder, or a loaded scenario.
@@ -114,23 +125,30 @@ def adjust_lengths(
         for name in chosen
     ]
 
-    def rows(hanging: Hanging) -> list[Row]:
-        found: list[Row] = []
-        if slopes is not None:
-            found += [row.minus(wanted) for row, wanted in zip(hanging.slopes(), slopes, strict=True)]
-        if heading is not None:
-            row = hanging.heading()
-            found.append(replace(row, value=math.remainder(row.value - heading, math.tau)))
-        try:
-            found += [hanging.share(name).minus(wanted) for name, wanted in (shares or {}).items()]
-        except ValueError as problem:
-            raise CannotBeError(str(problem)) from None
-        return found
+    def search_for(wanted: Mapping[str, float]) -> tuple[Search, npt.NDArray[np.float64]]:
+        search = Search(
+            question, unknowns, lambda hanging: _rows(hanging, slopes, heading, wanted), time, _WHAT
+        )
+        changes = search.run(
+            _taut(search.first.hanging, [slung[name] for name in chosen]) if wanted else None
+        )
+        search.refuse_too_far(changes)
+        search.refuse_unsound()
+        return search, changes
 
-    search = Search(Statics(scenario), unknowns, rows, time, "lengths of slings")
-    changes = search.run(_taut(search.first.hanging, [slung[name] for name in chosen]) if shares else None)
-    search.refuse_too_far(changes)
-    search.refuse_unsound()
+    question = Statics(scenario)
+    slack: Sequence[str] = ()
+    try:
+        search, changes = search_for(shares or {})
+    except SlackError as problem:
+        slack = problem.slack
+        evenly = None if shares or slopes is None else _even_shares(problem.hanging, slopes)
+        if evenly is None:
+            raise
+        try:
+            search, changes = search_for(evenly)
+        except CannotBeError:
+            raise problem from None
     lengths = {name: known[name] + float(more) for name, more in zip(chosen, changes, strict=True)}
     before, after = search.first.hanging.rest, search.now.hanging.rest
     return LengthAnswer(
@@ -143,6 +161,7 @@ def adjust_lengths(
         },
         before=before,
         after=after,
+        slack_by_least_change=slack,
         residual=search.now.residual,
         steps=search.steps,
         scenario=search.now.scenario,
@@ -164,6 +183,79 @@ def _refuse(chosen: Sequence[str], shares: Mapping[str, float], known: Collectio
         if not 0.0 <= share <= 1.0:
             sentence = f"{name}: {100.0 * share:g} % is no share of what all slings carry"
             raise ValueError(f"{sentence}; one is written like '30 %' or '0.3'")
+
+
+def _rows(
+    hanging: Hanging,
+    slopes: tuple[float, float] | None,
+    heading: float | None,
+    shares: Mapping[str, float],
+) -> list[Row]:
+    """What is to vanish.
+
+    Raises:
+        CannotBeError: If a sling has no share.
+    """
+    found: list[Row] = []
+    if slopes is not None:
+        found += [row.minus(wanted) for row, wanted in zip(hanging.slopes(), slopes, strict=True)]
+    if heading is not None:
+        row = hanging.heading()
+        found.append(replace(row, value=math.remainder(row.value - heading, math.tau)))
+    try:
+        found += [hanging.share(name).minus(wanted) for name, wanted in shares.items()]
+    except ValueError as problem:
+        raise CannotBeError(str(problem)) from None
+    return found
+
+
+def _even_shares(hanging: Hanging, slopes: tuple[float, float]) -> dict[str, float] | None:
+    """Shares of slings from one hook to the load that are as even as can be, of all but three [1].
+
+    Of shares V that keep the balance under a hook over the centre of gravity, Σ V = 1 and Σ V p/(h − z) = 0
+    with lugs p beside it and z above it and the hook h above it, those with the least Σ V². The three others,
+    whose lugs are farthest from being in a line, follow.
+
+    Args:
+        hanging: The load, some slings slack.
+        slopes: By what angle its own axes shall rise [rad].
+
+    Returns:
+        None where slings hang otherwise, are three or fewer, or one could bear nothing even so.
+    """
+    recording = hanging.rest.recording
+    slings = [sling for sling in hanging.slings if sling.to_load is not None]
+    if len(hanging.hooks()) != 1 or len(slings) != len(series.slings_on(recording)) or len(slings) < 4:
+        return None
+    ends = np.array([[end[-1] for end in series.rope_ends(recording, sling.rope)] for sling in slings])
+    centre = recording.column("body_position", hanging.load.body)[-1]
+    own = (ends[:, 1] - centre) @ axes(recording.column("body_orientation", hanging.load.body)[-1])
+    lugs = own @ _leant(slopes)
+    heights = (ends[:, 0, 2] - centre[2]).mean() - lugs[:, 2]
+    if heights.min() <= 0.0:
+        return None
+    balance = np.column_stack([np.ones(len(slings)), lugs[:, :2] / heights[:, np.newaxis]]).T
+    shares = np.linalg.pinv(balance) @ np.array([1.0, 0.0, 0.0])
+    if shares.min() <= 0.0:
+        return None
+    apart = [
+        (abs(float(np.linalg.det(balance[:, three]))), three)
+        for three in (list(some) for some in itertools.combinations(range(len(slings)), 3))
+    ]
+    follow = max(apart)[1]
+    return {
+        sling.name: float(share)
+        for index, (sling, share) in enumerate(zip(slings, shares, strict=True))
+        if index not in follow
+    }
+
+
+def _leant(slopes: tuple[float, float]) -> npt.NDArray[np.float64]:
+    """Columns that take a load's own axes to level ones and up where it leans so, at any heading, shape (3, 3)."""
+    up = np.array([math.sin(slopes[0]), math.sin(slopes[1]), 0.0])
+    up[2] = math.sqrt(max(0.0, 1.0 - up @ up))
+    ahead = np.array([up[2], 0.0, -up[0]]) / math.hypot(up[0], up[2])
+    return np.column_stack([ahead, np.cross(up, ahead), up])
 
 
 def _taut(hanging: Hanging, slings: Sequence[SlingRigging]) -> npt.NDArray[np.float64]:

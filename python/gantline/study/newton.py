@@ -21,7 +21,7 @@ from gantline.statics import NoEquilibriumError, Statics
 from gantline.study.hanging import Hanging, Row
 from gantline.units import format_quantity, si_text
 
-__all__ = ["AdjustError", "CannotBeError", "Search", "Unknown"]
+__all__ = ["AdjustError", "CannotBeError", "Search", "SlackError", "Unknown"]
 
 Floats = npt.NDArray[np.float64]
 
@@ -41,6 +41,20 @@ _FAR = 10.0
 
 class CannotBeError(RuntimeError):
     """What is wanted cannot be had by these changes; the message is a plain sentence."""
+
+
+class SlackError(CannotBeError):
+    """It cannot be had, and slings are slack where the search ended or wanted to go on.
+
+    Attributes:
+        hanging: The load where it ended.
+        slack: Names of the slings.
+    """
+
+    def __init__(self, sentence: str, hanging: Hanging, slack: Sequence[str]) -> None:
+        super().__init__(sentence)
+        self.hanging = hanging
+        self.slack = slack
 
 
 class _NoAnswerError(CannotBeError):
@@ -129,7 +143,7 @@ class Search:
                 self.now, changes = self._try(start), start
         while self.now.residual > RESIDUAL:
             if self.steps == _STEPS:
-                raise CannotBeError(f"no answer in {_STEPS} steps; {self._left()}")
+                raise self._cannot(f"no answer in {_STEPS} steps; {self._left()}")
             target = self._target(changes)
             if target is None:
                 break
@@ -154,13 +168,13 @@ class Search:
         if np.abs(without_effect).max() > max(RESIDUAL, 0.5 * np.abs(value).max()):
             if self.now.residual < _LEFT:
                 return None
-            raise CannotBeError(self._no_effect(slope, value))
+            raise self._cannot(self._no_effect(slope, value))
         self.refuse_too_far(target, _FAR)
         return target
 
     def _step(self, changes: Floats, target: Floats) -> Floats:
         """Towards a target, as far as it betters things; where slings are slack half as far may do."""
-        cause = "no change betters it any more"
+        cause, slack = "no change betters it any more", list[str]()
         for halving in range(_HALVINGS):
             step = changes + (target - changes) * 0.5**halving
             try:
@@ -177,8 +191,9 @@ class Search:
             if found.residual < self.now.residual:
                 self.now = found
                 return step
+            slack = slack or found.hanging.slack()
         self.refuse_too_far(target)
-        raise CannotBeError(f"{cause}; {self._left()}")
+        raise self._cannot(f"{cause}; {self._left()}", slack)
 
     def _try(self, changes: Floats) -> _Try:
         texts = {
@@ -221,7 +236,7 @@ class Search:
         beyond = [abs(more) - times * one.most for one, more in zip(self._unknowns, changes, strict=True)]
         worst = int(np.argmax(beyond))
         if beyond[worst] > 0.0:
-            raise CannotBeError(self._too_far(self._unknowns[worst], float(changes[worst])))
+            raise self._cannot(self._too_far(self._unknowns[worst], float(changes[worst])))
 
     def refuse_unsound(self) -> None:
         """Refuse an answer in which the lift cannot hang.
@@ -233,10 +248,15 @@ class Search:
         if not hanging.rest.is_stable:
             raise CannotBeError("hung so it is unstable")
         if hanging.slack():
-            raise CannotBeError(f"hung so {', '.join(hanging.slack())} would be slack")
+            raise self._cannot(f"hung so {', '.join(hanging.slack())} would be slack")
         beyond = hanging.beyond_travel()
         if beyond is not None:
             raise CannotBeError(f"hung so {beyond}")
+
+    def _cannot(self, sentence: str, ahead: Sequence[str] = ()) -> CannotBeError:
+        """Why it cannot be, with what is slack by now or ahead."""
+        slack = self.now.hanging.slack() or ahead
+        return SlackError(sentence, self.now.hanging, slack) if slack else CannotBeError(sentence)
 
     def _left(self) -> str:
         worst = max(self.now.rows, key=lambda row: abs(row.value))
