@@ -1,8 +1,8 @@
 """Plans that let a load down where it was just lifted off, and plans that never hold it as it hangs.
 
 `lower` in place of `hoist` by 4 m, right after lift-off, was in order; so was a plan without any hold, of
-which the run said afterwards that nothing tells what of the forces is static; and so was one that begins with `lower`
-while the load stands."""
+which the run said afterwards that nothing tells what of the forces is static; and so was one that begins
+with `lower` while the load stands."""
 
 from __future__ import annotations
 
