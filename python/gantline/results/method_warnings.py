@@ -23,6 +23,8 @@ _WIDE = 0.01
 #: Energy from nowhere above which a run is doubtful, of the largest energy [1]: what `del` takes and gives in
 #: turn where a vessel rolls by 20 deg is a thousandth, in steps of 1 ms.
 _GAIN = 0.01
+#: So soon a support that was met from beside has thrown its load up; samples are seldom farther apart [s].
+_JUST = 0.1
 #: How fast lifts on slings and falls ring, for the warning [Hz].
 _RINGING = 4.0
 
@@ -46,7 +48,7 @@ def method_warnings(
         remainder: Energy that the audit cannot place, of the largest energy [1].
     """
     integrator = settings["integrator"]
-    warnings = _unbalanced(settings, remainder) + _from_nowhere(columns, names)
+    warnings = _unbalanced(settings, remainder) + _from_nowhere(integrator, columns, names)
     warnings += _unsettled(counters, columns)
     return warnings + _long_steps(integrator) + _wide_tolerance(integrator, rig)
 
@@ -60,15 +62,30 @@ def _unbalanced(settings: Mapping[str, Any], remainder: float) -> list[str]:
     return [f"the energy balance does not close: {missed}"]
 
 
-def _from_nowhere(columns: Columns, names: Names) -> list[str]:
+def _from_nowhere(integrator: Mapping[str, Any], columns: Columns, names: Names) -> list[str]:
     """A warning of a run that gains energy, which the method puts in: the balance closes with that."""
     if not len(columns["time"]):
         return []
     gain, since = energy_gain(columns["energy"], names["energy_kind"], columns["time"], _GAIN)
     if since is None:
         return []
-    share = f"{100 * gain:.2g} % of the largest energy come from nowhere"
-    return [f"{share}, the first of it by {since:.2f} s: steps are too long for what moves here"]
+    share = f"{100 * gain:.2g} % of the largest energy come from nowhere, the first of it by {since:.2f} s"
+    # The steps of `adaptive` are as short as its tolerances ask for.
+    support = _met_from_beside(columns, names, since) if integrator["type"] == "adaptive" else None
+    if support is None:
+        return [f"{share}: steps are too long for what moves here"]
+    thrown = f"the load has come over {support} from beside, below its top, and is thrown up by it"
+    return [f"{share}: {thrown}; keep the load above its supports until it is over its place"]
+
+
+def _met_from_beside(columns: Columns, names: Names, since: float) -> str | None:
+    """The support that a load came over just before energy came from nowhere [s]; None where none did."""
+    supports = {name for name in names["contact"] if name.startswith("support.")}
+    events = zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
+    near = [(kind, name) for time, kind, name in events if abs(time - since) < _JUST]
+    slid = [name for kind, name in near if kind in ("slip", "stick") and name in supports]
+    is_met = bool(supports) and any(kind == "set_down" for kind, _ in near)
+    return slid[-1] if slid else "a support" if is_met else None
 
 
 def _unsettled(counters: Mapping[str, int], columns: Columns) -> list[str]:
