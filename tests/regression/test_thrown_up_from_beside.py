@@ -44,5 +44,5 @@ def test_a_load_that_comes_over_a_support_from_beside(over: float, is_thrown: bo
     """At 60 mm 200 MN/m hold 0.36 MJ; below its underside the support is in the way of nothing."""
     run = gantline.simulate(parse_scenario(LIFT.replace("HEIGHT", f"{5.0 + over:g}")))
     told = [one for one in run.attributes["warnings"] if "come from nowhere" in one]
-    thrown = "the load has come over a support from beside, below its top, and is thrown up by it"
+    thrown = "support.post.p pushes up a load that comes over it from beside, below its top, or slides on it"
     assert [thrown in one for one in told] == [True] * is_thrown

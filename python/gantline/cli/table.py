@@ -47,7 +47,8 @@ def _continued(
             columns = [*range(keys), *range(done, end)]
             cells = [[row[column] for column in columns] for row in (head, *rows)]
             part = table(cells[0], cells[1:], "".join(align[column] for column in columns))
-            if max(map(len, part)) <= width:
+            # A column without a title says more of the one before it.
+            if max(map(len, part)) <= width and (end == len(head) or head[end]):
                 break
         lines, done = lines + part, end
     return lines

@@ -6,6 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
 from gantline.results.metrics import energy_bound
 from gantline.results.rig import Rig
 from gantline.results.stability import energy_gain
@@ -23,8 +25,9 @@ _WIDE = 0.01
 #: Energy from nowhere above which a run is doubtful, of the largest energy [1]: what `del` takes and gives in
 #: turn where a vessel rolls by 20 deg is a thousandth, in steps of 1 ms.
 _GAIN = 0.01
-#: So soon a support that was met from beside has thrown its load up; samples are seldom farther apart [s].
-_JUST = 0.1
+#: A support that throws its load up does so at the end of a step, and energies are on a line along that:
+#: they pass a bound as much before it, or as little after, where samples lie between [s].
+_LONGEST, _JUST = 5.0, 0.1
 #: How fast lifts on slings and falls ring, for the warning [Hz].
 _RINGING = 4.0
 
@@ -74,18 +77,24 @@ def _from_nowhere(integrator: Mapping[str, Any], columns: Columns, names: Names)
     support = _met_from_beside(columns, names, since) if integrator["type"] == "adaptive" else None
     if support is None:
         return [f"{share}: steps are too long for what moves here"]
-    thrown = f"the load has come over {support} from beside, below its top, and is thrown up by it"
-    return [f"{share}: {thrown}; keep the load above its supports until it is over its place"]
+    pushed = (
+        f"{support} pushes up a load that comes over it from beside, below its top, or slides on it askew"
+    )
+    return [f"{share}: {pushed}, whatever that takes; keep the load clear of it until it is let down on it"]
 
 
 def _met_from_beside(columns: Columns, names: Names, since: float) -> str | None:
-    """The support that a load came over just before energy came from nowhere [s]; None where none did."""
-    supports = {name for name in names["contact"] if name.startswith("support.")}
+    """The support that a load came over as energy came from nowhere [s]; None where none did."""
+    supports = {at: name for at, name in enumerate(names["contact"]) if name.startswith("support.")}
+    time = columns["time"]
+    bears = columns["contact_force"][:, list(supports)] > 0.0
+    begins = np.argwhere(bears[1:] & ~bears[:-1])
+    met = [(float(time[sample + 1]), list(supports.values())[at]) for sample, at in begins]
+    # One that has thrown its load up between two samples is known by what it did to friction.
     events = zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
-    near = [(kind, name) for time, kind, name in events if abs(time - since) < _JUST]
-    slid = [name for kind, name in near if kind in ("slip", "stick") and name in supports]
-    is_met = bool(supports) and any(kind == "set_down" for kind, _ in near)
-    return slid[-1] if slid else "a support" if is_met else None
+    met += [(float(at), name) for at, kind, name in events if kind in ("slip", "stick")]
+    near = [one for one in met if one[1] in supports.values() and -_JUST <= one[0] - since <= _LONGEST]
+    return min(near)[1] if near else None
 
 
 def _unsettled(counters: Mapping[str, int], columns: Columns) -> list[str]:
