@@ -421,7 +421,9 @@ def _wrong_unit(shown: str, number: float, unit: str, dimension: str) -> str:
     if powers in (elsewhere := _ELSEWHERE.get(dimension, {})):
         factor, here = elsewhere[powers]
         why = "" if powers in _METRIC_ELSEWHERE else "units are metric: "
-        return f"'{shown}' is {number * factor:.7g} {here}; {why}{example(dimension)}"
+        # Five digits: within a twenty-thousandth of what was written, and no more than people copy right.
+        said = f"{float(f'{number * factor:.5g}'):.15g} {here}"
+        return f"'{shown}' is {said}; {why}{example(dimension)}"
     if unit in (others := _OTHER_SIZES.get(dimension, {})):
         factor, here = others[unit]
         alike = [other for other in DIMENSIONS[dimension] if other.lower() == unit.lower()]

@@ -33,8 +33,8 @@ HEAVY = (
 )
 
 
-def gantline_says(*words: str) -> tuple[int, str, str]:
-    result = CliRunner().invoke(app, words)
+def gantline_says(*words: str, columns: int = 100) -> tuple[int, str, str]:
+    result = CliRunner().invoke(app, words, env={"COLUMNS": str(columns)})
     return result.exit_code, result.stdout, result.stderr
 
 
@@ -316,7 +316,7 @@ mechanics:
         - {type: end, body: world, at: [1 m, 0 m, -20 m], drum: winch}
 """
     )
-    out = " ".join(gantline_says("check", str(lift))[1].split())
+    out = " ".join(gantline_says("check", str(lift), columns=140)[1].split())
     # 1/0.98, and half of the mass of a disc
     assert "fall/sheave_1 fall 1.0204 - 75.0 kg half of its mass" in out
     assert "(2 bodies, 1 rope, 1 drum; 1 s to simulate)" in out
@@ -327,7 +327,7 @@ mechanics:
 
 def test_sheaves_that_are_alike_have_one_row() -> None:
     """Falls of the Goliath crane have 2 x 8, 2 x 8 and 2 x 12 sheaves; its equalizers 3 x 9."""
-    lines = [line.split() for line in gantline_says("check", "goliath")[1].splitlines()]
+    lines = [line.split() for line in gantline_says("check", "goliath", columns=160)[1].splitlines()]
     rows = [line for line in lines if "sheaves" in line]
     assert [int(row[row.index("sheaves") - 1]) for row in rows] == [8, 8, 8, 8, 12, 12, 9, 9, 9]
     assert rows[0][:3] == ["hoist.goliath.U1.1/sheave_1", "to", "sheave_8,"]

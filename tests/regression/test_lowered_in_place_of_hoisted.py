@@ -1,7 +1,8 @@
 """Plans that let a load down where it was just lifted off, and plans that never hold it as it hangs.
 
 `lower` in place of `hoist` by 4 m, right after lift-off, was in order; so was a plan without any hold, of
-which the run said afterwards that nothing tells what of the forces is static."""
+which the run said afterwards that nothing tells what of the forces is static; and so was one that begins
+with `lower` while the load stands."""
 
 from __future__ import annotations
 
@@ -77,4 +78,19 @@ def test_a_plan_that_never_holds_the_load(last: tuple[str, ...]) -> None:
 )
 def test_one_that_holds_it_or_leaves_it_hanging_is_not_told(plan: tuple[str, ...]) -> None:
     """After the last step drives stand, so that a load that then hangs does so at rest."""
+    assert told(*plan) == []
+
+
+@pytest.mark.parametrize("down", ["by: 4 m", "to: 7 m"])
+def test_a_plan_that_begins_down(down: str) -> None:
+    """From 11 m."""
+    says = "step 'down' lowers crane by 4.00 m while module stands, and nothing was lifted before"
+    found = told(DOWN.replace("by: 4 m", down), OFF, HOLD)
+    assert found == [("plan[1].lower", f"{says}: its slings go slack; is 'hoist' meant?")]
+
+
+@pytest.mark.parametrize(
+    "plan", [(SLACK, LOOSE, AWAY), (SLACK.replace("1.5 m", "0.8 m"), OFF, HOLD), (OFF, HOLD)]
+)
+def test_slack_to_take_slings_off_and_a_little_of_it(plan: tuple[str, ...]) -> None:
     assert told(*plan) == []

@@ -57,7 +57,7 @@ def _refused(old: str, new: str) -> str:
         (
             "speed: 3 m/min, by",
             "speed: 20 m/h, by",
-            "'20 m/h' is 0.3333333 m/min; a speed is written like '3",
+            "'20 m/h' is 0.33333 m/min; a speed is written like '3",
         ),
         (
             "    hoist: {",

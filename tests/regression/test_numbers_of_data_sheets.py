@@ -53,7 +53,7 @@ from gantline.units import UnitError, quantity
         (
             "15 t/m2",
             "stress",
-            "'15 t/m2' is 147.0998 kPa; units are metric: a stress, pressure or modulus is written like "
+            "'15 t/m2' is 147.1 kPa; units are metric: a stress, pressure or modulus is written like "
             "'100 kN/mm^2' or '150 kPa'",
         ),
         (

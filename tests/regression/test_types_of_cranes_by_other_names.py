@@ -18,7 +18,13 @@ from gantline.scenario import ScenarioError, parse_scenario
         ),
         ("gantry_crane", "a 'gantry_crane' is written as 'type: goliath' here"),
         ("pedestal_crane", "a 'pedestal_crane' is written as 'type: floating_crane' here"),
-        ("tower_crane", "'tower_crane' is not a type of crane; known here:"),
+        (
+            "tower_crane",
+            "a tower crane that luffs is written as 'type: floating_crane', ashore with 'position' and "
+            "'heading' in place of a 'vessel'; none here has a level jib",
+        ),
+        ("mobile_crane", "a 'mobile_crane' is written as 'type: crawler' here"),
+        ("cableway", "'cableway' is not a type of crane; known here:"),
     ],
 )
 def test_what_is_written_for_it(kind: str, says: str) -> None:

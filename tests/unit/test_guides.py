@@ -62,7 +62,7 @@ def test_what_check_shows() -> None:
     assembly = assemble(
         parse_scenario(lift(f"{POST}, {FRAME}, friction: 0.2", f"{WALL}, {BUMPER}, friction: 0.2"))
     )
-    _, post, wall = guides_table(assembly.guide_fits)
+    _, post, wall = guides_table(assembly.guide_fits, 140)
     assert "g1" in post and "0.000 m fore, 0.100 m port" in post and "0.330 m" in post
     # 0.3 m from the wall less half of the bumper; the slope runs 0.6 sin 20° m.
     assert "before the face of the wall" in wall and "0.100 m" in wall and "0.205 m" in wall

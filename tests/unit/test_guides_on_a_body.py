@@ -56,7 +56,7 @@ def test_posts_and_walls_go_with_a_vessel() -> None:
 def test_check_shows_them_from_above_where_the_vessel_lies() -> None:
     """The post stands at (3.5, 0) m, in the middle of its frame; the wall faces port, 0.1 m off."""
     assembly = assemble(parse_scenario(_afloat()))
-    _, post, wall = guides_table(assembly.guide_fits)
+    _, post, wall = guides_table(assembly.guide_fits, 140)
     assert "0.000 m fore, 0.000 m port" in post
     assert "before the face of the wall" in wall and "0.100 m" in wall
     assert not any("guide" in one for one in assembly.warnings)

@@ -245,12 +245,12 @@ def test_a_hook_that_is_led_beside_does_not_stay_behind() -> None:
 
 def test_the_table_of_check_says_what_cranes_do() -> None:
     """Radius from 17 m to |(3, 22)| = 22.2 m, slew from 90 to atan(22/3) = 82.2 deg."""
-    head, *rows = lead_table(led())
+    head, *rows = lead_table(led(), 140)
     assert head.split()[:3] == ["Led", "by", "step"]
     assert len(rows) == 2
     for text in ("'over'", "a.H", "17.00 to 22.20 m", "90.0 to 82.2 deg", "60.0 to 47.7 deg"):
         assert text in rows[0]
-    assert lead_table(led("{step: up, hoist: a.H, speed: 1 m/min, by: 1 m}")) == []
+    assert lead_table(led("{step: up, hoist: a.H, speed: 1 m/min, by: 1 m}"), 140) == []
 
 
 def test_report_and_rig_say_where_it_goes() -> None:

@@ -120,6 +120,7 @@ def _stretch(kind: RopeMaterial) -> str:
 
 def _look_over(simulation: Simulation) -> None:
     """What a lift file describes, all of which has been found right."""
+    from gantline.cli.check_table import width_of_terminal
     from gantline.cli.guides_table import guides_table
     from gantline.cli.lead_table import lead_table
     from gantline.cli.summary import heading, weights
@@ -129,7 +130,7 @@ def _look_over(simulation: Simulation) -> None:
     from gantline.results.rig import Rig
     from gantline.study.heave_demand import doubts_of_demand, heave_demands
 
-    rig = Rig.from_json(simulation.assembly.rig)
+    rig, width = Rig.from_json(simulation.assembly.rig), width_of_terminal()
     document = simulation.assembly.document
     kinds = [
         (
@@ -142,18 +143,20 @@ def _look_over(simulation: Simulation) -> None:
         for name, kind in (simulation.scenario.ropes or {}).items()
     ]
     head = ("Kind of rope", "construction", "EA", "mass", "minimum breaking force")
-    ropes = table(head, kinds, "llrrr") if kinds else []
-    later = _put_on_later(simulation.scenario)
+    ropes = table(head, kinds, "llrrr", width) if kinds else []
+    later = _put_on_later(simulation.scenario, width)
     centre = _centre_from_cad(simulation)
     demands = heave_demands(simulation.scenario)
-    lines = [*heading(rig), *weights(rig), *centre, *ropes, *_rope_weights(rig), *later, *_sheaves(rig)]
-    lines += _compensators(simulation.scenario)
-    lines += lead_table(simulation.scenario)
-    lines += recorded_motions(rig)
+    lines = [*heading(rig), *weights(rig), *centre, *ropes, *_rope_weights(rig, width), *later]
+    lines += _sheaves(rig, width)
+    lines += _compensators(simulation.scenario, width)
+    lines += lead_table(simulation.scenario, width)
+    lines += recorded_motions(rig, width)
     load = simulation.scenario.load
-    lines += supports_table(simulation.assembly.under_load, None if load is None else load.stands_on)
-    lines += guides_table(simulation.assembly.guide_fits)
-    typer.echo("\n".join([*lines, *_heave(demands)]))
+    base = None if load is None else load.stands_on
+    lines += supports_table(simulation.assembly.under_load, base, width)
+    lines += guides_table(simulation.assembly.guide_fits, width)
+    typer.echo("\n".join([*lines, *_heave(demands, width)]))
     for doubt in simulation.assembly.doubts:
         warn(doubt.of(simulation.scenario.source))
     for found in doubts_of_demand(demands):
@@ -228,7 +231,7 @@ def _centre_from_cad(simulation: Simulation) -> list[str]:
     return [f"Centre of gravity of {load.name} by CAD and outfitting: [{place}] from its datum"]
 
 
-def _rope_weights(rig: Rig) -> list[str]:
+def _rope_weights(rig: Rig, width: int) -> list[str]:
     """How the weight of each rope acts, for those that have one."""
     from gantline.cli.table import show, table
 
@@ -237,10 +240,10 @@ def _rope_weights(rig: Rig) -> list[str]:
         for rope in rig.ropes
         if rope.mass > 0.0
     ]
-    return table(("Rope", "weight", "mass", "on the world"), rows, "llrr") if rows else []
+    return table(("Rope", "weight", "mass", "on the world"), rows, "llrr", width) if rows else []
 
 
-def _heave(demands: Sequence[HeaveDemand]) -> list[str]:
+def _heave(demands: Sequence[HeaveDemand], width: int) -> list[str]:
     """What heave compensation is asked for in the waves of the lift, and what it can."""
     from gantline.cli.table import show, table
 
@@ -270,10 +273,10 @@ def _heave(demands: Sequence[HeaveDemand]) -> list[str]:
         "has",
         "stroke",
     )
-    return table((*head, "has"), rows, "lllrrrrrr") if rows else []
+    return table((*head, "has"), rows, "lllrrrrrr", width) if rows else []
 
 
-def _compensators(scenario: Scenario) -> list[str]:
+def _compensators(scenario: Scenario, width: int) -> list[str]:
     """What hangs on the gas of each compensator by weights, and how it takes that."""
     from gantline.assembly.cranes.compensator_stages import stages
     from gantline.cli.table import ABSENT, show, table
@@ -286,10 +289,10 @@ def _compensators(scenario: Scenario) -> list[str]:
         period = ABSENT if one.period is None else show(one.period, "s", 2)
         rows.append((one.name, *ends, one.where, show(one.pull, "kN", 1), show(one.out, "m", 3), period))
     head = ("Compensator", "rod in", "rod out", "with the load", "its gas holds", "out", "own period")
-    return table(head, rows, "lrrlrrr") if rows else []
+    return table(head, rows, "lrrlrrr", width) if rows else []
 
 
-def _put_on_later(scenario: Scenario) -> list[str]:
+def _put_on_later(scenario: Scenario, width: int) -> list[str]:
     """Slings that are not there at the start; bodies keep their masses, so they hang at their upper ends."""
     from gantline.assembly.yard import upper_lump
     from gantline.cli.table import show, table
@@ -307,10 +310,10 @@ def _put_on_later(scenario: Scenario) -> list[str]:
         for name, step in first_put_on(scenario).items()
     ]
     head = ("Sling put on later", "by step", "all its mass hangs at", "mass")
-    return table(head, rows, "lllr") if rows else []
+    return table(head, rows, "lllr", width) if rows else []
 
 
-def _sheaves(rig: Rig) -> list[str]:
+def _sheaves(rig: Rig, width: int) -> list[str]:
     """Losses and inertia of each sheave that is not ideal; neighbours on a rope that are alike in one row."""
     from gantline.cli.table import show, table
 
@@ -333,4 +336,4 @@ def _sheaves(rig: Rig) -> list[str]:
         return first if len(sheaves) == 1 else f"{first} to {last}, {len(sheaves)} sheaves"
 
     rows = [(named(list(alike)), *like) for like, alike in groupby(rig.sheaves, is_like)]
-    return table(head, rows, "llrrrl") if rows else []
+    return table(head, rows, "llrrrl", width) if rows else []

@@ -10,15 +10,16 @@ from gantline.cli.table import show, table
 __all__ = ["guides_table"]
 
 
-def guides_table(fits: Mapping[str, GuideFit]) -> list[str]:
+def guides_table(fits: Mapping[str, GuideFit], width: int) -> list[str]:
     """Every landing guide; nothing in a lift without.
 
     Args:
         fits: how each fits, by its name.
+        width: columns of text that a line may have.
     """
     rows = [(name, *_place(fit), show(min(fit.catches.values()), "m", 3)) for name, fit in fits.items()]
     head = ("Guide", "at the start", "of what is on the load", "caught up to")
-    return table(head, rows, "llrr") if rows else []
+    return table(head, rows, "llrr", width) if rows else []
 
 
 def _place(fit: GuideFit) -> tuple[str, str]:

@@ -11,8 +11,13 @@ if TYPE_CHECKING:
     from gantline.scenario.cranes.charts import Chart
 
 
-def lead_table(scenario: Scenario) -> list[str]:
-    """For each hook that leads its way by radius, slew and boom, the least rated there, the fastest drive."""
+def lead_table(scenario: Scenario, width: int) -> list[str]:
+    """For each hook that leads its way by radius, slew and boom, the least rated there, the fastest drive.
+
+    Args:
+        scenario: the lift.
+        width: columns of text that a line may have.
+    """
     from gantline.assembly.doubts.lead import row_of
     from gantline.scenario.consistency.lead import drives_along, fastest
     from gantline.scenario.plan.lead import LeadStep
@@ -46,7 +51,7 @@ def lead_table(scenario: Scenario) -> list[str]:
                 )
             )
     head = ("Led by step", "hook", "radius", "rated there", "slew", "boom", "hoists", "nearest to its speed")
-    return table(head, rows, "llrrrrrl") if rows else []
+    return table(head, rows, "llrrrrrl", width, keys=2) if rows else []
 
 
 def _degrees(angle: float) -> str:

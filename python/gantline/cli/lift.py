@@ -141,9 +141,11 @@ def recording_file(lift: Path) -> Path | None:
     """The recording that is meant: a file of that kind, or that in a folder which `gantline run` wrote."""
     if lift.suffix == ".nc":
         return lift
-    if lift.is_dir() and not (lift / "scenario.yaml").exists() and (lift / RECORDING).is_file():
-        return lift / RECORDING
-    return None
+    try:
+        is_of_run = lift.is_dir() and not (lift / "scenario.yaml").exists() and (lift / RECORDING).is_file()
+    except OSError:  # told where it is read as a lift file
+        return None
+    return lift / RECORDING if is_of_run else None
 
 
 def opened(file: Path) -> Recording:

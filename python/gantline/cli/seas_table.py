@@ -40,7 +40,10 @@ def _field(found: SavedSeas, direction: float, width: int) -> list[str]:
         seas = found.of(direction, period)[::-1]
         cells = [" ".join(filter(None, (sea.share, sea.told))) for sea in seas]
         allowed = found.allowed[direction, period]
-        columns.append([f"{period:g} s", *cells, "none" if allowed is None else f"{allowed:g} m"])
+        # The lowest sea is left out by Ctrl-C alone, and then nobody knows.
+        is_known = seas[-1].is_run or seas[-1].is_too_steep
+        none = "none" if is_known else ABSENT
+        columns.append([f"{period:g} s", *cells, none if allowed is None else f"{allowed:g} m"])
     first = [f"Towards {degrees(direction)}", *(f"{height:g} m" for height in heights), "allowed"]
     return [line for part in tables(first, columns, width=width) for line in part]
 
@@ -92,8 +95,12 @@ def _one_in_ten(found: SavedSeas) -> list[str]:
 
 def _notes(found: SavedSeas) -> Iterator[str]:
     """What to know of the tables."""
-    if any(not sea.is_run and not sea.is_too_steep for sea in found.seas):
+    left_out = [sea for sea in found.seas if not sea.is_run and not sea.is_too_steep]
+    is_beyond = {found.stopper(sea.direction, sea.period) is not None for sea in left_out}
+    if True in is_beyond:
         yield "not run: higher than a sea in which the lift is no go; --every runs these, too"
+    if False in is_beyond:
+        yield "not run: the search was interrupted before"
     if any(sea.is_too_steep for sea in found.seas):
         limit = "they would break" if found.is_regular else "DNV-RP-C205, 3.5.4"
         yield f"too steep: there are no such waves ({limit})"

@@ -15,12 +15,13 @@ __all__ = ["supports_table"]
 _NO_GAP, _LEVEL = 5e-4, 0.01
 
 
-def supports_table(under: Sequence[UnderLoad], base: str | None) -> list[str]:
+def supports_table(under: Sequence[UnderLoad], base: str | None, width: int) -> list[str]:
     """Every support of the group that a load stands on; nothing where all touch it and it is level.
 
     Args:
         under: all supports, and where the load is over them.
         base: name of the group that it stands on; None where it stands on none.
+        width: columns of text that a line may have.
     """
     own = [one for one in under if one.support.group == base]
     if all(one.gap is not None and abs(one.gap) < _NO_GAP and one.rise < _LEVEL for one in own):
@@ -35,4 +36,5 @@ def supports_table(under: Sequence[UnderLoad], base: str | None) -> list[str]:
         )
         for one in own
     ]
-    return table(("Support", "world x", "y", "height", "below the load", "which rises by"), rows, "lrrrrr")
+    head = ("Support", "world x", "y", "height", "below the load", "which rises by")
+    return table(head, rows, "lrrrrr", width)

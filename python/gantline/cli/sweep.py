@@ -11,7 +11,16 @@ from typing import TYPE_CHECKING, NoReturn
 
 import typer
 
-from gantline.cli.messages import CHECK_FAILED, COULD_NOT_GO_ON, DONE, NO_VERDICT, scenario_errors, stop
+from gantline.cli.messages import (
+    CHECK_FAILED,
+    COULD_NOT_GO_ON,
+    DONE,
+    INTERRUPTED,
+    NO_VERDICT,
+    scenario_errors,
+    stop,
+    warn,
+)
 from gantline.cli.spans import count_of
 
 if TYPE_CHECKING:
@@ -32,23 +41,32 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
 
     Raises:
         typer.Exit: Always; with 1 where a check fails, a lift is unstable or cannot start, with 3 where it
-            falls, and with 4 where nothing hangs at that time.
+            falls, with 4 where nothing hangs at that time, and with 130 where Ctrl-C ended it with what there
+            was.
     """
     path, first, last, count = _read(text)
     with scenario_errors():
         from gantline.cli.cases_table import nothing_hangs
         from gantline.cli.check_table import width_of_terminal
         from gantline.cli.lift import refuse_beyond
+        from gantline.cli.progress import telling
+        from gantline.interrupt import noted_interrupt
         from gantline.scenario import load_scenario
         from gantline.scenario.file.tree_path import PathError
-        from gantline.study import run_sweep
+        from gantline.study import SweepPoint, run_sweep
         from gantline.study.sweep import SweepError
         from gantline.units import UnitError
 
         scenario = load_scenario(lift)
         refuse_beyond(scenario, time)
         try:
-            points = list(run_sweep(scenario, path, first, last, count, time))
+            points = list[SweepPoint]()
+            with telling("sweep") as tell, noted_interrupt() as is_interrupted:
+                for point in run_sweep(scenario, path, first, last, count, time):
+                    points.append(point)
+                    tell(f"{len(points)} of {count} values")
+                    if is_interrupted():
+                        break
         except (PathError, UnitError) as problem:
             stop(f"--sweep: {problem}")
         except SweepError as problem:
@@ -59,6 +77,9 @@ def sweep(lift: Path, text: str, time: float | None, *, as_json: bool = False) -
         typer.echo(json.dumps(document, indent=2, allow_nan=False))
     else:
         typer.echo("\n".join([*scenario.left_out_at_rest, *_lines(path, points, width_of_terminal())]))
+    if len(points) < count:
+        warn(f"interrupted after {len(points)} of {count} values")
+        raise typer.Exit(INTERRUPTED)
     if any(point.state.starts and point.state.rest is None for point in points):
         raise typer.Exit(COULD_NOT_GO_ON)
     states = [point.state for point in points]

@@ -14,20 +14,44 @@ ABSENT = "-"
 _KEPT = "\u00a0"
 
 
-def table(head: Sequence[str], rows: Sequence[Sequence[str]], align: str) -> list[str]:
+def table(
+    head: Sequence[str], rows: Sequence[Sequence[str]], align: str, width: int | None = None, keys: int = 1
+) -> list[str]:
     """Lines of a table.
 
     Args:
         head: Titles of the columns.
         rows: Cells of each row.
         align: For each column `l` (left) or `r` (right).
+        width: Columns of text that a line may have: where it is too wide its last columns stand in further
+            tables below, each behind the first ones; as wide as it is if not given.
+        keys: How many first columns say what a row is of.
 
     Returns:
         The head and one line for each row, indented below it, without trailing blanks.
     """
+    if width is not None:
+        return _continued(head, rows, align, width, keys)
     indented = [[f"  {row[0]}", *row[1:]] for row in rows]
     widths = [max(len(row[column]) for row in [list(head), *indented]) for column in range(len(head))]
     return [_line(row, widths, align) for row in [list(head), *indented]]
+
+
+def _continued(
+    head: Sequence[str], rows: Sequence[Sequence[str]], align: str, width: int, keys: int
+) -> list[str]:
+    """A table in as many as its width needs, each with the first columns and one more at least."""
+    lines, done = list[str](), keys
+    while done < len(head):
+        for end in range(len(head), done, -1):
+            columns = [*range(keys), *range(done, end)]
+            cells = [[row[column] for column in columns] for row in (head, *rows)]
+            part = table(cells[0], cells[1:], "".join(align[column] for column in columns))
+            # A column without a title says more of the one before it.
+            if max(map(len, part)) <= width and (end == len(head) or head[end]):
+                break
+        lines, done = lines + part, end
+    return lines
 
 
 def cut(lines: list[str], most: int) -> list[str]:

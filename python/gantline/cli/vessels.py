@@ -35,12 +35,17 @@ _LIES = (
 )
 
 
-def recorded_motions(rig: Rig) -> list[str]:
-    """Which vessels move by records, and until when these grow; a load is not to be lifted before."""
+def recorded_motions(rig: Rig, width: int) -> list[str]:
+    """Which vessels move by records, and until when these grow; a load is not to be lifted before.
+
+    Args:
+        rig: the lift.
+        width: columns of text that a line may have.
+    """
     rows = [
         (one.name, format_quantity(one.grows_over, "s", 1)) for one in rig.vessels if one.grows_over > 0.0
     ]
-    return table(("Vessel that moves by a record", "which grows until"), rows, "lr") if rows else []
+    return table(("Vessel that moves by a record", "which grows until"), rows, "lr", width) if rows else []
 
 
 def vessels(recording: Recording) -> list[str]:

@@ -6,6 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
 from gantline.results.metrics import energy_bound
 from gantline.results.rig import Rig
 from gantline.results.stability import energy_gain
@@ -23,6 +25,9 @@ _WIDE = 0.01
 #: Energy from nowhere above which a run is doubtful, of the largest energy [1]: what `del` takes and gives in
 #: turn where a vessel rolls by 20 deg is a thousandth, in steps of 1 ms.
 _GAIN = 0.01
+#: A support that throws its load up does so at the end of a step, and energies are on a line along that:
+#: they pass a bound as much before it, or as little after, where samples lie between [s].
+_LONGEST, _JUST = 5.0, 0.1
 #: How fast lifts on slings and falls ring, for the warning [Hz].
 _RINGING = 4.0
 
@@ -46,7 +51,7 @@ def method_warnings(
         remainder: Energy that the audit cannot place, of the largest energy [1].
     """
     integrator = settings["integrator"]
-    warnings = _unbalanced(settings, remainder) + _from_nowhere(columns, names)
+    warnings = _unbalanced(settings, remainder) + _from_nowhere(integrator, columns, names)
     warnings += _unsettled(counters, columns)
     return warnings + _long_steps(integrator) + _wide_tolerance(integrator, rig)
 
@@ -60,15 +65,36 @@ def _unbalanced(settings: Mapping[str, Any], remainder: float) -> list[str]:
     return [f"the energy balance does not close: {missed}"]
 
 
-def _from_nowhere(columns: Columns, names: Names) -> list[str]:
+def _from_nowhere(integrator: Mapping[str, Any], columns: Columns, names: Names) -> list[str]:
     """A warning of a run that gains energy, which the method puts in: the balance closes with that."""
     if not len(columns["time"]):
         return []
     gain, since = energy_gain(columns["energy"], names["energy_kind"], columns["time"], _GAIN)
     if since is None:
         return []
-    share = f"{100 * gain:.2g} % of the largest energy come from nowhere"
-    return [f"{share}, the first of it by {since:.2f} s: steps are too long for what moves here"]
+    share = f"{100 * gain:.2g} % of the largest energy come from nowhere, the first of it by {since:.2f} s"
+    # The steps of `adaptive` are as short as its tolerances ask for.
+    support = _met_from_beside(columns, names, since) if integrator["type"] == "adaptive" else None
+    if support is None:
+        return [f"{share}: steps are too long for what moves here"]
+    pushed = (
+        f"{support} pushes up a load that comes over it from beside, below its top, or slides on it askew"
+    )
+    return [f"{share}: {pushed}, whatever that takes; keep the load clear of it until it is let down on it"]
+
+
+def _met_from_beside(columns: Columns, names: Names, since: float) -> str | None:
+    """The support that a load came over as energy came from nowhere [s]; None where none did."""
+    supports = {at: name for at, name in enumerate(names["contact"]) if name.startswith("support.")}
+    time = columns["time"]
+    bears = columns["contact_force"][:, list(supports)] > 0.0
+    begins = np.argwhere(bears[1:] & ~bears[:-1])
+    met = [(float(time[sample + 1]), list(supports.values())[at]) for sample, at in begins]
+    # One that has thrown its load up between two samples is known by what it did to friction.
+    events = zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
+    met += [(float(at), name) for at, kind, name in events if kind in ("slip", "stick")]
+    near = [one for one in met if one[1] in supports.values() and -_JUST <= one[0] - since <= _LONGEST]
+    return min(near)[1] if near else None
 
 
 def _unsettled(counters: Mapping[str, int], columns: Columns) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Annotated, ClassVar, Literal
@@ -58,6 +59,14 @@ _STEEL_MODULUS = 210e9
 
 _WAYS = "'axial_stiffness', 'curve', 'construction' and 'inextensible: true'"
 
+#: Prestressing strand by name, or by its designation in EN 10138-3, such as Y1860S7-15.7.
+_PRESTRESSING = re.compile(r"(prestressing |pc |7-?)?strands?|y[0-9]{4}s[0-9].*", re.IGNORECASE)
+#: Prestressing strand of 150 mm^2, 195 kN/mm^2 and 1860 N/mm^2, as EN 10138-3 has it: 15.7 mm, 1.17 kg/m.
+_OF_STRANDS = (
+    "strands by their EA and breaking force, of n times 150 mm^2 n times 'axial_stiffness: 29.3 MN', "
+    "'minimum_breaking_force: 279 kN' and 'mass: 1.17 kg/m', without 'grade'"
+)
+
 MassOfRope = Annotated[
     float | Literal["none"], WordOr(("none",), Quantity("mass_per_length", "not_negative"))
 ]
@@ -73,7 +82,8 @@ class _Construction(Reader):
             rope_class(str(value))
         except KeyError:
             sentence = f"{found(value)} is not a construction that is known here"
-            raise refuse(f"{sentence}; {_likely(str(value))}") from None
+            is_strand = _PRESTRESSING.fullmatch(str(value).strip())
+            raise refuse(f"{sentence}; {_OF_STRANDS if is_strand else _likely(str(value))}") from None
         return str(value)
 
     def shown(self) -> JsonSchemaValue:

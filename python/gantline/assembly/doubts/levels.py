@@ -56,7 +56,8 @@ def _high_pins(scenario: Scenario) -> Iterator[Doubt]:
                 over, what = over - extent[1][2], "deck"
         if over > most * length:
             high = f"the heel pins of {boom.name} are {format_quantity(over, 'm', 1)} over the {what}"
-            sentence = f"{high}, and it is {format_quantity(length, 'm', 1)} long; a digit has slipped"
+            why = "a digit has slipped" if what == "ground" else "a digit has slipped, unless on a tower"
+            sentence = f"{high}, and it is {format_quantity(length, 'm', 1)} long; {why}"
             yield Doubt(path, sentence)
 
 

@@ -53,6 +53,7 @@ def doubtful_set_down(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
     if load is None or load.stands_on is None or load.in_water or beside:
         return
     ways, is_let_down = list(_ways(scenario, rigging)), False
+    yield from _begins_down(scenario, load.name, ways)
     for way in ways:
         if not isinstance(scenario.plan[way.place], HookStep):
             continue
@@ -69,6 +70,23 @@ def doubtful_set_down(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
             yield Doubt(("plan", way.place, "lower"), f"{lowers}: {right}")
             return
     yield from _never_held(scenario, load.name, ways)
+
+
+def _begins_down(scenario: Scenario, load: str, ways: Sequence[_Way]) -> Iterator[Doubt]:
+    """A plan that begins with a way down of the hooks of a load that stands, and takes no sling off."""
+    first = next((way.place for way in ways if isinstance(scenario.plan[way.place], HookStep)), None)
+    if first is None or any(step.detach or step.cut for step in scenario.plan):
+        return
+    step = scenario.plan[first]
+    if not isinstance(step, LowerStep):
+        return
+    hooks = full_names(step.moved, scenario.hooks)
+    lowest = min(scenario.hooks[name].height for name in hooks)
+    way = step.by if step.by is not None else 0.0 if step.to is None else lowest - step.to
+    if way > _SLACK:
+        lowers = f"step '{step.step}' lowers {' and '.join(hooks)} by {format_quantity(way, 'm', 2)}"
+        sentence = f"{lowers} while {load} stands, and nothing was lifted before: its slings go slack"
+        yield Doubt(("plan", first, "lower"), f"{sentence}; is 'hoist' meant?")
 
 
 def _never_held(scenario: Scenario, load: str, ways: Sequence[_Way]) -> Iterator[Doubt]:

@@ -59,6 +59,8 @@ _ANGLES = {
     "lug_out_of_plane_angle": 90.0,
     "fleet_angle": 30.0,
 }
+#: Bounds of steps that are forces.
+_FORCES = ("sling_tension", "hook_load")
 #: A distance that is kept and is less is no distance [m]; of models, less than this share of the load's
 #: longest side [1].
 _LEAST_KEPT, _LEAST_OF_LOAD = 5e-3, 1e-3
@@ -174,7 +176,22 @@ def _limits(scenario: Scenario) -> Iterator[Doubt]:
         for key in () if require is None else type(require).model_fields:
             bound = getattr(require, key)
             if isinstance(bound, Bound) and bound.relation == "below":
-                yield from _limit(("plan", place, "require", key), key, bound.value)
+                path = ("plan", place, "require", key)
+                yield from _limit(path, key, bound.value)
+                if key in _FORCES:
+                    yield from _force(scenario, path, bound.value)
+
+
+def _force(scenario: Scenario, path: Path, value: float) -> Iterator[Doubt]:
+    """Of a force that a step requires to stay below a bound [N]."""
+    load = scenario.load
+    if load is None:
+        return
+    weighs = (load.weight.design + load.room) * scenario.simulation.gravity
+    if value > _TIMES_THE_LOAD * weighs and value > _FROM_THE_SHOP * scenario.simulation.gravity:
+        below, weight = (format_by_size(force, "force", 4) for force in (value, weighs))
+        times = f"{below} are {value / weighs:,.0f} times what all of the load weighs, {weight}"
+        yield Doubt(path, f"{times}, and let everything pass; {_SLIPPED}")
 
 
 def _limit(path: Path, key: str, value: float) -> Iterator[Doubt]:

@@ -156,6 +156,10 @@ def _opened(path: Path) -> Iterator[h5py.File]:
             yield file
     except FileNotFoundError:
         raise
+    except PermissionError as problem:
+        raise ValueError(
+            f"{path}: cannot be read ({(problem.strerror or 'permission denied').lower()})"
+        ) from None
     except FormError as problem:
         raise ValueError(
             f"{path}: {problem}. The recording is damaged, or another program has changed it: "

@@ -131,6 +131,11 @@ def overlaps(recording: Recording) -> list[Overlap]:
             # What begins in it, as a foot in its bucket, is drawn so until it has come out.
             has_been_out = np.logical_or.accumulate(depth <= least)
             depth, is_past = np.where(has_been_out, depth, 0.0), is_past & has_been_out
+        if one.of == other.of and {one.kind, other.kind} == {"hook", "boom"}:
+            # A head is drawn as deep as all of its boom, and a hook block comes close to it.
+            boom = one if one.kind == "boom" else other
+            is_past &= depth > boom.sizes.min()
+            depth = np.where(is_past, depth, 0.0)
         if depth.max() > least:
             since = float(recording.time[looks[int(np.argmax(depth > least))]])
             deep = float(depth.max())
@@ -139,13 +144,13 @@ def overlaps(recording: Recording) -> list[Overlap]:
 
 
 def _is_apart(one: _Body, other: _Body) -> bool:
-    """Whether two belong to different things: to a crane all of it, but for its hook blocks among each other.
+    """Whether two belong to different things: to a crane all of it, but for its hook blocks beside its boom.
 
-    Fixed hooks are no hook blocks: several may stand for one.
+    Hook blocks of one crane are held against each other too. Fixed hooks are none: several may stand for one.
     """
     if one.kind == other.kind == "hook":
         return one.of != one.name and other.of != other.name
-    return one.of != other.of
+    return one.of != other.of or {one.kind, other.kind} == {"hook", "boom"}
 
 
 def _stands_on(recording: Recording, one: _Body, other: _Body) -> bool:

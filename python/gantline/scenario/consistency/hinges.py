@@ -57,7 +57,8 @@ def _no_holder(scenario: Scenario, name: str) -> str:
     if name in hooks_of(scenario.cranes or {}, scenario.hook_types or {}):
         return f"'{name}' is a hook, and a hinge stands on a vessel or another part of a crane"
     if scenario.mechanics is not None and name in scenario.mechanics.bodies:
-        return f"'{name}' is a body of 'mechanics'"
+        instead = "ropes of 'mechanics' from it to the load carry its foot"
+        return f"'{name}' is a body of 'mechanics', and holds no hinge: {instead}"
     return f"'{name}' is not a vessel or a part of a crane"
 
 

@@ -60,8 +60,10 @@ _CRANES = ("fixed_hook", "goliath", "floating_crane", "crawler")
 _MEANT = {
     **dict.fromkeys(("sheerleg", "sheerlegs", "pedestal_crane"), "floating_crane"),
     **dict.fromkeys(("gantry", "gantry_crane"), "goliath"),
-    "crawler_crane": "crawler",
+    **dict.fromkeys(("crawler_crane", "mobile_crane"), "crawler"),
 }
+#: Tower cranes whose boom luffs have a type here, those with a trolley on a level jib have none.
+_TOWERS = ("tower_crane", "tower", "luffing_tower_crane", "luffing_crane")
 #: A strand jack is no crane: what stands for it.
 _JACKS = ("strand_jack", "strand_jacks")
 
@@ -188,6 +190,9 @@ class FixedHook(Element):
             raise refuse(f"'type' is missing; a crane is one of {known}{hint}")
         if isinstance(kind, str) and kind in _MEANT:
             raise refuse(f"a {found(kind)} is written as 'type: {_MEANT[str(kind)]}' here", "type")
+        if kind in _TOWERS:
+            luffs = "a tower crane that luffs is written as 'type: floating_crane', ashore with 'position'"
+            raise refuse(f"{luffs} and 'heading' in place of a 'vessel'; none here has a level jib", "type")
         if kind in _JACKS:
             drum = "a drum of 'mechanics' with a 'drive', its bundle a rope from there to the load"
             hook = "or 'type: fixed_hook' with a sling, where the load goes straight up"
