@@ -8,7 +8,7 @@ from gantline.results.gear import Hook
 from gantline.results.rig import Rig
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
-__all__ = ["hook_loads"]
+__all__ = ["hook_loads", "hook_peaks"]
 
 
 def hook_loads(columns: Columns, names: Names, rig: Rig) -> Derived:
@@ -25,6 +25,29 @@ def hook_loads(columns: Columns, names: Names, rig: Rig) -> Derived:
         "hook_load": Variable(dims, hook_load, "N", "vertical force on the bearing of a hook"),
         "hoist_load": Variable(dims, hoist_load, "N", "hook load with hook block and hanging falls"),
     }, {"hook": [hook.name for hook in rig.hooks]}
+
+
+def hook_peaks(pulled: Columns, names: Names, rig: Rig) -> dict[str, Variable]:
+    """Hook load and hoist load [N] when the ropes of a hook pulled most, and when that was [s].
+
+    Args:
+        pulled: Columns of one moment for each hook, in their order; of fewer before the first step.
+        names: Names along their dimensions.
+        rig: The lift.
+
+    Returns:
+        Variables by their names, shape (hook,); nothing without hooks or before the first step.
+    """
+    if not rig.hooks or len(pulled["time"]) != len(rig.hooks):
+        return {}
+    loads, _ = hook_loads(pulled, names, rig)
+    hook, hoist = (loads[name].values.diagonal().copy() for name in ("hook_load", "hoist_load"))
+    when = "when its ropes pulled most, over all steps"
+    return {
+        "hook_peak_load": Variable(("hook",), hook, "N", f"hook load {when}"),
+        "hoist_peak_load": Variable(("hook",), hoist, "N", f"hoist load of a hook {when}"),
+        "hook_peak_time": Variable(("hook",), pulled["time"], "s", "when ropes of a hook pulled most"),
+    }
 
 
 def _hoist_load(columns: Columns, names: Names, hook: Hook, hook_load: FloatArray) -> FloatArray:
