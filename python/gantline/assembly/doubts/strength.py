@@ -183,8 +183,8 @@ def _limits(scenario: Scenario) -> Iterator[Doubt]:
                 yield from _limit(path, key, bound.value) if bound.relation == "below" else ()
                 yield from _required(scenario, path, key, bound)
     if limits is not None and (least := limits.smallest_sling_tension_when_clear) is not None:
-        path = ("limits", "smallest_sling_tension_when_clear")
-        yield from _required(scenario, path, "sling_tension", Bound("above", least))
+        kept = ("limits", "smallest_sling_tension_when_clear")
+        yield from _required(scenario, kept, "sling_tension", Bound("above", least))
 
 
 def _required(scenario: Scenario, path: Path, key: str, bound: Bound) -> Iterator[Doubt]:
