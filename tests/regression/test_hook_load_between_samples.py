@@ -85,9 +85,18 @@ def test_a_run_that_is_taken_up_has_the_peak_too() -> None:
     other = gantline.Simulation(lift)
     other.restore(state)
     again = other.run()
-    for name in ("hook_peak_load", "hoist_peak_load", "hook_peak_time"):
+    for name in ("hook_peak_load", "hook_peak_time", "hoist_peak_load", "hoist_peak_time"):
         assert np.array_equal(whole[name].values, again[name].values)
     assert 0.5 < float(again.column("hook_peak_time", "hook")) < 0.8
+
+
+def test_a_comparison_has_it() -> None:
+    """Of samples 20 ms and 1 ms apart the peaks are one; by samples they were 4 % apart."""
+    lift = gantline.parse_scenario(LIFT).changed({"supports.wedges.removed_at": "504 ms"})
+    runs = [gantline.simulate(lift, sample_interval=apart) for apart in (0.02, 1e-3)]
+    (hook,) = gantline.compare(*runs).hooks
+    assert hook.peak_a.value == pytest.approx(_most(), rel=1e-4)
+    assert hook.peak_b.value == pytest.approx(hook.peak_a.value, rel=1e-6)
 
 
 def test_fixed_steps_have_it_at_their_ends() -> None:
@@ -99,3 +108,45 @@ def test_fixed_steps_have_it_at_their_ends() -> None:
     most = float(fine.column("hook_load", "hook").max())
     assert coarse.metrics()["peak_hook_load"] == pytest.approx(most, rel=1e-9)
     assert coarse.column("hook_load", "hook").max() < 0.99 * most
+
+
+#: The same load in a crawler crane of 600 t class, 16 m ahead of its slewing axis.
+BY_A_CRANE = LIFT.replace(
+    LIFT[LIFT.index("  hook: {") : LIFT.index("slings:\n")],
+    """\
+  crane:
+    type: crawler
+    position: [-16 m, 0 m]
+    rating_includes_hook_block: true
+    tracks: {length: 9 m, width: 1.5 m, gauge: 8.4 m, mats: 6 m}
+    base_mass: 190 t
+    central_ballast: 95 t
+    counterweight: {mass: 250 t, behind: 6.5 m}
+    boom: {heel_pins: {ahead: 1.6 m, height: 2.5 m}, length: 63 m, radius: 16 m, mass: 60 t,
+      centre_of_gravity: 45 %}
+    luffing: {speed: 3 deg/min, acceleration: 0.02 deg/s^2, range: [30 deg, 82 deg]}
+    rating: {radius: [12 m, 14 m, 16 m, 20 m], rated: [90 t, 90 t, 90 t, 90 t]}
+    hooks: {H: {type: H, height: 14 m}}
+hook_types:
+  H:
+    rated_capacity: 400 t
+    block: {mass: 7 t, height: 2 m}
+    reeving: {parts_each: 14, rope: fall, sheave_diameter: 0.7 m, below_head: 1 m, sheave_block_mass: 1 kg}
+    drum: {diameter: 0.8 m}
+    hoist: {speed: 6 m/min, acceleration: 0.02 m/s^2}
+""",
+)
+BY_A_CRANE = BY_A_CRANE.replace("from: hook", "from: crane.H").replace(
+    "ropes: {",
+    "ground: {level: 0 m}\nropes: {fall: {axial_stiffness: 36 MN, damping_time: 10 ms, mass: none}, ",
+)
+
+
+def test_a_chart_has_it() -> None:
+    """Use of a rating chart, 90 t wherever the hook is, by samples 0.1 s and 1 ms apart."""
+    lift = gantline.parse_scenario(BY_A_CRANE).changed({"duration": "2 s"})
+    coarse, fine = (gantline.simulate(lift, sample_interval=apart) for apart in (0.1, 1e-3))
+    most = float(fine.column("hoist_load", "crane.H").max())
+    assert coarse.column("hoist_load", "crane.H").max() < 0.99 * most
+    (used,) = (one for one in check_recording(coarse) if one.name == "hoist_load_of_rating")
+    assert used.value == pytest.approx(most / (90e3 * 9.81), rel=1e-4)

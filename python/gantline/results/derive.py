@@ -45,7 +45,7 @@ def recording_of(
         columns: Columns of the core by name.
         names: Names along their dimensions, and `event_kind`, `event_name`.
         rig: What results need to know of the lift, see `gantline.results.rig`.
-        pulled: Columns of one moment for each hook, that at which its ropes pulled most.
+        pulled: Columns of the moments at which ropes of hooks pulled most, see `hook_peaks`.
         attributes: Further attributes of the recording: `title`, `scene`, `settings`, ...
 
     Returns:

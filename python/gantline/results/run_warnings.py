@@ -82,8 +82,8 @@ def missed_incidents(
 def missed_peaks(rig: Rig, columns: Columns, names: Names) -> list[str]:
     """A warning where samples are too far apart for peaks, as ropes show, whose peaks are those of all steps.
 
-    Of a hook by itself the load is kept when its ropes pulled most. What several bear together, or of their
-    charts, is that of samples, and was more as well where their ropes had more between two of them.
+    Of a hook by itself the load is kept when its ropes pulled most. What several bear together is that of
+    samples, and was more as well where their ropes had more between two of them.
     """
     time = columns["time"]
     if not rig.hooks or len(time) < 3:

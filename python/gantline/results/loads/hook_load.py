@@ -28,26 +28,35 @@ def hook_loads(columns: Columns, names: Names, rig: Rig) -> Derived:
 
 
 def hook_peaks(pulled: Columns, names: Names, rig: Rig) -> dict[str, Variable]:
-    """Hook load and hoist load [N] when the ropes of a hook pulled most, and when that was [s].
+    """Largest hook and hoist load [N] when the ropes of a hook pulled most, and when that was [s].
 
     Args:
-        pulled: Columns of one moment for each hook, in their order; of fewer before the first step.
+        pulled: Columns of one moment for each hook, in their order, at which what hangs in it pulled most, and
+            then of one for each hook with falls at which these did; of fewer before the first step.
         names: Names along their dimensions.
         rig: The lift.
 
     Returns:
         Variables by their names, shape (hook,); nothing without hooks or before the first step.
     """
-    if not rig.hooks or len(pulled["time"]) != len(rig.hooks):
+    count = len(rig.hooks)
+    own = [[place] for place in range(count)]
+    for place, hook in enumerate(rig.hooks):
+        if hook.falls:
+            own[place].append(count)
+            count += 1
+    if not rig.hooks or len(pulled["time"]) != count:
         return {}
     loads, _ = hook_loads(pulled, names, rig)
-    hook, hoist = (loads[name].values.diagonal().copy() for name in ("hook_load", "hoist_load"))
-    when = "when its ropes pulled most, over all steps"
-    return {
-        "hook_peak_load": Variable(("hook",), hook, "N", f"hook load {when}"),
-        "hoist_peak_load": Variable(("hook",), hoist, "N", f"hoist load of a hook {when}"),
-        "hook_peak_time": Variable(("hook",), pulled["time"], "s", "when ropes of a hook pulled most"),
-    }
+    found = {}
+    for name in ("hook", "hoist"):
+        values = loads[f"{name}_load"].values
+        most = [max(at, key=values[:, place].__getitem__) for place, at in enumerate(own)]
+        load, time = values[most, np.arange(len(own))], pulled["time"][most]
+        text = f"largest {name} load when ropes of the hook pulled most, over all steps"
+        found[f"{name}_peak_load"] = Variable(("hook",), load, "N", text)
+        found[f"{name}_peak_time"] = Variable(("hook",), time, "s", f"time of {name}_peak_load")
+    return found
 
 
 def _hoist_load(columns: Columns, names: Names, hook: Hook, hook_load: FloatArray) -> FloatArray:

@@ -30,5 +30,7 @@ def hook_peak(
     all_count = during is None or during.all()
     if recording.is_equilibrium or not all_count or "hook_peak_load" not in recording:
         return of_samples
-    of_steps = float(recording.column(variable.replace("_load", "_peak_load"), hook))
-    return earliest_peak(of_samples, (of_steps, float(recording.column("hook_peak_time", hook))))
+    of_steps = [
+        float(recording.column(variable.replace("_load", of), hook)) for of in ("_peak_load", "_peak_time")
+    ]
+    return earliest_peak(of_samples, (of_steps[0], of_steps[1]))
