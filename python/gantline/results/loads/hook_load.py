@@ -31,7 +31,7 @@ def hook_peaks(pulled: Columns, names: Names, rig: Rig) -> dict[str, Variable]:
     """Largest hook and hoist load [N] when the ropes of a hook pulled most, and when that was [s].
 
     Args:
-        pulled: Columns of one moment for each hook, in their order, at which what hangs in it pulled most, and
+        pulled: Columns of one moment for each hook, in their order, at which what hangs in it pulled most,
             then of one for each hook with falls at which these did; of fewer before the first step.
         names: Names along their dimensions.
         rig: The lift.
