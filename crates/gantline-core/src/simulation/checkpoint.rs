@@ -28,8 +28,8 @@ struct Checkpoint {
 }
 
 /// What a saved state begins with. The number is that of its form: it grows when what the samples are packed as changes,
-/// or the order of rows.
-const KIND: &str = concat!("gantline ", env!("CARGO_PKG_VERSION"), " state 4\n");
+/// the order of rows, or what lies beside them.
+const KIND: &str = concat!("gantline ", env!("CARGO_PKG_VERSION"), " state 5\n");
 /// What those of other versions begin with.
 const OTHERS: [&str; 2] = ["gantline ", "{\"fingerprint\":"];
 
