@@ -38,8 +38,12 @@ class Simulation:
     def present(self) -> dict[str, npt.NDArray[np.float64]]:
         """Columns of the present alone, by name."""
 
-    def columns(self) -> dict[str, npt.NDArray[np.float64]]:
-        """What was recorded so far, by name."""
+    def columns(self, of_pulls: bool = False) -> dict[str, npt.NDArray[np.float64]]:
+        """What was recorded so far, by name.
+
+        Of pulls it is one moment for each group of ropes in `pulls` of the document, that at which they
+        pulled most together over all steps; fewer before the first step.
+        """
 
     def rope_tension(self) -> npt.NDArray[np.float64]:
         """Tensions of all ropes [N], shape (samples, ropes), without working out the other columns."""

@@ -348,6 +348,7 @@ class Simulation:
             columns,
             names,
             self._rig_afloat(columns, names),
+            self._core.columns(of_pulls=True),
             title=str(self.assembly.rig.get("title", "")),
             gantline_version=version(),
             scenario=self.scenario.text,

@@ -1,8 +1,9 @@
 """Peaks of hook loads between samples.
 
-Of ropes the largest tension of all steps is kept; a hook load is that of samples. A module that was snatched
+Of ropes the largest tension of all steps is kept; a hook load was that of samples. A module that was snatched
 off the ground put 910 kN on its hook, a dynamic factor of 1.054; with samples 0.5 s apart it was 885 kN, and
-1.025, beside slings whose peaks were right, and nothing said so.
+1.025, beside slings whose peaks were right, and nothing said so. Then that samples miss peaks was told; now
+the hook load is kept too when the ropes of the hook pull most.
 """
 
 from __future__ import annotations
@@ -39,17 +40,21 @@ plan:
 
 
 def test_samples_that_miss_peaks_are_told() -> None:
-    """Hook load by samples of 20 ms and 0.5 s; peaks of slings are the same, and tell."""
+    """Hook load by samples of 20 ms and 0.5 s: those that miss it tell, and its peak is the same."""
     lift = gantline.parse_scenario(LIFT)
     fine, coarse = (gantline.simulate(lift, sample_interval=apart) for apart in (0.02, 0.5))
     peaks = [run.metrics()["peak_hook_load"] for run in (fine, coarse)]
-    assert peaks[1] < 0.98 * peaks[0]
+    assert coarse["hook_load"].values.max() < 0.98 * peaks[0]
+    # Samples at most 10 ms beside a peak of a swing of some 3 Hz miss 1 - cos(2π 3 0.01) = 2 % of it, and it
+    # stands 5 % over the static one.
+    assert peaks[1] == pytest.approx(peaks[0], rel=0.02 * 0.05)
     assert fine.metrics()["peak_sling_tension"] == pytest.approx(coarse.metrics()["peak_sling_tension"])
     assert not [one for one in fine.attributes["warnings"] if one.startswith("samples")]
     (said,) = [one for one in coarse.attributes["warnings"] if one.startswith("samples")]
     assert said.startswith("samples 0.50 s apart miss peaks: sling.")
     assert said.endswith(
-        "hook loads, angles and distances are those of samples: a shorter 'sample_interval' has their peaks"
+        "loads of several hooks together, hinges, angles and distances are those of samples: a shorter "
+        "'sample_interval' has their peaks"
     )
 
 

@@ -2,6 +2,7 @@
 
 A heel of 50 deg and a tilt of 2000 deg under `limits` were told as limits that let everything pass. The same
 at a hold point, `require: {load_tilt: below 200 deg}`, was taken as it was, and the hold point passed.
+So did slings below 1000 MN, for kN, of a module of 40 t, and slings that were to keep 10 N, for kN.
 """
 
 from __future__ import annotations
@@ -48,3 +49,43 @@ def test_what_everything_meets_is_told(required: str, key: str, said: str) -> No
 def test_what_something_misses_is_not(required: str) -> None:
     """A load that is turned over comes to 180 deg; what has to be above an angle is another matter."""
     assert told(required) == []
+
+
+#: What all of the module of 40 t with its contingency of 1.15 weighs [N].
+WEIGHT = 40e3 * 1.15 * 9.81
+
+
+@pytest.mark.parametrize(
+    ("required", "times", "passes"),
+    [
+        ("sling_tension: below 1,000 MN", f"is {1e9 / WEIGHT:,.0f} times what all", "lets everything pass"),
+        ("hook_load: below 500 MN", f"is {5e8 / WEIGHT:,.0f} times what all", "lets everything pass"),
+        ("sling_tension: above 10 N", f"is one part in {WEIGHT / 10:,.0f}", "what is all but slack has that"),
+    ],
+)
+def test_a_force_that_everything_keeps_is_told(required: str, times: str, passes: str) -> None:
+    key, _, bound = required.partition(": ")
+    (said,) = told(required.replace(",", ""))
+    assert said.startswith(f"plan[3].require.{key}: {bound} {times}")
+    assert said.endswith(f"{passes}; a unit or digit has slipped")
+
+
+@pytest.mark.parametrize(
+    "required",
+    [
+        "sling_tension: below 1 MN",
+        "sling_tension: above 1 kN",
+        "hook_load: below 9 MN",
+        "hook_load: above 1 N",
+    ],
+)
+def test_a_force_that_something_misses_is_not(required: str) -> None:
+    """Level slings bear some times the load, and that something hangs in a hook at all may be asked."""
+    assert told(required) == []
+
+
+def test_a_least_tension_in_newtons_is_told() -> None:
+    """The same under `limits`, where slings are to stay taut while the load is clear."""
+    text = LIFT + "limits: {rule: example, smallest_sling_tension_when_clear: 10 N}\n"
+    doubts = [one for one in assemble(parse_scenario(text, "x.yaml")).doubts if "limits" in one.path]
+    assert [one.path for one in doubts] == ["limits.smallest_sling_tension_when_clear"]

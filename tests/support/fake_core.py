@@ -56,8 +56,8 @@ class FakeCore:
     def ended(self) -> bool:
         return bool(self.now >= self.settings["duration"])
 
-    def columns(self) -> dict[str, Any]:
-        return self._sample()[0]
+    def columns(self, of_pulls: bool = False) -> dict[str, Any]:
+        return {"time": np.zeros(0)} if of_pulls else self._sample()[0]
 
     def names(self) -> dict[str, Any]:
         return self._sample()[1]

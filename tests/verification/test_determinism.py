@@ -176,11 +176,11 @@ def test_a_state_of_another_version_is_refused_and_said_to_be_one() -> None:
     run.run(until=0.5)
     state = run.save()
     first, rest = state.split(b"\n", 1)
-    assert first == f"gantline {gantline.__version__} state 4".encode()
+    assert first == f"gantline {gantline.__version__} state 5".encode()
     assert rest[8:].startswith(b'{"fingerprint":') and b'"ledger":' in rest
     others = [
         rest[8:],  # a state was nothing but this
-        state.replace(first, b"gantline 0.0.9 state 4", 1),
+        state.replace(first, b"gantline 0.0.9 state 5", 1),
         state.replace(b'"ledger":', b'"leger_":', 1),
     ]
     for other in others:

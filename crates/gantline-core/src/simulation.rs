@@ -16,6 +16,7 @@ use crate::event::{Event, EventLog};
 use crate::record::columns::{Columns, tensions_of};
 use crate::record::named::{Named, named};
 use crate::record::names::Names;
+use crate::record::pulls::Pulls;
 use crate::record::{Recorder, Sample, Samples, Span};
 use crate::spec::{SettingsSpec, StartSpec, SystemSpec};
 use crate::state::State;
@@ -86,6 +87,7 @@ pub struct Simulation {
     /// Steps and time [s] at which it was last asked whether the run gets on.
     asked: (u64, f64),
     samples: Samples,
+    pulls: Pulls,
     events: EventLog,
     commands: Vec<Command>,
     counters: Counters,
@@ -133,6 +135,7 @@ impl Simulation {
             document: fingerprint([document]),
             before: state.clone(),
             samples,
+            pulls: Pulls::new(&system, Sample::of(&state)),
             events: EventLog::new(),
             commands: Vec::new(),
             counters: Counters::default(),
@@ -220,7 +223,7 @@ impl Simulation {
 
     /// Records what is due of the step that has been made.
     fn record(&mut self, residual: f64) {
-        let Self { system, method, recorder, samples, before, state: after, frame, .. } = self;
+        let Self { system, method, recorder, samples, pulls, before, state: after, frame, .. } = self;
         let span = Span { before, after, residual };
         system.clock.time(Stage::Recording, || {
             let motion =
@@ -240,6 +243,14 @@ impl Simulation {
             let peak =
                 |row, known| method.peak((system, &frame.kinematics), (span.before, after), row, known);
             samples.note_peaks(system, &after.q, peak);
+            for group in 0..system.pulls.len() {
+                let pull = |rows: &_, known| method.pull((system, &frame.kinematics), after, rows, known);
+                if let Some(found) = pulls.found(system, group, &after.q, pull) {
+                    let motion =
+                        |span: &Span, share, sample: &mut Sample| method.course(system, span, share, sample);
+                    pulls.keep(system, group, found, &span, motion);
+                }
+            }
         });
     }
 
@@ -274,6 +285,14 @@ impl Simulation {
         all.push(("command_speed", of(|command| command.speed), vec![count]));
         all.push(("command_acceleration", of(|command| command.acceleration), vec![count]));
         all
+    }
+
+    /// The same by name of the moments at which groups of ropes pulled most together, one for each; fewer before the first
+    /// step.
+    pub fn columns_of_pulls(&self) -> Vec<Named> {
+        let events = self.events().iter().map(|event| event.0).collect();
+        let samples = self.pulls.samples();
+        named(&samples, Columns::of(&self.system, &samples, &self.events), &self.names(), events)
     }
 
     /// The present as columns of one sample, by name, without events.

@@ -332,6 +332,8 @@ pub struct System {
     pub removals: Vec<Removal>,
     /// Distances that are recorded.
     pub watches: Vec<Watch>,
+    /// For every group of ropes that pull together, the indices of their constraints.
+    pub pulls: Vec<Vec<usize>>,
     /// Waves on the water.
     pub sea: Arc<Trains>,
     /// What comes on top of the mean speed of the wind.

@@ -85,10 +85,11 @@ impl Simulation {
         }
     }
 
-    /// Columns of the recording so far, by name.
-    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    /// Columns of the recording so far, by name, or of the moments at which groups of ropes pulled most.
+    #[pyo3(signature = (of_pulls=false))]
+    fn columns<'py>(&self, py: Python<'py>, of_pulls: bool) -> PyResult<Bound<'py, PyDict>> {
         let inner = self.inner(py)?;
-        dictionary(py, py.detach(|| inner.named_columns()))
+        dictionary(py, py.detach(|| if of_pulls { inner.columns_of_pulls() } else { inner.named_columns() }))
     }
 
     /// Columns of the present alone, by name.
@@ -229,8 +230,7 @@ fn dictionary(py: Python<'_>, columns: Vec<Named>) -> PyResult<Bound<'_, PyDict>
 }
 
 fn array<'py>(py: Python<'py>, values: Vec<f64>, shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-    let array = ArrayD::from_shape_vec(IxDyn(shape), values);
-    Ok(array.map_err(value_error)?.into_pyarray(py))
+    Ok(ArrayD::from_shape_vec(IxDyn(shape), values).map_err(value_error)?.into_pyarray(py))
 }
 
 /// The compiled heart of gantline.

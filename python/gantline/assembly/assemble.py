@@ -77,6 +77,7 @@ from gantline.assembly.plan.parting import add_partings
 from gantline.assembly.plan.slinging import warn_of_cuts
 from gantline.assembly.rig import rig
 from gantline.assembly.ropes.between import add_between
+from gantline.assembly.ropes.pulls import add_pulls
 from gantline.assembly.ropes.rope_rig import rope_kinds
 from gantline.assembly.ropes.tag_lines import add_tag_lines
 from gantline.assembly.scene import scene
@@ -191,6 +192,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     add_touching(parts, scenario)
     kinds = rope_kinds(scenario, rigging)
     add_watches(parts, scenario, {name: kind.diameter for name, (kind, _) in kinds.items()})
+    add_pulls(parts, scenario, rigging)
     parts.plan.extend(operations(scenario, rigging, parts))
     parts.compensators.extend(compensators(scenario))
     add_compensation(parts, scenario)

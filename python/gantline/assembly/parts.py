@@ -62,6 +62,7 @@ class Parts:
         shapes: shapes by name: the body that each is on and its parts, see `gantline.assembly.shapes`.
         pairs: shapes that may touch.
         watches: distances that are recorded.
+        pulls: groups of ropes of which it is recorded when they pull most together.
         forces: of water, wind and mooring lines on bodies, in order.
         sea: waves on the water; None where there are none.
         gusts: what comes on top of the mean speed of the wind; None where nothing does.
@@ -89,6 +90,7 @@ class Parts:
     shapes: dict[str, Json] = field(default_factory=dict)
     pairs: list[Json] = field(default_factory=list)
     watches: list[Json] = field(default_factory=list)
+    pulls: list[Json] = field(default_factory=list)
     forces: list[Json] = field(default_factory=list)
     sea: Json | None = None
     gusts: Json | None = None
@@ -258,6 +260,7 @@ class Parts:
             "shapes": [shape for name, shape in self.shapes.items() if name in used],
             "pairs": self.pairs,
             "watches": self.watches,
+            "pulls": self.pulls,
             "compensators": self.compensators,
         }
         return {

@@ -24,6 +24,7 @@ from gantline.checks.measure import Found, extreme
 from gantline.results import series
 from gantline.results.alike import earliest_peak
 from gantline.results.gear import Sling
+from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.loads.hung_so import has_hung_as_heavy, how_on_the_way, never_hung_so, window_of_most
 from gantline.results.loads.skew import skew_loads
 from gantline.results.recording import Recording
@@ -208,7 +209,7 @@ def hook_force(
         recording: The recording.
         hooks: Names of the hooks.
         variable: `hook_load` or `hoist_load`.
-        during: Samples whose peak counts.
+        during: Samples whose peak counts; that of one hook is over all steps where all of them do.
         window: Time that the loads hung still, of which static is asked; that with the most if not given.
     """
     names = list(hooks)
@@ -220,6 +221,9 @@ def hook_force(
     more = to_design_weight(recording, names, window)
     force = replace(_hook_force(recording, static, more, falls, window), window=window)
     force = _with_peak_of(recording, force, total, during)
+    if force.peak is not None and len(names) == 1:
+        peak, time = hook_peak(recording, names[0], variable, during)
+        force = replace(force, peak=peak, time=time)
     if static is None or force.static is None or not static + falls:
         return force
     return _with_raised_peak(recording, force, total, during, force.static / (static + falls))

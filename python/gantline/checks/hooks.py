@@ -16,6 +16,7 @@ from gantline.checks.ratings import SEVERAL, crane_of, kept_back
 from gantline.results import series
 from gantline.results.cranes.pulled_aside import hooks_that_stay, pull_aside
 from gantline.results.gear import Hook
+from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.loads.hung_so import has_hung_so
 from gantline.results.loads.standing import all_stands
 from gantline.results.recording import Recording
@@ -41,7 +42,19 @@ def hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         counts = dict.fromkeys(counts, during)
     for hook in hooks:
         column = recording.column("hook_load", hook.name)
-        yield from extreme(recording, column, counts[hook.name], hook.name)
+        for found in extreme(recording, column, counts[hook.name], hook.name):
+            yield _over_all_steps(recording, during, found, 1.0)
+
+
+def _over_all_steps(recording: Recording, during: BoolArray, found: Found, per: float) -> Found:
+    """What was found of a hook's load in samples, over `per` [N], with its largest over all steps.
+
+    Where not all samples count it is as it was found.
+    """
+    if not during.all() or "hook_peak_load" not in recording:
+        return found
+    peak, time = hook_peak(recording, found.element, "hook_load")
+    return replace(found, value=peak / per, time=time, between=None)
 
 
 def _is_in_use(recording: Recording, hook: Hook) -> BoolArray:
@@ -79,9 +92,10 @@ def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fin
         elif not static:
             yield Missing(hook.name, "no static hook load: the load never hung still, clear of its supports")
         else:
-            highest = float(force.max())
-            text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"
-            for found in extreme(recording, force / static, during, hook.name):
+            text = f"peak {kilonewton(hook_peak(recording, hook.name, 'hook_load')[0])}"
+            text += f" / static {kilonewton(static)}"
+            for sampled in extreme(recording, force / static, during, hook.name):
+                found = _over_all_steps(recording, during, sampled, static)
                 hung_so = found.time is None or has_hung_so(recording, found.time)
                 yield replace(found, formula=text) if hung_so else Missing(hook.name, HUNG_OTHERWISE)
 

@@ -29,6 +29,7 @@ from gantline.results.cranes.rating import (
 )
 from gantline.results.cranes.rating_chart import RatingChart
 from gantline.results.loads.hinges import is_shut
+from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.loads.hung_so import most_on_the_way, never_hung_so
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
@@ -169,6 +170,7 @@ def _of_row(
         )
         yield Refused(element, reason)
         return
+    load = _with_peak(recording, during, chart, hooks, load)
     ratios, all_raised = (_ratios(recording, chart, hooks, which) for which in (beyond, loaded))
     share_of = kept * load / np.where(loaded, rated, 1.0)
     used, with_design = (np.where(loaded, raised * share_of, 0.0) for raised in (ratios, all_raised))
@@ -182,7 +184,27 @@ def _of_row(
 
     for found in extreme(recording, used, loaded, element, text):
         most = float(with_design.max())
+        if len(hooks) == 1 and during.all():
+            # What it has between samples is in it.
+            found = replace(found, between=None)
         yield replace(found, factors=names, at_design=most if most > found.value else None)
+
+
+def _with_peak(
+    recording: Recording, during: BoolArray, chart: RatingChart, hooks: Sequence[str], load: FloatArray
+) -> FloatArray:
+    """What hangs in one hook, its largest over all steps at the sample nearest to that, shape (time,) [N].
+
+    A boom goes nowhere between two samples. What hangs in several hooks, or where not all samples count, is
+    as samples have it.
+    """
+    if len(hooks) != 1 or not during.all():
+        return load
+    peak, time = hook_peak(recording, hooks[0], "hoist_load" if chart.includes_hook_block else "hook_load")
+    at = int(np.argmin(np.abs(recording.time - time)))
+    raised = load.copy()
+    raised[at] = max(load[at], peak) if load[at] > 0.0 else load[at]
+    return raised
 
 
 def _ratios(recording: Recording, chart: RatingChart, hooks: Sequence[str], beyond: BoolArray) -> FloatArray:

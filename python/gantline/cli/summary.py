@@ -23,6 +23,7 @@ from gantline.results import series
 from gantline.results.alike import first_peak
 from gantline.results.loads.contact_peaks import contact_peak
 from gantline.results.loads.drift import load_drift
+from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.loads.hung_so import has_hung_so
 from gantline.results.loads.lift_off import lift_off_in_words
 from gantline.results.loads.set_down import set_down_in_words
@@ -244,7 +245,7 @@ def _hooks(recording: Recording) -> list[str]:
         for name in ("hook_load", "hoist_load"):
             force = recording.column(name, hook.name)
             static, _ = series.greatest_static(recording, force)
-            highest, time = float(force.max()), float(recording.time[first_peak(force)])
+            highest, time = hook_peak(recording, hook.name, name)
             is_dynamic = bool(static) and has_hung_so(recording, time)
             is_rated_for = name == ("hoist_load" if hook.rating_includes_hook_block else "hook_load")
             used = shares.get(hook.name) if is_rated_for else None

@@ -30,6 +30,7 @@ from gantline.results.alike import first_peak
 from gantline.results.gear import Equalizer
 from gantline.results.loads.aside import drift_of, not_worth_a_plot, swing_of, tilt_of
 from gantline.results.loads.drift import is_taken_along
+from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.recording import Recording
 from gantline.results.ropes.families import MOST, families
 from gantline.results.variable import BoolArray, FloatArray
@@ -244,12 +245,9 @@ def hook_load(recording: Recording) -> Figure | None:
     heights = [2.6, *([1.2] if loads else []), *([1.2] if wet else [])]
     figure, panels = time_figure(recording, "Hook load", heights, 3.4 + 1.2 * max(1, len(heights) - 1))
     forces = {hook.name: recording.column("hook_load", hook.name) for hook in hooks}
-    name = list(forces)[first_peak([float(force.max()) for force in forces.values()])]
-    force = forces[name]
-    at = first_peak(force)
-    _force_panel(
-        recording, panels[0], forces, "Hook load", (float(force[at]), float(recording.time[at]), name)
-    )
+    peaks = {name: hook_peak(recording, name, "hook_load") for name in forces}
+    name = list(forces)[first_peak([force for force, _ in peaks.values()])]
+    _force_panel(recording, panels[0], forces, "Hook load", (*peaks[name], name))
     if loads:
         for index, load in enumerate(loads):
             transferred = recording.column("load_transferred", load.name) * 100.0

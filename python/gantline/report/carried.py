@@ -15,6 +15,7 @@ from gantline.results.alike import first_peak
 from gantline.results.cranes.chain_hoists import sling_lengths
 from gantline.results.gear import Equalizer, Hook, Sling, Spreader
 from gantline.results.loads.hinges import is_shut
+from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.ropes.parting import ATTACHED, DETACHED, PARTING, PLANNED, partings
 from gantline.results.ropes.travel import most_used, ways_of
 from gantline.results.variable import BoolArray, FloatArray
@@ -32,7 +33,7 @@ _OFF_AND_ON = {DETACHED: "off", ATTACHED: "on"}
 def hook_row(subject: Subject, hook: Hook) -> dict[str, Any]:
     """Load-cell readings of a hook [t], its largest hoist load and what that is of its rated capacity."""
     load = subject.recording.column("hoist_load", hook.name)
-    highest = float(load[subject.counts].max())
+    highest, _ = hook_peak(subject.recording, hook.name, "hoist_load", subject.counts)
     shares = values_of(subject.recording, "hoist_load_of_rated_capacity")
     own = {"trolley": ABSENT, "crane": ABSENT}
     for rating in subject.rig.ratings:

@@ -34,6 +34,7 @@ from gantline.results.cranes.boom import Boom
 from gantline.results.cranes.crane import Crane
 from gantline.results.file.saved import digest_of
 from gantline.results.gear import Hook
+from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.metrics import energy_bound
 from gantline.results.progress import spans
 from gantline.results.refinement import in_per_cent, refinement_of
@@ -337,8 +338,11 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
     if factor is not None and force.rule is not None:
         text = f"× dynamic amplification factor of the rule {factor.value:.2f}"
         rows.append((text, show(force.rule / rig.gravity, "t", 1)))
-    hoisted = np.sum([subject.recording.column("hoist_load", hook) for hook in hooks], axis=0)
-    largest = float(hoisted[subject.counts].max())
+    if len(hooks) == 1:
+        largest, _ = hook_peak(subject.recording, hooks[0], "hoist_load", subject.counts)
+    else:
+        hoisted = np.sum([subject.recording.column("hoist_load", hook) for hook in hooks], axis=0)
+        largest = float(hoisted[subject.counts].max())
     # Of what one crane, with all hooks of the lift, is rated for with its hook blocks, or one hook alone.
     level = "crane" if any(rating.level == "crane" for rating in rig.ratings) else "hook"
     rated = [one for one in rig.ratings if one.level == level and set(one.hooks) == set(hooks)]

@@ -19,6 +19,7 @@ from gantline.results import series
 from gantline.results.alike import first_largest, first_peak
 from gantline.results.common_time import CommonTime, Deviation
 from gantline.results.file.gaps import without_gaps
+from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.recording import Recording, open_recording, recorded
 from gantline.results.rig import Rig
 from gantline.results.ropes.parting import Parting, partings
@@ -71,7 +72,7 @@ class ForceComparison:
     Attributes:
         name: In A.
         name_b: In B.
-        peak_a: Of A [N, s]; of a rope over all steps, of hooks and hinges over the samples.
+        peak_a: Of A [N, s]; of ropes and hooks over all steps, of hinges over the samples.
         peak_b: Of B, in the same way.
         deviation: B - A over the common time [N]; None without common time.
     """
@@ -202,8 +203,8 @@ def compare(
         metrics=_differences(a.metrics(), b.metrics()),
         counters=_differences(a.attributes.get("counters") or {}, b.attributes.get("counters") or {}),
         ropes=[_rope(a, b, common, pair) for pair in _rope_pairs(a, b)],
-        hooks=_sampled_forces(a, b, common, "hook", "hook_load") if sampled else [],
-        hinges=_sampled_forces(a, b, common, "hinge", "hinge_force") if sampled else [],
+        hooks=_forces(a, b, common, "hook", "hook_load") if sampled else [],
+        hinges=_forces(a, b, common, "hinge", "hinge_force") if sampled else [],
         loads=[_motion(a, b, common, pair, (bodies_a[pair[0]], bodies_b[pair[1]])) for pair in loads],
         bodies=[_motion(a, b, common, pair, pair) for pair in _paired_labels(a, b, "body")],
         only_a=only_a,
@@ -322,10 +323,10 @@ def _rope(a: Recording, b: Recording, common: CommonTime | None, pair: tuple[str
     )
 
 
-def _sampled_forces(
+def _forces(
     a: Recording, b: Recording, common: CommonTime | None, dim: str, variable: str
 ) -> list[ForceComparison]:
-    """A force of each hook or hinge that both have, of which samples alone are known."""
+    """A force of each hook or hinge that both have; of hinges samples alone are known."""
     return [
         ForceComparison(
             *pair,
@@ -338,6 +339,8 @@ def _sampled_forces(
 
 
 def _peak(recording: Recording, variable: str, name: str) -> Peak:
+    if variable == "hook_load":
+        return Peak(*hook_peak(recording, name, variable))
     force = recording.column(variable, name)
     at = first_peak(force)
     return Peak(float(force[at]), float(recording.time[at]))

@@ -27,7 +27,7 @@ from gantline.results.cranes.rating import (
 from gantline.results.direct import commands, direct, only, round_path
 from gantline.results.loads.guides import guide_state
 from gantline.results.loads.hinges import held_up, hinge_columns, hinge_state
-from gantline.results.loads.hook_load import hook_loads
+from gantline.results.loads.hook_load import hook_loads, hook_peaks
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
 from gantline.results.ropes.flows import rope_flows
@@ -36,25 +36,29 @@ from gantline.results.rotation import tilt
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
 
-def recording_of(columns: Columns, names: Names, rig: Mapping[str, Any], **attributes: Any) -> Recording:
+def recording_of(
+    columns: Columns, names: Names, rig: Mapping[str, Any], pulled: Columns | None = None, **attributes: Any
+) -> Recording:
     """Make a recording of what the core recorded.
 
     Args:
         columns: Columns of the core by name.
         names: Names along their dimensions, and `event_kind`, `event_name`.
         rig: What results need to know of the lift, see `gantline.results.rig`.
+        pulled: Columns of the moments at which ropes of hooks pulled most, see `hook_peaks`.
         attributes: Further attributes of the recording: `title`, `scene`, `settings`, ...
 
     Returns:
         The recording, with the variables that riggers ask for added to those of the core.
     """
     lift = Rig.from_json(rig)
+    peaks = {} if pulled is None else hook_peaks(*joined(pulled, names, lift)[:2], lift)
     columns, names, of_nodes = joined(columns, names, lift)
     columns, names = hinge_columns(columns, names, lift)
     columns, names, contents, tanks = tank_contents(columns, names, lift)
     round_path(columns["rope_point"], names["rope_point"])
     variables, coordinates = direct(columns, names, of_nodes)
-    variables |= commands(columns, names)
+    variables |= commands(columns, names) | peaks
     for derived, labels in ((contents, tanks), *_of_each_sample(columns, names, lift)):
         variables |= derived
         coordinates |= labels

@@ -112,6 +112,7 @@ from gantline.results.loads.clearances import watched_during
 from gantline.results.loads.contact_peaks import contact_peak, guide_peak
 from gantline.results.loads.drift import load_drift
 from gantline.results.loads.hinges import axial_force, hinge_force, hinge_moment, radial_force
+from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.loads.hung_so import has_hung_so, tells_dynamics
 from gantline.results.loads.lift_off import lift_off_time
 from gantline.results.loads.skew import largest_skew
@@ -371,7 +372,8 @@ def _hooks(recording: Recording) -> Iterator[_Metric]:
         forces = recording[name].values.T
         statics = (series.greatest_static(recording, force)[0] for force in forces)
         yield f"static_{name}", _largest(static for static in statics if static is not None)
-        yield f"peak_{name}", float(forces.max())
+        hooks = recording.coordinates["hook"]
+        yield f"peak_{name}", _largest(hook_peak(recording, hook, name)[0] for hook in hooks)
 
 
 def _charts(recording: Recording) -> Iterator[_Metric]:

@@ -82,7 +82,8 @@ def missed_incidents(
 def missed_peaks(rig: Rig, columns: Columns, names: Names) -> list[str]:
     """A warning where samples are too far apart for peaks, as ropes show, whose peaks are those of all steps.
 
-    Hook loads are those of samples, and a hook whose ropes had more between two of them had more as well.
+    Of a hook by itself the load is kept when its ropes pulled most. What several bear together is that of
+    samples, and was more as well where their ropes had more between two of them.
     """
     time = columns["time"]
     if not rig.hooks or len(time) < 3:
@@ -109,7 +110,7 @@ def missed_peaks(rig: Rig, columns: Columns, names: Names) -> list[str]:
     apart = format_quantity(float(np.median(np.diff(time))), "s", 2)
     had, most = (format_quantity(value, "kN", 1) for value in (peak, sampled))
     missing = f"samples {apart} apart miss peaks: {rope} carried {had} at {when:.2f} s, and {most} in samples"
-    of_samples = "hook loads, angles and distances are those of samples"
+    of_samples = "loads of several hooks together, hinges, angles and distances are those of samples"
     return [f"{missing}; {of_samples}: a shorter 'sample_interval' has their peaks"]
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from gantline.results import series
 from gantline.results.loads.aside import swing_of
 from gantline.results.loads.drift import load_drift
+from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.recording import Recording
 from gantline.results.ropes.families import families
 from gantline.results.variable import FloatArray
@@ -72,7 +73,8 @@ def curves(recording: Recording) -> Iterator[Curve]:
                 values = recording[variable].values[:, at]
                 least = smallest.get(name, 0.0) if group == "clearance" else 0.0
                 label = f"{name} (≥ {least:g} m)" if least > 0.0 else name
-                yield Curve(group, name, label, unit, factor, values, equalizer_of.get(name, ""))
+                peak = hook_peak(recording, name, variable) if dim == "hook" else None
+                yield Curve(group, name, label, unit, factor, values, equalizer_of.get(name, ""), peak)
     yield from _loads(recording)
     yield from _tanks(recording)
     if "energy" in recording:

@@ -27,7 +27,7 @@ use crate::clock::Clock;
 use crate::constraint::rope::Rope;
 use crate::constraint::{AnyConstraint, Law};
 use crate::rope::guide::Guide;
-use crate::spec::SystemSpec;
+use crate::spec::{PullSpec, SystemSpec};
 use crate::state::State;
 use crate::stepper::spots::find;
 use crate::system::{DriveJoint, LightSheaves, Rows, SheavePlace, System};
@@ -80,6 +80,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let Built { constraints, groups, seats, touches } = build_constraints(spec, &tree, &start, &shapes)?;
     let Touches { finders, removals, mut spots } = touches;
     let watches = build_watches(spec, &shapes)?;
+    let pulls = build_pulls(spec)?;
     let (vessels, marks) = build_vessels(spec, &tree)?;
     let rows = Rows::new(&constraints);
     let coils = places_of_coils(spec, &tree, &constraints, &rows);
@@ -128,6 +129,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
         finders,
         removals,
         watches,
+        pulls,
         sea,
         gusts,
         vessels,
@@ -138,6 +140,16 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     find(&system, &start, &mut spots, 0.0, |_| false, |_, _, _| {});
     let state = first_state(spec, &mut system, (q, v), (seats, spots))?;
     Ok((system, state))
+}
+
+/// Of every pull the numbers of its ropes, which are the first constraints.
+fn build_pulls(spec: &SystemSpec) -> Result<Vec<Vec<usize>>, BuildError> {
+    let number = |pull: &str, wanted: &str| {
+        let found = spec.ropes.iter().position(|rope| rope.name == wanted);
+        found.map_or_else(|| error(pull, format!("there is no rope `{wanted}`")), Ok)
+    };
+    let ropes = |pull: &PullSpec| pull.ropes.iter().map(|rope| number(&pull.name, rope)).collect();
+    spec.pulls.iter().map(ropes).collect()
 }
 
 /// For each degree of freedom the drive that says its motion; motors of some capacity leave theirs free.
@@ -228,6 +240,7 @@ fn check_names(spec: &SystemSpec) -> Result<(), BuildError> {
     unique("contact", contacts.chain(supports).chain(pairs).chain(landings))?;
     unique("shape", spec.shapes.iter().map(|shape| shape.name.as_str()))?;
     unique("watch", spec.watches.iter().map(|watch| watch.name.as_str()))?;
+    unique("pull", spec.pulls.iter().map(|pull| pull.name.as_str()))?;
     unique("compensator", spec.compensators.iter().map(|one| one.name.as_str()))?;
     unique("drive", spec.drives.iter().map(|drive| drive.name.as_str()))?;
     unique("force", spec.forces.iter().map(|force| force.name()))?;

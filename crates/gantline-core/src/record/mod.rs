@@ -15,6 +15,7 @@ pub mod named;
 pub mod names;
 pub(crate) mod packed;
 mod presence;
+pub mod pulls;
 mod rows;
 
 use rows::Rows;
@@ -144,6 +145,59 @@ impl Samples {
         self.energy.extend(state.ledger.values());
     }
 
+    /// Adds the moment at `time` [s], a share of a step.
+    fn push_within(
+        &mut self,
+        (adjusted, compensators): (&[usize], &[Compensator]),
+        span: &Span,
+        (time, share): (f64, f64),
+        sample: &Sample,
+    ) {
+        self.push(time, sample, span.before, span.residual);
+        // Lengths are adjusted when a step has been made, at once.
+        let memory = if share < 1.0 { &span.before.memory } else { &span.after.memory };
+        self.lengthening.extend(adjusted.iter().map(|&row| memory[row]));
+        self.compensation.extend(span.after.plan.compensated(compensators, time));
+        let energies = span.before.ledger.values().into_iter().zip(span.after.ledger.values());
+        self.energy.extend(energies.map(|(before, after)| before + share * (after - before)));
+    }
+
+    /// Without any sample, as after [`Samples::default`], but with its room.
+    fn clear(&mut self) {
+        for column in self.columns() {
+            column.clear();
+        }
+        self.seats.clear();
+        self.spots.clear();
+    }
+
+    /// Adds those of another, all of the same system.
+    fn append(&mut self, other: &Self) {
+        for sample in 0..other.time.len() {
+            self.seats.push(other.seats.of(sample));
+            self.spots.push(other.spots.of(sample));
+        }
+        for (column, more) in self.columns().into_iter().zip(other.clone().columns()) {
+            column.append(more);
+        }
+    }
+
+    /// All columns of numbers that have one row per sample.
+    fn columns(&mut self) -> [&mut Vec<f64>; 10] {
+        [
+            &mut self.time,
+            &mut self.q,
+            &mut self.v,
+            &mut self.acceleration,
+            &mut self.tension,
+            &mut self.past,
+            &mut self.lengthening,
+            &mut self.compensation,
+            &mut self.energy,
+            &mut self.complementarity_residual,
+        ]
+    }
+
     fn push(&mut self, time: f64, sample: &Sample, by: &State, residual: f64) {
         self.time.push(time);
         self.q.extend_from_slice(&sample.q);
@@ -220,6 +274,11 @@ pub struct Span<'a> {
 /// Share of an interval within which two samples are one: much more than the rounding of ten million intervals.
 const NEAR: f64 = 1e-6;
 
+/// Rows of ropes whose lengths are adjusted.
+fn adjusted_rows(system: &System) -> Vec<usize> {
+    system.adjusters.iter().flat_map(|adjuster| adjuster.rows.iter().copied()).collect()
+}
+
 /// Takes samples. Reused from sample to sample.
 #[derive(Debug, Clone)]
 pub struct Recorder {
@@ -236,7 +295,7 @@ pub struct Recorder {
 impl Recorder {
     /// A recorder for runs of `system` that pass through states like `state`.
     pub fn new(system: &System, state: &State, interval: f64, end: f64) -> Self {
-        let adjusted = system.adjusters.iter().flat_map(|adjuster| adjuster.rows.iter().copied()).collect();
+        let adjusted = adjusted_rows(system);
         let compensators = system.plan.compensators.clone();
         Self { interval, end, sample: Sample::of(state), adjusted, compensators }
     }
@@ -278,7 +337,6 @@ impl Recorder {
         motion: &mut dyn FnMut(&Span, f64, &mut Sample),
     ) {
         let (from, to) = (span.before.time, span.after.time);
-        let energies = [span.before.ledger.values(), span.after.ledger.values()];
         while let Some(time) = self.due(samples.time.last().copied()) {
             // A sample at the end of the step by intention must not miss it by rounding.
             if time > to + 1e-9 * (to - from) {
@@ -286,15 +344,8 @@ impl Recorder {
             }
             let share = ((time - from) / (to - from)).clamp(0.0, 1.0);
             motion(span, share, &mut self.sample);
-            samples.push(time, &self.sample, span.before, span.residual);
-            // Lengths are adjusted when a step has been made, at once.
-            let memory = if share < 1.0 { &span.before.memory } else { &span.after.memory };
-            samples.lengthening.extend(self.adjusted.iter().map(|&row| memory[row]));
-            samples.compensation.extend(span.after.plan.compensated(&self.compensators, time));
-            let [before, after] = energies;
-            samples
-                .energy
-                .extend((0..KINDS.len()).map(|kind| before[kind] + share * (after[kind] - before[kind])));
+            let of = (self.adjusted.as_slice(), self.compensators.as_slice());
+            samples.push_within(of, span, (time, share), &self.sample);
         }
     }
 }

@@ -40,6 +40,12 @@ impl<T: Copy + PartialEq> Rows<T> {
         }));
     }
 
+    /// Without any row, with its room.
+    pub fn clear(&mut self) {
+        self.kept.clear();
+        self.which.clear();
+    }
+
     /// The row of a sample.
     pub fn of(&self, sample: usize) -> &[T] {
         self.row(self.which[sample])

@@ -20,13 +20,16 @@ struct Checkpoint {
     counters: Counters,
     /// Steps and time [s] at which it was last asked whether the run gets on.
     asked: (u64, f64),
+    /// What [`crate::record::pulls::Pulls`] writes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pulls: Vec<(f64, Vec<u8>)>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     waypoints: Vec<Waypoint>,
 }
 
 /// What a saved state begins with. The number is that of its form: it grows when what the samples are packed as changes,
-/// or the order of rows.
-const KIND: &str = concat!("gantline ", env!("CARGO_PKG_VERSION"), " state 4\n");
+/// the order of rows, or what lies beside them.
+const KIND: &str = concat!("gantline ", env!("CARGO_PKG_VERSION"), " state 5\n");
 /// What those of other versions begin with.
 const OTHERS: [&str; 2] = ["gantline ", "{\"fingerprint\":"];
 
@@ -97,6 +100,7 @@ impl Simulation {
             events: self.events.clone(),
             commands: self.commands.clone(),
             waypoints: self.waypoints.clone(),
+            pulls: self.pulls.packed(),
             ..self.at(&self.state)
         };
         written(&past, &self.samples.packed())
@@ -125,6 +129,7 @@ impl Simulation {
             commands: Vec::new(),
             counters: self.counters,
             asked: self.asked,
+            pulls: Vec::new(),
             waypoints: Vec::new(),
         }
     }
@@ -141,6 +146,9 @@ impl Simulation {
         }
         let samples = Samples::unpacked(packed).filter(|samples| samples.are_of(&self.state));
         self.samples = samples.ok_or_else(|| refused("its samples cannot be read"))?;
+        if !self.pulls.unpack(&checkpoint.pulls) {
+            return Err(refused("its moments of most pull cannot be read"));
+        }
         let own = std::mem::replace(&mut self.state, checkpoint.state);
         self.state.plan.reattach(&own.plan);
         self.events = checkpoint.events;

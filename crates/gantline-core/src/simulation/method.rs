@@ -93,6 +93,25 @@ impl Method {
         }
     }
 
+    /// The largest that rows have pulled with together in the step that has been made, each so many times as `rows` say, [N]
+    /// and the share of the step at which it was, where it is more than `known`. `kinematics` are those after it.
+    pub fn pull(
+        &self,
+        (system, kinematics): (&System, &Kinematics),
+        after: &State,
+        rows: &[(usize, f64)],
+        known: f64,
+    ) -> Option<(f64, f64)> {
+        match self {
+            Self::Del(_) | Self::Explicit(_) => {
+                let of = |row: usize| system.curved_tension(row, after.tension[row], kinematics);
+                let now = rows.iter().map(|&(row, times)| times * of(row)).sum();
+                (now > known).then_some((now, 1.0))
+            }
+            Self::Adaptive(adaptive) => adaptive.pull(rows, known),
+        }
+    }
+
     /// Entries of the factor of the step's matrix.
     pub fn fill(&self) -> usize {
         match self {

@@ -51,6 +51,9 @@ pub struct SystemSpec {
     /// Distances that are recorded.
     #[serde(default)]
     pub watches: Vec<WatchSpec>,
+    /// Groups of ropes of which it is recorded when they pull most together.
+    #[serde(default)]
+    pub pulls: Vec<PullSpec>,
     /// Forces of the water on bodies.
     #[serde(default)]
     pub forces: Vec<ForceSpec>,

@@ -170,6 +170,16 @@ pub struct AdjusterSpec {
     pub factor: f64,
 }
 
+/// Ropes that pull at one thing together, such as those at a hook.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PullSpec {
+    /// Unique name.
+    pub name: String,
+    /// Names of its ropes.
+    pub ropes: Vec<String>,
+}
+
 fn one() -> f64 {
     1.0
 }

@@ -170,6 +170,7 @@ pub fn system_of(bodies: Vec<BodySpec>) -> SystemSpec {
         landings: Vec::new(),
         vessels: Vec::new(),
         watches: Vec::new(),
+        pulls: Vec::new(),
         forces: Vec::new(),
         sea: None,
         gusts: None,

@@ -29,6 +29,8 @@ _ALONG = 0.02
 #: An area may be so far off the box of its load [m], and all along an axis so many times the box's side [1].
 _OFF, _LARGEST = 1.0, 2.0
 _AXES = ("x", "y", "z")
+#: A datum is in the middle of a load within this share of its sides [1].
+_NEAR_MIDDLE = 0.1
 #: Most of wind areas of a vessel over what its whole hull shows that way [1], A-frames, booms and cargo on
 #: deck included, and the least of what its hull shows above the water.
 _OF_HULL, _OF_DRY_HULL = {"x": 10.0, "y": 5.0}, 0.3
@@ -48,9 +50,11 @@ def doubtful_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None
         if isinstance(stream, Stream) and stream.speed > 0.0:
             doubts += [*_fast(kind, stream), *_passing(parts, scenario, kind, stream)]
     doubts += _off_the_hull(scenario)
+    doubts += _far_from_the_hull(scenario)
     doubts += _at_the_stern(scenario)
     if scenario.load is not None and lifted is not None:
         doubts += _off_the_load(scenario.load, lifted)
+        doubts += _at_the_datum(scenario.load, lifted)
         doubts += _falls_that_stand(scenario, scenario.load)
     return doubts
 
@@ -121,6 +125,28 @@ def _off_the_hull(scenario: Scenario) -> Iterator[Doubt]:
                 yield Doubt((*afloat_path(scenario, name), "wind_areas"), f"{sentence}; a number has slipped")
 
 
+def _far_from_the_hull(scenario: Scenario) -> Iterator[Doubt]:
+    """Of areas of vessels where nothing of them can be: they heel, trim and turn her by a lever that is none.
+
+    Masts, booms and cargo are farther from a hull than half its length only where cranes have longer booms,
+    or a mass is given there.
+    """
+    booms = [crane.boom.length for crane in (scenario.cranes or {}).values() if hasattr(crane, "boom")]
+    for name, vessel in (scenario.vessels or {}).items():
+        box = vessel_hull(scenario, name, vessel).box
+        room = max([0.5 * float(np.ptp(box, axis=0).max()), *booms])
+        masses = [one.at for one in (vessel.masses or {}).values()]
+        low, high = np.min([box[0], *masses], axis=0), np.max([box[1], *masses], axis=0)
+        for kind in ("wind", "current"):
+            for key, area in (getattr(vessel, f"{kind}_areas") or {}).items():
+                off = float(np.max(np.maximum(low - area.at, np.array(area.at) - high)))
+                if off > room:
+                    far = format_quantity(off, "m", 1)
+                    sentence = f"the {kind} area {key} of {name} pushes {far} off her hull"
+                    path = (*afloat_path(scenario, name), f"{kind}_areas", key)
+                    yield Doubt(path, f"{sentence} and all masses; a unit or digit has slipped")
+
+
 def _at_the_stern(scenario: Scenario) -> Iterator[Doubt]:
     """Of areas across a vessel that say nothing of where they are: they turn her, and heel her otherwise.
 
@@ -134,6 +160,27 @@ def _at_the_stern(scenario: Scenario) -> Iterator[Doubt]:
                     where = "at her stern and on her keel, where the axes of a vessel begin"
                     sentence = f"the {kind} area {key} of {name} has no 'at', and pushes {where}"
                     yield Doubt((*path, f"{kind}_areas", key), f"{sentence}: say where its middle is")
+
+
+def _at_the_datum(load: Load, lifted: LiftedLoad) -> Iterator[Doubt]:
+    """Of areas along x or y that say nothing of where they are, on a load whose datum is not in its middle.
+
+    Pushed at its foot a load that stands does not lean on its lee side, and one that hangs leans too much.
+    """
+    corners = lifted.corners + lifted.centre
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    off = 0.5 * (low + high)
+    for kind in ("wind", "current"):
+        for name, area in (getattr(load, f"{kind}_areas") or {}).items():
+            across = [axis for axis in range(3) if _AXES[axis] != area.along]
+            is_placed = area.area is None or area.at is not None or area.coefficient == 0.0
+            is_near = bool(np.all(np.abs(off[across]) < _NEAR_MIDDLE * (high - low)[across]))
+            if is_placed or is_near or area.along == "z":
+                continue
+            far = format_quantity(float(np.linalg.norm(off[across])), "m", 2)
+            where = f"at the datum, {far} from the middle of what the load shows"
+            sentence = f"the {kind} area {name} of {load.name} has no 'at', and pushes {where}"
+            yield Doubt(("load", f"{kind}_areas", name), f"{sentence}: say where its middle is")
 
 
 def _off_the_load(load: Load, lifted: LiftedLoad) -> Iterator[Doubt]:

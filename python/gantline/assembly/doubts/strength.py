@@ -59,11 +59,14 @@ _ANGLES = {
     "lug_out_of_plane_angle": 90.0,
     "fleet_angle": 30.0,
 }
-#: Bounds of steps that are forces.
-_FORCES = ("sling_tension", "hook_load")
 #: A distance that is kept and is less is no distance [m]; of models, less than this share of the load's
 #: longest side [1].
 _LEAST_KEPT, _LEAST_OF_LOAD = 5e-3, 1e-3
+#: Slings that lie nearly level, and hooks that pull at each other, bear some times all of the load; a force
+#: that has to stay below more of it is no bound [1].
+_OF_ALL_THE_LOAD = 20.0
+#: Slings that stay taut bear some thousandths of the load; one with less of it is as good as slack [1].
+_LEAST_TAUT = 3e-5
 #: Moving sheaves travel by some metres [m].
 _FARTHEST_SHEAVE = 20.0
 #: Ground and supports come to rest within some ten milliseconds [s].
@@ -175,23 +178,28 @@ def _limits(scenario: Scenario) -> Iterator[Doubt]:
         require = step.require
         for key in () if require is None else type(require).model_fields:
             bound = getattr(require, key)
-            if isinstance(bound, Bound) and bound.relation == "below":
+            if isinstance(bound, Bound):
                 path = ("plan", place, "require", key)
-                yield from _limit(path, key, bound.value)
-                if key in _FORCES:
-                    yield from _force(scenario, path, bound.value)
+                yield from _limit(path, key, bound.value) if bound.relation == "below" else ()
+                yield from _required(scenario, path, key, bound)
+    if limits is not None and (least := limits.smallest_sling_tension_when_clear) is not None:
+        kept = ("limits", "smallest_sling_tension_when_clear")
+        yield from _required(scenario, kept, "sling_tension", Bound("above", least))
 
 
-def _force(scenario: Scenario, path: Path, value: float) -> Iterator[Doubt]:
-    """Of a force that a step requires to stay below a bound [N]."""
+def _required(scenario: Scenario, path: Path, key: str, bound: Bound) -> Iterator[Doubt]:
+    """Of a bound on forces of slings or hooks that a load of this weight always keeps."""
     load = scenario.load
-    if load is None:
+    if load is None or key not in ("sling_tension", "hook_load"):
         return
-    weighs = (load.weight.design + load.room) * scenario.simulation.gravity
-    if value > _TIMES_THE_LOAD * weighs and value > _FROM_THE_SHOP * scenario.simulation.gravity:
-        below, weight = (format_by_size(force, "force", 4) for force in (value, weighs))
-        times = f"{below} are {value / weighs:,.0f} times what all of the load weighs, {weight}"
-        yield Doubt(path, f"{times}, and let everything pass; {_SLIPPED}")
+    weight = (load.weight.design + load.room) * scenario.simulation.gravity
+    force = format_by_size(bound.value, "force", 4)
+    if bound.relation == "below" and bound.value > _OF_ALL_THE_LOAD * weight:
+        sentence = f"below {force} is {bound.value / weight:,.0f} times what all of the load weighs"
+        yield Doubt(path, f"{sentence}, and lets everything pass; {_SLIPPED}")
+    elif key == "sling_tension" and bound.relation == "above" and 0.0 < bound.value < _LEAST_TAUT * weight:
+        sentence = f"above {force} is one part in {weight / bound.value:,.0f} of what the load weighs"
+        yield Doubt(path, f"{sentence}: what is all but slack has that; {_SLIPPED}")
 
 
 def _limit(path: Path, key: str, value: float) -> Iterator[Doubt]:

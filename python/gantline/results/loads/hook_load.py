@@ -8,7 +8,7 @@ from gantline.results.gear import Hook
 from gantline.results.rig import Rig
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
-__all__ = ["hook_loads"]
+__all__ = ["hook_loads", "hook_peaks"]
 
 
 def hook_loads(columns: Columns, names: Names, rig: Rig) -> Derived:
@@ -25,6 +25,38 @@ def hook_loads(columns: Columns, names: Names, rig: Rig) -> Derived:
         "hook_load": Variable(dims, hook_load, "N", "vertical force on the bearing of a hook"),
         "hoist_load": Variable(dims, hoist_load, "N", "hook load with hook block and hanging falls"),
     }, {"hook": [hook.name for hook in rig.hooks]}
+
+
+def hook_peaks(pulled: Columns, names: Names, rig: Rig) -> dict[str, Variable]:
+    """Largest hook and hoist load [N] when the ropes of a hook pulled most, and when that was [s].
+
+    Args:
+        pulled: Columns of one moment for each hook, in their order, at which what hangs in it pulled most,
+            then of one for each hook with falls at which these did; of fewer before the first step.
+        names: Names along their dimensions.
+        rig: The lift.
+
+    Returns:
+        Variables by their names, shape (hook,); nothing without hooks or before the first step.
+    """
+    count = len(rig.hooks)
+    own = [[place] for place in range(count)]
+    for place, hook in enumerate(rig.hooks):
+        if hook.falls:
+            own[place].append(count)
+            count += 1
+    if not rig.hooks or len(pulled["time"]) != count:
+        return {}
+    loads, _ = hook_loads(pulled, names, rig)
+    found = {}
+    for name in ("hook", "hoist"):
+        values = loads[f"{name}_load"].values
+        most = [max(at, key=values[:, place].__getitem__) for place, at in enumerate(own)]
+        load, time = values[most, np.arange(len(own))], pulled["time"][most]
+        text = f"largest {name} load when ropes of the hook pulled most, over all steps"
+        found[f"{name}_peak_load"] = Variable(("hook",), load, "N", text)
+        found[f"{name}_peak_time"] = Variable(("hook",), time, "s", f"time of {name}_peak_load")
+    return found
 
 
 def _hoist_load(columns: Columns, names: Names, hook: Hook, hook_load: FloatArray) -> FloatArray:

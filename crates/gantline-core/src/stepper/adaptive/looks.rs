@@ -154,29 +154,44 @@ impl Looks {
     /// The largest force of a row, or tension of a rope with a curve, [N] and the share of the step at which it was, where it is more than `least`.
     pub fn peak(&self, row: usize, least: f64) -> Option<(f64, f64)> {
         let row = self.place(row);
-        let highest = (0..POINTS).max_by(|&a, &b| self.forces[a][row].total_cmp(&self.forces[b][row]))?;
-        // Between points 0.3 of a step apart a course that such steps can follow rises by a few per cent at most; the
-        // tension of a rope with a curve has corners, between which a polynomial may rise by anything.
-        let most = self.forces[highest][row] / 0.9;
-        let lowest = self.forces.iter().fold(f64::INFINITY, |lowest, forces| lowest.min(forces[row]));
-        let range = self.forces[highest][row] - lowest;
-        if most.min(self.forces[highest][row] + OVERSHOOT * range) < least {
-            return None;
-        }
-        let mut low = TIMES[highest.saturating_sub(1)];
-        let mut high = TIMES[(highest + 1).min(POINTS - 1)];
-        // To 1e-4 of the time between points; the value is right to the square of that.
-        for _ in 0..24 {
-            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-            if self.at(row, a) < self.at(row, b) { low = a } else { high = b }
-        }
-        let share = 0.5 * (low + high);
-        let inside = (self.at(row, share).min(most), share);
-        // The search comes near the ends of the step and never there.
-        let point = (self.forces[highest][row], TIMES[highest]);
-        let (value, share) = if point.0 > inside.0 { point } else { inside };
-        (value > least).then_some((value, share))
+        highest(self.forces.each_ref().map(|forces| forces[row]), |x| self.at(row, x), least)
     }
+
+    /// The largest of what rows pull together, each so many times as `rows` say, [N] and the share of the step at which it
+    /// was, where it is more than `least`.
+    pub fn pull(&self, rows: &[(usize, f64)], least: f64) -> Option<(f64, f64)> {
+        let sum = |of: &dyn Fn(usize) -> f64| -> f64 {
+            rows.iter().map(|&(row, times)| times * of(self.place(row)).max(0.0)).sum()
+        };
+        let forces = self.forces.each_ref().map(|forces| sum(&|row| forces[row]));
+        highest(forces, |x| sum(&|row| self.at(row, x)), least)
+    }
+}
+
+/// The largest of a course whose values at the start and the looks are `forces`, and the share of the step at which it was,
+/// where it is more than `least`.
+fn highest(forces: [f64; POINTS], at: impl Fn(f64) -> f64, least: f64) -> Option<(f64, f64)> {
+    let highest = (0..POINTS).max_by(|&a, &b| forces[a].total_cmp(&forces[b]))?;
+    // Between points 0.3 of a step apart a course that such steps can follow rises by a few per cent at most; the
+    // tension of a rope with a curve has corners, between which a polynomial may rise by anything.
+    let most = forces[highest] / 0.9;
+    let lowest = forces.iter().copied().fold(f64::INFINITY, f64::min);
+    if most.min(forces[highest] + OVERSHOOT * (forces[highest] - lowest)) < least {
+        return None;
+    }
+    let mut low = TIMES[highest.saturating_sub(1)];
+    let mut high = TIMES[(highest + 1).min(POINTS - 1)];
+    // To 1e-4 of the time between points; the value is right to the square of that.
+    for _ in 0..24 {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        if at(a) < at(b) { low = a } else { high = b }
+    }
+    let share = 0.5 * (low + high);
+    let inside = (at(share).min(most), share);
+    // The search comes near the ends of the step and never there.
+    let point = (forces[highest], TIMES[highest]);
+    let (value, share) = if point.0 > inside.0 { point } else { inside };
+    (value > least).then_some((value, share))
 }
 
 #[cfg(test)]

@@ -217,6 +217,11 @@ impl Adaptive {
         self.looks.peak(row, least)
     }
 
+    /// The same of what rows pull together, each so many times.
+    pub fn pull(&self, rows: &[(usize, f64)], least: f64) -> Option<(f64, f64)> {
+        self.looks.pull(rows, least)
+    }
+
     /// One step from `state`, not beyond `until` [s].
     ///
     /// # Errors
