@@ -41,7 +41,7 @@ def test_what_is_slack_is_named() -> None:
 
 @pytest.mark.parametrize("centre", CENTRES)
 def test_level_alone_is_had_with_shares_that_are_even(centre: tuple[float, float]) -> None:
-    """With Σ V = W and Σ V (x, y) = W c the least Σ V² is V = W/4 (1 + x c_x/a² + y c_y/b²), lugs at ±a, ±b."""
+    """Σ V = W and Σ V (x, y) = W c, lugs at ±a, ±b: Σ V² is least by V = W/4 (1 + x c_x/a² + y c_y/b²)."""
     answer = adjust_lengths(four_slings(centre), slopes=(0.0, 0.0))
     assert answer.slack_by_least_change
     expected = [

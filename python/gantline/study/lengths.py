@@ -92,8 +92,8 @@ def adjust_lengths(
 ) -> LengthAnswer:
     """Unstretched lengths of slings with which a load hangs as wanted, changed as little as can be.
 
-    Where slopes are wanted, no shares, and the least change would leave slings slack of those that go from one
-    hook to the load, they are changed so that these share it as evenly as can be.
+    Where slopes are wanted, no shares, and the least change would leave slings slack of those that go from
+    one hook to the load, they are changed so that these share it as evenly as can be.
 
     Args:
         lift: A lift file, its folder, or a loaded scenario.
@@ -251,7 +251,11 @@ def _even_shares(hanging: Hanging, slopes: tuple[float, float]) -> dict[str, flo
 
 
 def _leant(slopes: tuple[float, float]) -> npt.NDArray[np.float64]:
-    """Columns that take a load's own axes to level ones and up where it leans so, at any heading, shape (3, 3)."""
+    """The world's axes, in a load's own, where that leans so: level, level and up, at any heading, as columns.
+
+    Returns:
+        Shape (3, 3).
+    """
     up = np.array([math.sin(slopes[0]), math.sin(slopes[1]), 0.0])
     up[2] = math.sqrt(max(0.0, 1.0 - up @ up))
     ahead = np.array([up[2], 0.0, -up[0]]) / math.hypot(up[0], up[2])
