@@ -251,7 +251,7 @@ def _even_shares(hanging: Hanging, slopes: tuple[float, float]) -> dict[str, flo
 
 
 def _leant(slopes: tuple[float, float]) -> npt.NDArray[np.float64]:
-    """The world's axes, in a load's own, where that leans so: level, level and up, at any heading, as columns.
+    """The world's axes in those of a load that leans so, level, level and up, at any heading, as columns.
 
     Returns:
         Shape (3, 3).
