@@ -342,7 +342,7 @@ class Simulation:
     def recording(self) -> Recording:
         """Everything recorded so far."""
         remainder = self._core.energy_remainder()
-        columns, names = clearance_events(self._rig, self._core.columns(), self._core.names())
+        columns, names = clearance_events(self._rig, *self._so_far())
         failure = {} if self._failure is None else {"failure": self._failure}
         found = recording_of(
             columns,
@@ -361,6 +361,12 @@ class Simulation:
             **failure,
         )
         return self._with_resting(found)
+
+    def _so_far(self) -> tuple[dict[str, FloatArray], dict[str, list[str]]]:
+        """Columns, and names of as many events: another thread may go on between one and the other."""
+        columns, names = self._core.columns(), self._core.names()
+        events = len(columns["event_time"])
+        return columns, names | {name: names[name][:events] for name in ("event_kind", "event_name")}
 
     def _warnings(self, columns: Columns, names: Names, remainder: float) -> list[str]:
         """What is doubtful about the lift as it was given, and as it went so far."""

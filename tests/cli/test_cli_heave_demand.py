@@ -31,7 +31,7 @@ def test_what_compensation_needs(can: str, too_little: str, tmp_path: Path) -> N
     lift = tmp_path / "lift.yaml"
     lift.write_text(compensated_text(STILL, can=can), encoding="utf-8")
     shutil.copy(DATABASE, tmp_path)
-    result = CliRunner().invoke(app, ["check", str(lift)])
+    result = CliRunner().invoke(app, ["check", str(lift)], env={"COLUMNS": "140"})
     assert result.exit_code == 0
     said = " ".join(result.output.split())
     assert "Heave compensation, most in 3 h over step speed has acceleration has stroke has" in said

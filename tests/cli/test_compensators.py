@@ -25,7 +25,7 @@ def test_check_says_what_hangs_on_the_gas(lift: Path) -> None:
     """By hand: 72 t are 706.3 kN, V = 9.731 m, x = V (1 - (600/706.3)^(1/1.1)) = 1.341 m, and with
     F' = 1.1 x 706.3/8.390 kN/m a period of 5.54 s.
     """
-    result = CliRunner().invoke(app, ["check", str(lift)])
+    result = CliRunner().invoke(app, ["check", str(lift)], env={"COLUMNS": "140"})
     assert result.exit_code == 0
     (line,) = (line for line in result.stdout.splitlines() if line.startswith("  PHC"))
     assert line.split() == [

@@ -1,6 +1,8 @@
 """A second thread that ran a simulation which was running brought a panic of the core, `Already borrowed`.
 
 One that only looked, to draw how far it had got, was answered `Already mutably borrowed`, as it happened.
+Later it was answered `zip() argument 2 is longer than argument 1` where an event came between the columns that
+it took and the names of their events.
 """
 
 from __future__ import annotations
@@ -55,6 +57,31 @@ def test_a_thread_looks_on() -> None:
     thread.join()
     assert reached == sorted(reached)
     assert run.recording().attributes["status"] == "done"
+
+
+class _GoesOn:
+    """A core that has come to the end once its columns have been taken."""
+
+    def __init__(self, core: Any) -> None:
+        self._core = core
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._core, name)
+
+    def columns(self, **how: bool) -> Any:
+        found = self._core.columns(**how)
+        self._core.run()
+        return found
+
+
+def test_events_between_columns_and_names(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The load has not come off when the columns are taken, and hangs when the names are."""
+    run = Simulation(LIFT)
+    run.run(until=1.0)
+    monkeypatch.setattr(run, "_core", _GoesOn(run._core))
+    recording = run.recording()
+    assert recording.time[-1] <= 1.0 and run.time > 5.0
+    assert all(time <= 1.0 for time, *_ in recording.events())
 
 
 @pytest.mark.parametrize("until", [float("nan"), -1.0, "1 s", True])
