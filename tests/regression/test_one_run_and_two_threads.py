@@ -1,8 +1,8 @@
 """A second thread that ran a simulation which was running brought a panic of the core, `Already borrowed`.
 
 One that only looked, to draw how far it had got, was answered `Already mutably borrowed`, as it happened.
-Later it was answered `zip() argument 2 is longer than argument 1` where an event came between the columns that
-it took and the names of their events.
+Later it was answered `zip() argument 2 is longer than argument 1` where an event came between the columns
+that it took and the names of their events.
 """
 
 from __future__ import annotations
