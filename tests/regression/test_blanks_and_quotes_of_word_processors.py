@@ -3,8 +3,8 @@
 A no-break space behind a colon was answered with "'duration: 120 s' has no ':'", one behind a key with
 "'stands_on' is not a key of the load; did you mean 'stands_on'?", and one in an empty line with "'' has no
 ':'". Typographic quotes were "not a number with a unit". Each line looked right. Of `2 000 kN s/m` with a
-no-break or thin space between thousands '000 kN s/m' was no unit, and `12,5 s` was told how a time is written,
-not to write 12.5 s.
+no-break or thin space between thousands '000 kN s/m' was no unit, and `12,5 s` was told how a time is
+written, not to write 12.5 s.
 """
 
 from __future__ import annotations
