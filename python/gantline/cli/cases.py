@@ -58,14 +58,12 @@ def cases(
         if not scenario.cases:
             right = "cases: {heavy: {set: {load.weight.simulate: design}}}"
             stop(f"{scenario.source}: there are no 'cases' in this file; one is written like '{right}'")
-        with folder_in_use(output) as folder, telling("cases") as tell:
-            try:
+        try:
+            with folder_in_use(output) as folder, telling("cases") as tell:
                 result = run_cases(scenario, moment, on_progress=tell)
-            except KeyboardInterrupt:
-                result = None
-    if result is None:
-        warn("interrupted before the equilibrium of the lift as it is given was found: no case is known")
-        raise typer.Exit(INTERRUPTED)
+        except KeyboardInterrupt:
+            warn("interrupted before the equilibrium of the lift as it is given was found: no case is known")
+            raise typer.Exit(INTERRUPTED) from None
     text = json.dumps(result.to_json(), indent=2, allow_nan=False)
     from gantline.cli.cases_table import cases_table, nothing_hangs
 
