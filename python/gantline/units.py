@@ -180,6 +180,8 @@ _PART: Final = re.compile(r"([0-9]+\.?[0-9]*)\s*([A-Za-z%]+)\s*", re.ASCII)
 #: A power without its sign, `m/s2`.
 _POWER: Final = re.compile(r"(?<=[A-Za-z])([23])\b")
 _TOLERANCE: Final = re.compile(r"±|\+\s*/?\s*-")
+#: Blanks that do not part lines, of thousands and of pages of the web.
+_OTHER_BLANKS: Final = re.compile("[\u00a0\u2000-\u200a\u202f\u205f\u3000]")
 #: What word processors make of a minus sign.
 _DASHES: Final = "\u2212\u2010\u2011\u2012\u2013\u2014\uff0d"
 #: With which a mass weighs a force where one is given for the other [m/s^2].
@@ -402,14 +404,16 @@ def _not_a_number(shown: str, dimension: str) -> str:
 
 
 def _wrong_unit(shown: str, number: float, unit: str, dimension: str) -> str:
-    if grouped := _GROUPED.fullmatch(shown.strip()):
+    if grouped := _GROUPED.fullmatch(_OTHER_BLANKS.sub(" ", shown.strip())):
         first, mark, digits, rest = grouped.groups()
         whole = f"'{first}{digits.replace(mark, '')} {rest}'"
         is_either = mark == "," and len(digits) == 3
         decimal = f", or decimals with a point, '{first}.{digits} {rest}'" if is_either else ""
         return f"'{shown}': thousands are written without a mark, {whole}{decimal}"
     if re.match(r",[0-9]", unit):
-        return f"'{shown}' has a decimal comma; a decimal point is needed: {example(dimension)}"
+        right = shown.strip().replace(",", ".", 1)
+        asked = f"write '{right}'" if _is_quantity(right, dimension) else example(dimension)
+        return f"'{shown}' has a decimal comma; a decimal point is needed: {asked}"
     if (several := _several(shown, dimension)) is not None:
         return several
     for other, units in DIMENSIONS.items():

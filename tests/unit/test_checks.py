@@ -221,6 +221,17 @@ def test_factor_on_breaking_force_of_every_rope() -> None:
     assert with_limit(sling_factor_on_breaking_force=factor + 0.01).verdict is Verdict.OK
 
 
+def test_a_factor_for_slings_or_for_all_ropes_is_asked_for() -> None:
+    """In the row of all ropes, whose worst may be a luffing rope: either limit answers it."""
+    check = next(
+        one for one in check_recording(ringing_lift()) if one.name == "rope_factor_on_breaking_force"
+    )
+    assert check.remark == (
+        "neither limits nor rules say how far below its breaking force a sling has to stay: write "
+        "'sling_factor_on_breaking_force' under 'limits', or 'rope_factor_on_breaking_force' for all ropes"
+    )
+
+
 def test_ropes_of_unknown_strength_are_named() -> None:
     rig = sample_rig(rope_factor_on_breaking_force=2.0)
     del rig["ropes"][0]["minimum_breaking_force"]

@@ -84,10 +84,11 @@ def test_steps_that_neither_hold_nor_report_are_passed_over() -> None:
 def test_the_run_table_has_a_line_for_each_hook() -> None:
     text = [" ".join(line.split()) for line in lines_of(tandem())]
     assert text[0] == "At the end of 'look', 0.00 s"
-    assert text[1] == "Hook hook load of all hooks hoist load level radius rated there used, as checked"
-    first = f"H0 {141 * 9.81:.1f} kN 60.8 % {150 * 9.81:.1f} kN 30.00 m 16.00 m {231 * 9.81:.1f} kN 77.9 %"
-    assert text[2] == first
-    assert len(text) == 4  # what `report` asks for stands in the table
+    assert text[1] == "Hook hook load of all hooks hoist load level radius rated there used then as checked"
+    first = f"H0 {141 * 9.81:.1f} kN 60.8 % {150 * 9.81:.1f} kN 30.00 m 16.00 m {231 * 9.81:.1f} kN"
+    assert text[2] == f"{first} 64.9 % 77.9 %"
+    assert text[4].startswith("(as checked: with the design weight and the factors of the rules")
+    assert len(text) == 6  # what `report` asks for stands in the table
     level = tandem(plan=[{**HOLD, "report": ["hook_height"]}])
     assert not any("hook height" in line for line in lines_of(level))
 
@@ -105,9 +106,10 @@ def test_the_report_has_a_section_and_a_few_words_on_its_first_page() -> None:
         "height": "30.00",
         "radius": "16.00",
         "rated": "231.0",
-        "used": "77.9",
+        "used_then": "64.9",  # 150/231
+        "used": "77.9",  # 1.2 x 150/231
     }
-    assert shares(subject) == {"look": "hooks 61 / 39 %, chart 78 %"}
+    assert shares(subject) == {"look": "hooks 61 / 39 %, chart 65 %, 78 % as checked"}
 
 
 def test_one_hook_without_a_chart_needs_no_table() -> None:

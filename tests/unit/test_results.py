@@ -74,7 +74,9 @@ def test_columns_are_found_by_name() -> None:
     recording = ringing_lift()
     assert recording.column("rope_tension", "sling.S2")[-1] == pytest.approx(1.01 * 600e3)
     assert recording.column("body_position", "block").shape == (2001, 3)
-    with pytest.raises(KeyError, match=r"no variable 'rope_tensions'"):
+    with pytest.raises(
+        KeyError, match=r"no variable 'rope_tensions' .*; did you mean 'rope_tension'\? It has"
+    ):
         recording["rope_tensions"]
     with pytest.raises(KeyError, match=r"rope_tension has no 'sling.S9'; it has e1\.equalizing, sling\.S1, "):
         recording.column("rope_tension", "sling.S9")

@@ -9,6 +9,7 @@ from gantline.scenario import Scenario
 from gantline.scenario.afloat.mooring import is_moored
 from gantline.scenario.afloat.stream import Wind
 from gantline.scenario.errors import PathPart, Problem, StartError
+from gantline.scenario.failed import on_its_route
 from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.plan.slinging import starts_off
 from gantline.scenario.rigging import resolve
@@ -81,7 +82,7 @@ def with_advice(scenario: Scenario, element: str, cause: str) -> str:
     """
     if cause.endswith((_NO_STEP, _DRIVEN)):
         return cause + _runs_up(scenario, element) + _adrift(scenario, element) + _blown(scenario)
-    cause += foundered(scenario, element, cause)
+    cause = on_its_route(scenario, element, cause) + foundered(scenario, element, cause)
     return cause + _runs_up(scenario, element) if cause.endswith(_USED_UP) else cause
 
 

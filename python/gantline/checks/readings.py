@@ -17,6 +17,8 @@ from gantline.results.variable import BoolArray
 
 __all__ = ["OUTSIDE", "HoldPoint", "HookReading", "hold_points", "hook_readings"]
 
+#: Share of a chart that shows in a table [1].
+_SHOWS = 0.0005
 #: In place of what is rated where no row of a chart is for.
 OUTSIDE = "outside of the chart"
 
@@ -49,8 +51,11 @@ class HookReading:
         height: Of its bearing [m]; None of a crane of several hooks, and where nothing records it.
         radius: Outreach or radius of the hook, of several the one that counts [m]; None without a boom.
         rated: What the chart of the crane rates there [N], 0 outside of it; None without a chart.
-        used: What `hoist_load_of_rating` comes to there, with the factors of the rules [1]; None without a
-            chart, outside of it, or if nothing hangs.
+        used_then: What hangs there, as simulated, over what is rated there [1]; None without a chart, outside
+            of it, or if nothing hangs.
+        used: What `hoist_load_of_rating` comes to there [1]: with the design weight and the factors of the
+            rules, of a crane that lifts alone with the most that it bore while the loads hung still in the
+            whole lift, against what is rated there. None as the one before.
         is_outside: Whether it bears something outside of the chart.
     """
 
@@ -61,8 +66,14 @@ class HookReading:
     height: float | None = None
     radius: float | None = None
     rated: float | None = None
+    used_then: float | None = None
     used: float | None = None
     is_outside: bool = False
+
+    @property
+    def is_checked_for_more(self) -> bool:
+        """Whether the checks have it use more of the chart than hangs there, by more than shows."""
+        return self.used is not None and self.used_then is not None and self.used > self.used_then + _SHOWS
 
 
 def hold_points(recording: Recording) -> Iterator[HoldPoint]:
@@ -126,8 +137,11 @@ def _reading(
         return reading
     chart, group = rating
     rated = float(rated_load(recording, chart, group)[sample])
-    hangs = bool(chart_load(recording, chart, group.hooks)[sample] > 0.0)
-    return replace(reading, rated=rated, used=used.get(group.element), is_outside=rated == 0.0 and hangs)
+    hangs = float(chart_load(recording, chart, group.hooks)[sample])
+    checked = used.get(group.element)
+    then = None if checked is None or rated == 0.0 else hangs / rated
+    is_outside = rated == 0.0 and hangs > 0.0
+    return replace(reading, rated=rated, used_then=then, used=checked, is_outside=is_outside)
 
 
 def _height(recording: Recording, hook: str, sample: int) -> float | None:

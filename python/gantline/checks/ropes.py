@@ -19,7 +19,7 @@ from gantline.results.variable import BoolArray
 _NO_STRENGTH = "minimum breaking force not known"
 _NO_SAFETY = (
     "neither limits nor rules say how far below its breaking force a sling has to stay: "
-    "write 'sling_factor_on_breaking_force' under 'limits'"
+    "write 'sling_factor_on_breaking_force' under 'limits', or 'rope_factor_on_breaking_force' for all ropes"
 )
 _NONE_HELD = "the rules have factors on the breaking force of slings, and no sling is held against it"
 _OVER_EYES = "bends about eyes or luffing sheaves, whose diameter is not known"

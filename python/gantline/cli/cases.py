@@ -43,7 +43,7 @@ def cases(
 
     Ends with code 1 where a check fails, an equilibrium is unstable or a case cannot start, with 3 where
     there is no equilibrium, and with 4 where nothing hangs at that time. Ctrl-C ends it with what has been
-    found by then, and with 130.
+    found by then, or a word that nothing has, and with 130.
     """
     from gantline.replacing import replace_text
     from gantline.results.file.saved import CASES
@@ -58,8 +58,12 @@ def cases(
         if not scenario.cases:
             right = "cases: {heavy: {set: {load.weight.simulate: design}}}"
             stop(f"{scenario.source}: there are no 'cases' in this file; one is written like '{right}'")
-        with folder_in_use(output) as folder, telling("cases") as tell:
-            result = run_cases(scenario, moment, on_progress=tell)
+        try:
+            with folder_in_use(output) as folder, telling("cases") as tell:
+                result = run_cases(scenario, moment, on_progress=tell)
+        except KeyboardInterrupt:
+            warn("interrupted before the equilibrium of the lift as it is given was found: no case is known")
+            raise typer.Exit(INTERRUPTED) from None
     text = json.dumps(result.to_json(), indent=2, allow_nan=False)
     from gantline.cli.cases_table import cases_table, nothing_hangs
 

@@ -21,6 +21,12 @@ _OF_HOOKS = ("hook_load", "hoist_load", "crane_radius")
 #: Share of the most of a hold by which its end is less where that is told.
 _TOLD = 0.25
 
+#: What the share of a chart that is checked has more than what hangs at a hold point, where it is more.
+_CHECKED = (
+    "  (as checked: with the design weight and the factors of the rules; of a crane that lifts alone",
+    "    the most that hung still in it in the whole lift, over what is rated at the hold point)",
+)
+
 #: Of a measure that nothing of a lift has; and of one of hooks that hang in falls, where no hook does.
 _NOTHING = "nothing in this lift has one"
 _OF_FALLS = ("hook_height", "falls_out_of_plumb", "load_swing")
@@ -39,6 +45,7 @@ def hold_points(recording: Recording) -> list[str]:
     """What is read off at the end of every step that holds or reports, and what hangs in hooks then."""
     lines: list[str] = []
     by = recording.rig.growing
+    is_more = False
     moment = f", as {' and '.join(by)} have it then" if by else ""
     for point in held(recording):
         sample = int(np.argmax(point.at))
@@ -56,7 +63,8 @@ def hold_points(recording: Recording) -> list[str]:
         if rows or readings or point.step.report:
             lines += pairs(f"At the end of '{point.step.step}', {show(point.time, 's', 2)}{moment}", rows)
             lines += _hooks(readings)
-    return lines
+            is_more |= any(one.is_checked_for_more for one in readings)
+    return [*lines, *(_CHECKED if is_more else ())]
 
 
 def _nothing(recording: Recording, measure: str) -> str:
@@ -73,7 +81,8 @@ def _hooks(readings: list[HookReading]) -> list[str]:
         ("level", [show(one.height, "m", 2) for one in readings]),
         ("radius", [show(one.radius, "m", 2) for one in readings]),
         ("rated there", [_rated(one) for one in readings]),
-        ("used, as checked", [show(one.used, "%", 1) for one in readings]),
+        ("used then", [show(one.used_then, "%", 1) for one in readings]),
+        ("as checked", [show(one.used, "%", 1) for one in readings]),
     ]
     kept = [(head, cells) for head, cells in columns if any(cell != ABSENT for cell in cells)]
     rows = list(zip([one.name for one in readings], *(cells for _, cells in kept), strict=True))

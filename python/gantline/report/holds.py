@@ -52,6 +52,7 @@ def _row(reading: HookReading, gravity: float) -> dict[str, str]:
         "height": number(reading.height, "m", 2),
         "radius": number(reading.radius, "m", 2),
         "rated": OUTSIDE if reading.is_outside else number(rated, "t", 1),
+        "used_then": number(reading.used_then, "%", 1),
         "used": number(reading.used, "%", 1),
     }
 
@@ -63,13 +64,17 @@ def shares(subject: Subject) -> dict[str, str]:
     for point in hold_points(subject.recording):
         readings = hook_readings(subject.recording, point.at)
         parts = [one.share for one in readings if one.name in names and one.share is not None]
-        used = [one.used for one in readings if one.used is not None]
+        used, then = (
+            [share for share in shares if share is not None]
+            for shares in ([one.used for one in readings], [one.used_then for one in readings])
+        )
         texts = []
         if 1 < len(parts) <= _MOST_SHARES:
             texts.append(f"hooks {' / '.join(number(one, '%', 0) for one in parts)} %")
         if any(one.is_outside for one in readings):
             texts.append(OUTSIDE)
         elif used:
-            texts.append(f"chart {show(max(used), '%', 0)}")
+            checked, hangs = (show(max(shares), "%", 0) for shares in (used, then))
+            texts.append(f"chart {hangs}" + (f", {checked} as checked" if checked != hangs else ""))
         found[point.step.step] = ", ".join(texts)
     return found

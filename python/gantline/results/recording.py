@@ -6,6 +6,7 @@ lists its variables with their dimensions and units.
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
@@ -110,7 +111,9 @@ class Recording:
             return self._variables[name]
         except KeyError:
             known = ", ".join(self._variables)
-            raise KeyError(f"no variable {name!r} in this recording; it has {known}") from None
+            near = difflib.get_close_matches(str(name), self._variables, n=1)
+            likely = f"did you mean {near[0]!r}? It has" if near else "it has"
+            raise KeyError(f"no variable {name!r} in this recording; {likely} {known}") from None
 
     def __contains__(self, name: object) -> bool:
         return name in self._variables
@@ -242,7 +245,11 @@ class Recording:
 
     @cached_property
     def dataset(self) -> xarray.Dataset:
-        """The same as an `xarray.Dataset` (dictionaries among the attributes as they are, not as text)."""
+        """The same as an `xarray.Dataset` (dictionaries among the attributes as they are, not as text).
+
+        For pandas take a variable of it, `dataset["rope_tension"].to_pandas()`: `to_dataframe` of the whole
+        has a row for each combination of all dimensions, and none at all where nothing has happened.
+        """
         from gantline.results.file.dataset import dataset_of
 
         return dataset_of(self)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -160,10 +161,12 @@ def run_cases(
     whole: list[str] = []
     with SideBySide(workers) as pool:
         try:
+            tell("preparing the lift as it is given")
             pending.append(("", _with_bounds(pool, base, time, State("", "", "none", 0.0))))
             for name in scenario.cases or {}:
-                tell(f"variants of '{name}'")
-                pending += ((name, one) for one in _states(pool, scenario, base, name, time))
+                about = partial(_tell_about, tell, name, pending)
+                about("")
+                pending += ((name, one) for one in _states(pool, scenario, base, name, time, about))
                 whole.append(name)
             for done, (_, one) in enumerate(pending):
                 tell(f"{done} of {len(pending)} variants")
@@ -192,6 +195,14 @@ def run_cases(
 _Pending = Future[list[State]]
 
 
+def _tell_about(
+    tell: Callable[[str], None], name: str, pending: Sequence[tuple[str, _Pending]], doing: str
+) -> None:
+    """Tell what of a case is prepared now, and how many variants are found by then."""
+    found = sum(one.done() for _, one in pending)
+    tell(f"preparing '{name}'{doing and f': {doing}'}, {found} of {len(pending)} variants so far")
+
+
 def _known(state: State) -> _Pending:
     """A state that is known already."""
     found: _Pending = Future()
@@ -200,12 +211,17 @@ def _known(state: State) -> _Pending:
 
 
 def _states(
-    pool: SideBySide, scenario: Scenario, base: Scenario, name: str, time: float | None
+    pool: SideBySide,
+    scenario: Scenario,
+    base: Scenario,
+    name: str,
+    time: float | None,
+    about: Callable[[str], None],
 ) -> Iterator[_Pending]:
-    """All states of a case."""
+    """All states of a case; `about` is told what takes long."""
     case = (scenario.cases or {})[name]
     if case.vary == TOLERANCE:
-        yield from _tolerances(pool, scenario, base, name, time)
+        yield from _tolerances(pool, scenario, base, name, time, about)
     elif case.cut:
         yield _cut(pool, scenario, base, name, time)
     else:
@@ -268,11 +284,17 @@ def _cut(pool: SideBySide, scenario: Scenario, base: Scenario, name: str, time: 
 
 
 def _tolerances(
-    pool: SideBySide, scenario: Scenario, base: Scenario, name: str, time: float | None
+    pool: SideBySide,
+    scenario: Scenario,
+    base: Scenario,
+    name: str,
+    time: float | None,
+    about: Callable[[str], None],
 ) -> Iterator[_Pending]:
     """Patterns of long and short slings, by sensitivities, and each solved anew."""
     case = (scenario.cases or {})[name]
     question = Statics(base)
+    about("equilibrium without tolerances")
     given = settled(question, time, State(name, "", "none", 0.0))
     if given.rest is None:
         yield _known(given)
@@ -282,10 +304,13 @@ def _tolerances(
     if not off:
         yield _known(replace(given, variant="no sling with a tolerance is on"))
         return
+    about("how lengths change tensions")
     change = _changes(scenario, name, question, off)
     if change is None or case.pattern == "each":
         patterns = single_patterns(len(off))
     else:
+        if given.rest.lossy:
+            about("how lengths change tensions with losses of sheaves")
         changes = [change, *_changes_by_losses(question, time, given, off)]
         found = (pattern for one in changes for pattern in worst_patterns(str(case.pattern), one))
         patterns = list(dict.fromkeys(found))

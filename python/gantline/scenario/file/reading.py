@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 from typing import Any
 
 from gantline.scenario.errors import Problem, ScenarioError, closest
+from gantline.scenario.file import odd_characters
 from gantline.scenario.file.from_tree import from_tree
 from gantline.scenario.file.shipped import shipped
 from gantline.scenario.file.tree import parse_text, read_text
@@ -90,6 +91,20 @@ def parse_scenario(text: str | Mapping[str, Any], source: str | None = None) -> 
 
 
 def _parsed(text: str, source: str) -> Scenario:
+    def problems_of(another: str) -> Sequence[Problem]:
+        try:
+            _checked(another, source)
+        except ScenarioError as error:
+            return error.problems
+        return ()
+
+    try:
+        return _checked(text, source)
+    except ScenarioError as error:
+        raise odd_characters.named(error, text, problems_of) from None
+
+
+def _checked(text: str, source: str) -> Scenario:
     scenario = from_tree(parse_text(text, source), source, text)
     check_cases(scenario)
     return scenario

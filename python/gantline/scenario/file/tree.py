@@ -315,9 +315,10 @@ class _Builder:
             if self.stack and isinstance(self.stack[-1], MapNode) and self.keys[-1] is None:
                 self._key(text)
                 return
-            if text == "" and not event.style and self.stack:
+            is_plain = not event.style and bool(self.stack)
+            if text == "" and is_plain:
                 self._empty(line)
-            elif not event.style and (found := _NUMBERED.match(self.text, event.end_mark.index)):
+            elif is_plain and (found := _NUMBERED.match(self.text, event.end_mark.index)):
                 self._numbered(text, found[0].strip())
             self._place(text)
             return
