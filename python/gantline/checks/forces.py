@@ -448,5 +448,12 @@ def _with_peak_of(recording: Recording, force: Force, values: FloatArray, during
     if highest is None:
         return force
     counts = bool(during.all() or force.window is None or during[force.window].all())
-    heavier = force.static is not None and _raises(recording) and not has_hung_as_heavy(recording, highest[1])
-    return replace(force, peak=highest[0], time=highest[1], counts_static=counts, is_heavier=heavier)
+    lighter = force.static is not None and not has_hung_as_heavy(recording, highest[1], force.window)
+    return replace(
+        force,
+        peak=highest[0],
+        time=highest[1],
+        counts_static=counts,
+        is_of_less=lighter,
+        is_heavier=lighter and _raises(recording),
+    )
