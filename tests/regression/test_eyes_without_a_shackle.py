@@ -1,7 +1,7 @@
 """Slings with a shackle at one end were `ok` by its bow, whatever the eye at their other end bent about.
 
 An eye of 64 mm on a pin of its own diameter keeps half of its strength, on a bow of 105 mm 61 %: where 90 %
-of it was used by the bow, the pin would have had 110 %. Two shackles of which one has no bow were `not checked`.
+of it was used by the bow, the pin would have had 110 %. Two shackles, one without a bow, were `not checked`.
 """
 
 from __future__ import annotations
