@@ -87,6 +87,7 @@ class Force:
             never hung still, so that no static value has what it is of.
         on_the_way: The largest force of such a time, where it is more than `static`: for what is rated for
             static forces alone.
+        crest: What a peak of samples may have come to between two of them [N]; None where nothing says so.
         contingency: By what the peak is more with the design weight [1], which is for a warning alone.
     """
 
@@ -106,6 +107,7 @@ class Force:
     is_heavier: bool = False
     peak_ratio: float = 1.0
     on_the_way: OnTheWay | None = None
+    crest: float | None = None
     contingency: float = 1.0
 
     @property
@@ -232,7 +234,8 @@ def over(force: Force, strength: float, element: str, raised: Raised | None = No
 
 
 def _told(force: Force, governing: float, share: float, found: Found) -> Found:
-    """A share of what governs, and of the peak with the design weight where that is more."""
+    """A share of what governs, and of the peak with the design weight, or between samples, that is more."""
     more = force.peak_at_design
     at_design = share * more if more > governing else None
-    return replace(found, value=share * governing, at_design=at_design)
+    between = None if force.crest is None or force.crest <= governing else share * force.crest
+    return replace(found, value=share * governing, at_design=at_design, between=between)
