@@ -1,9 +1,9 @@
 """What two hooks of one crane bore together between two samples was told by nothing.
 
 A beam of 40 t that its hooks lift off at 12 m/min had 589.6 kN in both by samples of 20 ms, and 609.7 kN by
-samples of 1 ms: of a capacity of 61 t 98.5 %, without a word, where 101.9 % were used. Peaks of either hook by
-itself are kept over all steps; of sums of them the parabola through the largest sample and its neighbours is
-told, as of all that is held against a limit sample by sample.
+samples of 1 ms: 98.5 % of a capacity of 61 t, without a word, where 101.9 % were used. Peaks of either hook
+by itself are kept over all steps; of sums of them the parabola through the largest sample and its neighbours
+is told, as of all that is held against a limit sample by sample.
 """
 
 from __future__ import annotations
