@@ -70,8 +70,9 @@ def test_what_pulls_aslant_is_held_against_what_is_compared() -> None:
     assert (upright**2 + aside**2).max() <= (upright.max() * (1.0 + lean**2 / 2.0)) ** 2
     checks = check_recording(recording)
     (rated,) = [one for one in checks if one.name == "hoist_load_of_rated_capacity"]
-    most, _ = hook_peak(recording, "hook", "hook_load")
-    assert most == pytest.approx(upright.max(), rel=1e-3)
+    # Of a hook by itself that is the largest of all steps, which samples may miss by a little.
+    most, _ = hook_peak(recording, "hook", "hoist_load")
+    assert upright.max() <= most <= 1.001 * upright.max()
     assert rated.value == pytest.approx(most / (60e3 * recording.rig.gravity), rel=1e-6)
     assert rated.verdict is Verdict.OK and "aside" not in rated.remark
     assert outcome_of(checks) is Outcome.GO

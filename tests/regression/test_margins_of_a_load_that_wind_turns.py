@@ -32,11 +32,11 @@ def lift(more: str = "") -> Scenario:
     areas = f"wind_areas: {{sides: {{area: {AREA} m^2, along: y, coefficient: {COEFFICIENT}}}, {ends}}}\n"
     stands = ("ground: {friction: 0.5}\n", ""), ("  stands_on: ground\n", "")
     hanging = changed(LIFT, ("  lugs:\n", f"  {areas}  lugs:\n"), *stands)
-    # Lugs that bear what two of them have to, at the end of a margin that is to be one of slack slings.
+    # Lugs that bear what two of them have to, and a tilt that may be, at the end of a margin that is to be
+    # one of slack slings.
     hanging = hanging.replace("capacity: 13.2 t", "capacity: 30 t")
-    return parse_scenario(
-        f"{hanging[: hanging.index('plan:')]}plan: [{{step: hold, hold: until_end}}]\n{more}"
-    )
+    rest = "plan: [{step: hold, hold: until_end}]\nlimits: {rule: own, load_tilt: 30 deg}\n"
+    return parse_scenario(f"{hanging[: hanging.index('plan:')]}{rest}{more}")
 
 
 def by_hand() -> float:

@@ -82,6 +82,8 @@ def hanging_of_capacity(
             yield from over(force, gear.rated_capacity, gear.name)
             yield Caution(NO_STATIC)
             return
+        if force.static_caution:
+            yield Caution(force.static_caution)
         rated = kilonewton(gear.rated_capacity)
         if (way := force.on_the_way) is not None:
             # What it bears as a load is turned, between two holds, is no dynamics.

@@ -30,6 +30,10 @@ UNRAISED_IN_WATER = (
     "peak of the simulated weight alone: more of the load is left to bear then, by the water or with what is "
     "in its tanks, than whenever it hung still, so that nothing tells what of it is static; a hold there does"
 )
+OF_LESS = (
+    "static force of a time with less to bear: more of the load is left to bear at the peak, by the water or "
+    "with what is in its tanks, than whenever it hung still; a hold there tells"
+)
 NO_DYNAMIC = f"an equilibrium has no peak, and the rules no {DYNAMIC}"
 
 
@@ -76,13 +80,14 @@ class Force:
         lacks_static: Whether contingency or a factor of the rule had to be left out, for want of `static`.
         is_under_other_pins: Whether `static` is of other sheaves pinned than the peak, which governs, and
             nothing is of those, so that contingency and factors are left out of it.
-        is_heavier: Whether more is left to bear of the loads at the peak, by water or with what is in tanks,
-            than in any time that they hung still: `static` is then of less, and the peak without contingency
-            and factors.
+        is_of_less: Whether more is left to bear of the loads at the peak, by water or with what is in tanks,
+            than in any time that they hung still, and than in `window`.
+        is_heavier: The same where contingency or factors raise static forces: the peak is without these then.
         peak_ratio: By what the peak is raised to the design weight [1]; 1 but of a time as which the loads
             never hung still, so that no static value has what it is of.
         on_the_way: The largest force of such a time, where it is more than `static`: for what is rated for
             static forces alone.
+        crest: What a peak of samples may have come to between two of them [N]; None where nothing says so.
         contingency: By what the peak is more with the design weight [1], which is for a warning alone.
     """
 
@@ -98,9 +103,11 @@ class Force:
     window: BoolArray | None = field(default=None, compare=False, repr=False)
     lacks_static: bool = False
     is_under_other_pins: bool = False
+    is_of_less: bool = False
     is_heavier: bool = False
     peak_ratio: float = 1.0
     on_the_way: OnTheWay | None = None
+    crest: float | None = None
     contingency: float = 1.0
 
     @property
@@ -111,6 +118,11 @@ class Force:
         if self.is_heavier:
             return UNRAISED_IN_WATER
         return UNRAISED_UNDER_PINS if self.is_under_other_pins else ""
+
+    @property
+    def static_caution(self) -> str:
+        """What the static force by itself leaves out, in a sentence; empty where nothing is."""
+        return OF_LESS if self.is_of_less else ""
 
     @property
     def raised_peak(self) -> float | None:
@@ -222,7 +234,8 @@ def over(force: Force, strength: float, element: str, raised: Raised | None = No
 
 
 def _told(force: Force, governing: float, share: float, found: Found) -> Found:
-    """A share of what governs, and of the peak with the design weight where that is more."""
+    """A share of what governs, and of the peak with the design weight, or between samples, that is more."""
     more = force.peak_at_design
     at_design = share * more if more > governing else None
-    return replace(found, value=share * governing, at_design=at_design)
+    between = None if force.crest is None or force.crest <= governing else share * force.crest
+    return replace(found, value=share * governing, at_design=at_design, between=between)

@@ -20,7 +20,7 @@ import numpy as np
 from gantline.checks.below_hooks import to_design_weight
 from gantline.checks.design_weight import design_ratio
 from gantline.checks.force import DYNAMIC, OWN_WEIGHT, SKEW, Force, OnTheWay, kilonewton, to_design
-from gantline.checks.measure import Found, extreme
+from gantline.checks.measure import Found, crest, extreme
 from gantline.results import series
 from gantline.results.alike import earliest_peak
 from gantline.results.gear import Sling
@@ -110,7 +110,13 @@ def force_together(
     ratio = max(design_ratio(recording, sling.to_load, force.window) for sling in slings)
     # Peaks of each alone are the same whatever the window.
     highest = max([force, *alone], key=lambda one: one.raised_peak or 0.0)
-    force = replace(force, peak=highest.peak, time=highest.time, peak_ratio=highest.peak_ratio)
+    force = replace(
+        force,
+        peak=highest.peak,
+        time=highest.time,
+        peak_ratio=highest.peak_ratio,
+        crest=crest(recording.time, together, during),
+    )
     return _under_pins(recording, _with_raised_peak(recording, force, together, during, ratio))
 
 
@@ -224,6 +230,9 @@ def hook_force(
     if force.peak is not None and len(names) == 1:
         peak, time = hook_peak(recording, names[0], variable, during)
         force = replace(force, peak=peak, time=time)
+    elif force.peak is not None:
+        # When the ropes of all of them pulled most together no step has kept.
+        force = replace(force, crest=crest(recording.time, total, during))
     if static is None or force.static is None or not static + falls:
         return force
     return _with_raised_peak(recording, force, total, during, force.static / (static + falls))
@@ -232,6 +241,7 @@ def hook_force(
 def sum_force(recording: Recording, values: FloatArray, load: str | None, during: BoolArray) -> Force:
     """Static and dynamic force of a series that goes with the weight of a load, shape (time,) [N]."""
     force = _with_peak_of(recording, _force(recording, values, load), values, during)
+    force = replace(force, crest=crest(recording.time, values, during))
     ratio = design_ratio(recording, load, force.window)
     return _with_raised_peak(recording, force, values, during, ratio)
 
@@ -368,7 +378,10 @@ def with_upper_ends(recording: Recording, slings: Iterable[Sling], force: Force)
     force = _with_own_weight(recording, force, own)
     if (way := force.on_the_way) is not None:
         force = replace(force, on_the_way=replace(way, peak=way.peak + own))
-    return force if force.peak is None else replace(force, peak=force.peak + own, own_weight=own)
+    if force.peak is None:
+        return force
+    higher = None if force.crest is None else force.crest + own
+    return replace(force, peak=force.peak + own, own_weight=own, crest=higher)
 
 
 def _with_own_weight(recording: Recording, force: Force, own: float) -> Force:
@@ -448,5 +461,12 @@ def _with_peak_of(recording: Recording, force: Force, values: FloatArray, during
     if highest is None:
         return force
     counts = bool(during.all() or force.window is None or during[force.window].all())
-    heavier = force.static is not None and _raises(recording) and not has_hung_as_heavy(recording, highest[1])
-    return replace(force, peak=highest[0], time=highest[1], counts_static=counts, is_heavier=heavier)
+    lighter = force.static is not None and not has_hung_as_heavy(recording, highest[1], force.window)
+    return replace(
+        force,
+        peak=highest[0],
+        time=highest[1],
+        counts_static=counts,
+        is_of_less=lighter,
+        is_heavier=lighter and _raises(recording),
+    )

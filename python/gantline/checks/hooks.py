@@ -74,6 +74,8 @@ def static_hook_load(recording: Recording, during: BoolArray) -> Iterator[Findin
             yield Missing(hook.name, NO_STATIC)
         else:
             yield Found(force.static, hook.name, formula=force.static_text)
+            if force.static_caution:
+                yield Caution(force.static_caution)
 
 
 def dynamic_hook_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -212,6 +214,8 @@ def of_drive_capacity(recording: Recording, during: BoolArray) -> Iterator[Findi
         if force.static is None:
             yield Missing(hook.name, NO_STATIC)
             continue
+        if force.static_caution:
+            yield Caution(force.static_caution)
         holds = hook.holds * _first_layer_over_last(recording, hook.drum, during)
         of_drum = f"{kilonewton(holds)} of its drum"
         if hook.has_weaker_brake:

@@ -159,13 +159,13 @@ def extreme(
     most = float(within.max())
     at = int(np.argmax(within >= most - alike)) if alike else first_peak(within)
     text = formula(at) if formula is not None else ""
-    crest = _crest(recording.time, upwards, during)
-    between = None if crest is None or not crest > most else -crest if smallest else crest
+    highest = crest(recording.time, upwards, during)
+    between = None if highest is None or not highest > most else -highest if smallest else highest
     value = -most if smallest else most
     yield Found(value, element, float(recording.time[at]), text, between=between)
 
 
-def _crest(time: FloatArray, values: FloatArray, during: BoolArray) -> float | None:
+def crest(time: FloatArray, values: FloatArray, during: BoolArray) -> float | None:
     """The highest vertex of a parabola through a sample and its two neighbours, all of them in a mask.
 
     Of samples that are no lower than their neighbours, which the vertex then lies between. A parabola is what

@@ -8,7 +8,7 @@ from gantline.checks.force import OWN_WEIGHT, Force, Raised, kilonewton, over
 from gantline.checks.forces import at_upper_end, factor, force_of_weight, rope_force, sling_forces
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, carrying, extreme
 from gantline.checks.moorings import moors_by_its_limit
-from gantline.checks.slings import bending_factor, bending_text, no_slings, sling_bend
+from gantline.checks.slings import bare_ends, bending_factor, bending_text, no_slings, sling_bend
 from gantline.results import series
 from gantline.results.alike import nothing
 from gantline.results.gear import Rope, Sling
@@ -131,6 +131,9 @@ def _load(recording: Recording, rope: Rope, force: Force) -> Iterator[Finding]:
         return
     assert rope.minimum_breaking_force is not None
     yield from over(force, rope.minimum_breaking_force, rope.name, _safety(recording, bending))
+    sling = next((one for one in recording.rig.slings if one.rope == rope.name), None)
+    if sling is not None:
+        yield from bare_ends(sling)
 
 
 def _safety(recording: Recording, bending: float) -> Raised:

@@ -48,6 +48,8 @@ def static_load(recording: Recording, during: BoolArray) -> Iterator[Finding]:
             yield Missing(element, NO_STATIC)
         else:
             yield max((_of_limit(recording, element, limit, hold) for hold in holds), key=_share)
+            if holds[0].force.static_caution:
+                yield Caution(holds[0].force.static_caution)
 
 
 def _of_limit(recording: Recording, element: str, limit: float, hold: _Hold) -> Found | Refused:

@@ -24,6 +24,7 @@ from gantline.units import format_quantity
 
 #: Share of the largest peak of all slings below which one never carried.
 _NOTHING = 0.01
+_BARE = "no shackle there, and about what the eye bends is not known"
 _CALCULATE = (
     "calculate it, as 'gantline cases' does of 'slings.tolerance', and write 'skew_load_factor' under 'rules'"
 )
@@ -234,6 +235,17 @@ def sling_bend(sling: Sling) -> tuple[float, str] | str:
     return known[end], f"{sling.name} {end}"
 
 
+def bare_ends(sling: Sling) -> Iterator[Missing]:
+    """Ends of a sling of which nothing tells about what their eyes bend, beside one that has a shackle.
+
+    An eye on a pin, a trunnion or a hook may bend more sharply than about the bow at the other end.
+    """
+    if sling.shackles and sling.over is None:
+        for end in ("top", "bottom"):
+            if end not in sling.shackles:
+                yield Missing(f"{sling.name} {end}", _BARE)
+
+
 def sling_bending_ratio(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Diameter of a shackle's bow over the diameter of the sling that bends about it."""
     for sling in recording.rig.slings:
@@ -245,3 +257,4 @@ def sling_bending_ratio(recording: Recording, during: BoolArray) -> Iterator[Fin
             yield Missing(sling.name, "diameter not known")
         else:
             yield Found(bend[0] / rope.diameter, bend[1], formula=bending_text(bend[0], rope.diameter))
+            yield from bare_ends(sling)

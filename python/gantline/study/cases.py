@@ -34,7 +34,7 @@ from gantline.study.pattern import (
     worst_patterns,
 )
 from gantline.study.side_by_side import SideBySide
-from gantline.study.state import State, Worst, settled, stands, unstartable, worst_of
+from gantline.study.state import State, Worst, settled, unstartable, worst_of
 
 __all__ = ["CasesResult", "run_cases"]
 
@@ -182,10 +182,7 @@ def run_cases(
     given = states[0]
     as_given = {state.losses: state for state in states if not state.case}
     earlier = as_given_at(base)
-    states = [
-        with_effect(replace(state, stands=stands(state, given)), as_given.get(state.losses, given), earlier)
-        for state in states
-    ]
+    states = [with_effect(state, as_given.get(state.losses, given), earlier) for state in states]
     not_done = [name for name in scenario.cases or {} if name not in whole]
     left_out = scenario.left_out_at_rest
     return CasesResult(scenario.lift.title, scenario.text, given, states, left_out, not_done)

@@ -11,7 +11,7 @@ from gantline.checks import Check
 from gantline.results import series
 from gantline.scenario import Scenario
 from gantline.statics import Equilibrium, NoEquilibriumError, Statics
-from gantline.study.state import State, differs, values_of
+from gantline.study.state import State, differs, stands, values_of
 
 __all__ = ["as_given_at", "is_as", "with_effect"]
 
@@ -24,7 +24,7 @@ _GROWN = 0.01
 
 
 def with_effect(state: State, given: State, earlier: Callable[[float], Equilibrium | None]) -> State:
-    """A state of a case with what it asks for in vain, and whether it changes anything.
+    """A state of a case with what it asks for in vain, whether it changes anything, and what stands by it.
 
     Args:
         state: Of a case, settled.
@@ -33,14 +33,16 @@ def with_effect(state: State, given: State, earlier: Callable[[float], Equilibri
     """
     if state.rest is None or given.rest is None or not state.case:
         return state
-    if not state.cut:
-        return replace(state, in_vain=(), changes_nothing=is_as(state, given))
     is_then = abs(state.time - given.time) <= _AT_ONCE
+    if not state.cut:
+        on_ground = stands(state, given.rest) if is_then else ()
+        return replace(state, in_vain=(), changes_nothing=is_as(state, given), stands=on_ground)
     before = given.rest if is_then else earlier(state.time)
     in_vain = () if before is None else tuple(_in_vain(state, before))
     swings_to = {} if before is None or state.losses != "none" else _swings_to(state, before)
     nothing = len(in_vain) == len(state.cut)
-    return replace(state, in_vain=in_vain, changes_nothing=nothing, swings_to=swings_to)
+    on_ground = stands(state, before)
+    return replace(state, in_vain=in_vain, changes_nothing=nothing, swings_to=swings_to, stands=on_ground)
 
 
 def _swings_to(state: State, before: Equilibrium) -> dict[str, float]:

@@ -207,11 +207,11 @@ def unstartable(state: State, time: float, error: StartError) -> State:
     return replace(state, time=time, starts=False, cause=error.problems[0].message)
 
 
-def stands(state: State, given: State) -> tuple[str, ...]:
-    """Loads that something supports in a state and nothing in another one of the same time."""
-    if state.rest is None or given.rest is None or state.time != given.time:
+def stands(state: State, given: Equilibrium | None) -> tuple[str, ...]:
+    """Loads that something supports in a state and nothing in the lift as it is given, at the same time."""
+    if state.rest is None or given is None:
         return ()
-    here, there = state.rest.recording, given.rest.recording
+    here, there = state.rest.recording, given.recording
     of_given = {load.name: load for load in there.rig.loads}
     return tuple(
         load.name

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from gantline.assembly.afloat.water import frozen
 from gantline.assembly.spatial import inertia_matrix
 from gantline.cad.mass_properties import point_inertia
-from gantline.checks import Check, Verdict, check_recording, governing
+from gantline.checks import Check, Verdict, check_recording, governing, past_limits
 from gantline.hydro.tank import liquid_in_box
 from gantline.results import series
 from gantline.results.alike import first_peak
@@ -275,9 +275,10 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
     """How far the centre of gravity of a lift's load may be elsewhere.
 
     The lift is solved anew with it moved, each way until something happens: no equilibrium, one that is not
-    stable, a sling goes slack, a sheave is beyond its travel, the load tilts by more than its limit, or a
-    check of the equilibrium fails, such as that of the hook which then bears more. There is no margin to
-    where a check gets worse that fails as planned.
+    stable, a sling goes slack, a sheave is beyond its travel, the load tilts by more than its limit, or than
+    checks warn of where it has none and does not do so as planned, or a check of the equilibrium fails, such
+    as that of the hook which then bears more. There is no margin to where a check gets worse that fails as
+    planned.
 
     Args:
         scenario: The lift, without cases.
@@ -297,6 +298,7 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
     (name,) = [one.body for one in rest.recording.rig.loads if one.name == load.name]
     plumb = axes(rest.recording.column("body_orientation", name)[-1])[2]
     failed = {name: _used(one) for name, one in _failed(rest).items()}
+    leans = bool(_leans(rest))
     slack = {sling.name for sling in rest.recording.rig.slings if rest.tension(sling.rope) <= 0.0}
 
     def trouble(way: Floats, shift: float) -> _Trouble:
@@ -312,7 +314,8 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
             return _Trouble(problem.problems[0].sentence.partition(";")[0])
         except NoEquilibriumError as problem:
             return _Trouble(f"no equilibrium: {problem.cause} ({problem.element})")
-        return _trouble(question, Hanging(question, found), slack, failed)
+        there = _trouble(question, Hanging(question, found), slack, failed)
+        return there if there.cause or leans else _Trouble(_leans(found))
 
     return [_margin(name, partial(trouble, way), farthest) for name, way in _ways(plumb)]
 
@@ -385,6 +388,15 @@ def _trouble(question: Statics, hanging: Hanging, slack: set[str], failed: Mappi
     is_planned = worst.name in failed
     planned = " as planned, and by more" if is_planned else ""
     return _Trouble(f"{worst.name} of {worst.element} fails its limit of {limit}{planned}", is_planned)
+
+
+def _leans(rest: Equilibrium) -> str:
+    """That a load without a limit tilts past the bound of checks, in words; empty where it does not."""
+    checks = check_recording(rest.recording)
+    past = next((one for one in past_limits(checks) if one.name == "load_tilt"), None)
+    if past is None or past.limit is None:
+        return ""
+    return f"tilt beyond {format_quantity(past.limit, past.unit, past.digits)}, of which checks warn"
 
 
 def _failed(rest: Equilibrium) -> dict[str, Check]:

@@ -64,7 +64,7 @@ def has_hung_so(recording: Recording, time: float, *, of_slings: bool = False) -
 
 
 def never_hung_so(recording: Recording) -> BoolArray:
-    """Samples as which the loads never hung still, in the slings of then and turned as then, shape (time,).
+    """Samples as which the loads never hung still, in these slings, turned and filled so, shape (time,).
 
     None of loads that hung still at no time, of which nothing static is known, and of loads in water, which
     hang with other weights there.
@@ -82,8 +82,22 @@ def _found_never(recording: Recording) -> BoolArray:
         at = int(np.flatnonzero(window)[-1])
         with_these = (on == on[:, at, np.newaxis]).all(axis=0)
         so = shut_as_at(recording, float(recording.time[at])) & series.turned_as_at(recording, at)
-        alike |= window | (with_these & so)
+        alike |= window | (with_these & so & _filled_as_at(recording, at))
     return ~alike
+
+
+def _filled_as_at(recording: Recording, sample: int) -> BoolArray:
+    """Samples at which tanks of loads hold what they hold at one, shape (time,).
+
+    What runs from one end of a load to the other changes what slings bear as much as what runs out.
+    """
+    alike = np.ones(len(recording.time), dtype=np.bool_)
+    for load in recording.rig.loads:
+        enough = _HEAVIER * float(series.load_weight(recording, load).max())
+        for tank in load.tanks:
+            held = recording.rig.gravity * recording.column("tank_content", tank)
+            alike &= np.abs(held - held[sample]) <= enough
+    return alike
 
 
 def on_the_way(recording: Recording) -> BoolArray:
@@ -156,9 +170,16 @@ def how_on_the_way(recording: Recording, window: BoolArray | None) -> str:
     return f"{how}, about {format_quantity(float(recording.time[window].mean()), 's', 0)}"
 
 
-def has_hung_as_heavy(recording: Recording, time: float) -> bool:
-    """Whether of every load as much was left to bear in some time that it hung still as is at a time [s]."""
-    return bool(_still_as_heavy(recording, time).any())
+def has_hung_as_heavy(recording: Recording, time: float, window: BoolArray | None = None) -> bool:
+    """Whether of every load as much was left to bear in some time that it hung still as is at a time [s].
+
+    Args:
+        recording: The recording.
+        time: The time [s].
+        window: Another time of which forces have their static value, between two of these, shape (time,).
+    """
+    still = bool(_still_as_heavy(recording, time).any())
+    return still or (window is not None and _are_as_heavy(recording, time, window))
 
 
 def left_by_water(recording: Recording, load: Load) -> FloatArray:
@@ -178,11 +199,15 @@ def _still_as_heavy(recording: Recording, time: float) -> BoolArray:
     leave of them from crest to trough is dynamics.
     """
     still = np.zeros(len(recording.time), dtype=np.bool_)
-    changing = [one for one in recording.rig.loads if one.in_water is not None or one.tanks]
     for window in series.quiet_windows(recording):
-        if all(_is_as_heavy(recording, load, time, window) for load in changing):
+        if _are_as_heavy(recording, time, window):
             still |= window
     return still
+
+
+def _are_as_heavy(recording: Recording, time: float, window: BoolArray) -> bool:
+    changing = [one for one in recording.rig.loads if one.in_water is not None or one.tanks]
+    return all(_is_as_heavy(recording, load, time, window) for load in changing)
 
 
 def _is_as_heavy(recording: Recording, load: Load, time: float, window: BoolArray) -> bool:
