@@ -23,6 +23,7 @@ _STRENGTHS = frozenset(
         "hoist_load_of_rating",
         "equalizer_load_of_rated_capacity",
         "chain_hoist_load_of_rated_capacity",
+        "drum_load_of_rated_capacity",
         "spreader_load_of_rated_capacity",
         "compensator_load_of_rated_capacity",
         "compensator_peak_of_rated_capacity",

@@ -1,4 +1,4 @@
-"""Drums: whether rope enough stays on them, and no more comes on than there is room for.
+"""Drums: what they carry of what they may carry, and whether rope enough stays on them, but not too much.
 
 A simulation pays out more rope than there is, and winds it on in layers that the drum does not have.
 """
@@ -11,12 +11,30 @@ from dataclasses import replace
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
+from gantline.checks.force import over
+from gantline.checks.forces import at_upper_end, rope_force
+from gantline.checks.measure import Finding
 from gantline.results import series
 from gantline.results.alike import first_peak
 from gantline.results.gear import Drum
 from gantline.results.recording import Recording
+from gantline.results.variable import BoolArray
 
-__all__ = ["turns_left"]
+__all__ = ["load_of_rated_capacity", "turns_left"]
+
+
+def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Force of each rope on a winch or strand jack, static and dynamic, over what that is rated for.
+
+    At its upper end, where the bundle of a jack hangs in it; a winch down on a deck has less.
+    """
+    rated = {drum.joint: drum.rated_capacity for drum in recording.rig.drums if drum.rated_capacity}
+    for name, capacity in rated.items():
+        # Whichever way round and on whichever diameter of its shaft, and a rope with both ends there once.
+        ropes = {rope for drum in recording.rig.drums if drum.joint == name for rope in drum.ropes}
+        for rope in sorted(ropes):
+            force = at_upper_end(recording, rope, rope_force(recording, rope, during), during)
+            yield from over(force, capacity, name if len(ropes) == 1 else f"{name}/{rope}")
 
 
 def turns_left(recording: Recording) -> list[Check]:

@@ -13,6 +13,7 @@ from gantline.checks import (
     contacts,
     cranes,
     crawlers,
+    drums,
     equalizers,
     guides,
     hinges,
@@ -209,6 +210,10 @@ LIMITS: dict[str, Measure] = {
     "chain_hoist_load_of_rated_capacity": _utilisation(
         "largest force of a sling / rated capacity of the chain hoist in it",
         chain_hoists.load_of_rated_capacity,
+    ),
+    "drum_load_of_rated_capacity": _utilisation(
+        "largest force of a rope on a drum / rated capacity of the winch or strand jack that it stands for",
+        drums.load_of_rated_capacity,
     ),
     "spreader_load_of_rated_capacity": _utilisation(
         "static vertical force of all slings under a spreader / its rated capacity",

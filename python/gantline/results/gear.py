@@ -369,6 +369,8 @@ class Drum(FromJson):
         layer_step: Radius that each further layer adds [m].
         spare_turns: Turns that have to stay on it; None where nothing is said.
         asks_for_turns: Whether the lift file says so, and no rule in its place.
+        ropes: Names of the ropes on it; empty of a hook's drum, which has them as falls.
+        rated_capacity: Working load limit of each of them there [N]; None if not said.
     """
 
     name: str
@@ -381,6 +383,8 @@ class Drum(FromJson):
     spare_turns: float | None = None
     asks_for_turns: bool = False
     flow: str = ""
+    ropes: Sequence[str] = ()
+    rated_capacity: float | None = None
 
     @property
     def joint(self) -> str:

@@ -117,6 +117,11 @@ class Limits(Element):
         None,
         description="Force of a sling, of the rated capacity of the chain hoist in it; 100 % if not given.",
     )
+    drum_load_of_rated_capacity: _Share | None = Field(
+        None,
+        description="Force of a rope on a drum of 'mechanics', of the rated capacity of that winch or strand "
+        "jack; 100 % if not given.",
+    )
     spreader_load_of_rated_capacity: _Share | None = Field(
         None,
         description="Static load of all slings under a spreader, of its rated capacity; 100 % if not given.",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from gantline.assembly.cranes.compensators import gas_kind
 from gantline.assembly.cranes.reeving import reeved_hooks
@@ -160,11 +161,15 @@ def drum_rig(scenario: Scenario) -> list[Json]:
     drums = []
     for name, drum in (plain or {}).items():
         lying = _lying_on(scenario, name, drum)
-        drums += _parts_of_drum(name, drum, 1.0, lying["with"] or {drum.diameter: None})
+        own = _parts_of_drum(name, drum, 1.0, lying["with"] or {drum.diameter: _Lying()})
         if lying["against"]:  # it pays out what the others haul in, and has turns of its own
             if not lying["with"]:
-                drums[-1] |= {"wraps_at_start": None, "asks_for_turns": False}
-            drums += _parts_of_drum(_wound_against(name), drum, -1.0, lying["against"], name)
+                own[-1] |= {"wraps_at_start": None, "asks_for_turns": False}
+            own += _parts_of_drum(_wound_against(name), drum, -1.0, lying["against"], name)
+        if drum.rated_capacity is not None:
+            rated = drum.rated_capacity * scenario.simulation.gravity
+            own = [part | {"rated_capacity": rated} for part in own]
+        drums += own
     for hook in reeved_hooks(scenario):
         paid_out, rope_diameter = -float(hook.reeving.parts_each), ropes[hook.reeving.rope].diameter
         name, on = hoist_drum(hook.name), hook.drum.diameter
@@ -172,20 +177,30 @@ def drum_rig(scenario: Scenario) -> list[Json]:
     return drums
 
 
-def _lying_on(scenario: Scenario, name: str, drum: Drum) -> dict[str, dict[float, float | None]]:
-    """Diameters of the ropes on a drum by the pitch diameters on which they lie [m], either way round."""
-    ropes = scenario.ropes or {}
-    lying: dict[str, dict[float, float | None]] = {"with": {}, "against": {}}
-    for rope in ((scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}).values():
-        for guide in rope.route:
+@dataclass(frozen=True)
+class _Lying:
+    """Ropes on one diameter of a drum: their names, and the diameter of the last [m]; None if not given."""
+
+    ropes: tuple[str, ...] = ()
+    diameter: float | None = None
+
+
+def _lying_on(scenario: Scenario, name: str, drum: Drum) -> dict[str, dict[float, _Lying]]:
+    """The ropes on a drum by the pitch diameters on which they lie [m], either way round."""
+    kinds = scenario.ropes or {}
+    ropes = (scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}
+    lying: dict[str, dict[float, _Lying]] = {"with": {}, "against": {}}
+    for rope, given in ropes.items():
+        for guide in given.route:
             if isinstance(guide, RopeEnd) and guide.drum == name:
-                on = guide.drum_diameter or drum.diameter
-                lying[guide.wound or "with"][on] = ropes[rope.rope].diameter
+                on, on_it = guide.drum_diameter or drum.diameter, lying[guide.wound or "with"]
+                others = on_it.get(on, _Lying()).ropes
+                on_it[on] = _Lying((*others, rope), kinds[given.rope].diameter)
     return lying
 
 
 def _parts_of_drum(
-    name: str, drum: Drum, way: float, lying: Mapping[float, float | None], flow: str = ""
+    name: str, drum: Drum, way: float, lying: Mapping[float, _Lying], flow: str = ""
 ) -> list[Json]:
     """What a drum pays out, one for each diameter on which rope lies: all have its turns, and other ways.
 
@@ -193,11 +208,11 @@ def _parts_of_drum(
     """
     main = drum.diameter if drum.diameter in lying else next(iter(lying))
     rest = [one for one in lying if one != main]
-    own = _drum(name, drum, main, way * main / drum.diameter, lying[main]) | {"flow": flow}
-    return [own] + [
-        _drum(_on_diameter(name, one), drum, one, way * one / drum.diameter, lying[one])
-        | {"flow": flow or name}
-        for one in rest
+    named = {main: (name, flow)} | {one: (_on_diameter(name, one), flow or name) for one in rest}
+    return [
+        _drum(called, drum, on, way * on / drum.diameter, lying[on].diameter)
+        | {"flow": of, "ropes": list(lying[on].ropes)}
+        for on, (called, of) in named.items()
     ]
 
 

@@ -142,6 +142,11 @@ class Drum(RopeOnDrum):
     brake: NotNegativeForce | None = Field(
         None, description="Largest pull of the rope on its diameter that brake or dry friction hold."
     )
+    rated_capacity: PositiveMass | None = Field(
+        None,
+        description="Working load limit of a winch or strand jack, for each rope on it; what the drive can "
+        "pull is its 'capacity'.",
+    )
     motion: list[SpeedRamp] | None = Field(
         None, description="Motion given in advance, at rest at first; paying out is positive."
     )
