@@ -14,7 +14,7 @@ from gantline.simulation import simulate
 from tanked_load import document, hold, lift
 
 BOW, ROPE = 105.0, 64.0  # [mm]
-BARE = "not checked, no shackle there, and about what the eye bends is not known"
+BARE = "not checked, no shackle there, and about what the eye bends is not known ('bends_about' of the sling)"
 FACTORS = ("load_factor", "consequence_factor", "material_factor", "termination_factor")
 
 

@@ -365,6 +365,8 @@ def _sling(scenario: Scenario, rigging: Rigging, sling: SlingRigging) -> Json:
         ]
     if sling.upper_lug is not None:
         others["from_lug"] = sling.upper_lug
+    if sling.bends_about:
+        others["bends_about"] = dict(sling.bends_about)
     if weight := upper_lump(sling) * scenario.simulation.gravity:
         others["upper_weight"] = weight
     return {

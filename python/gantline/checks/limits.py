@@ -323,7 +323,7 @@ LIMITS: dict[str, Measure] = {
         alarm=SLACK_IN_WATER,
     ),
     "sling_bending_ratio": Measure(
-        "diameter of a shackle's bow / diameter of the sling that bends about it (D/d)",
+        "diameter of a shackle's bow, or of what else the eye lies on / diameter of the sling (D/d)",
         "",
         2,
         slings.sling_bending_ratio,

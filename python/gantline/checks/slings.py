@@ -24,7 +24,7 @@ from gantline.units import format_quantity
 
 #: Share of the largest peak of all slings below which one never carried.
 _NOTHING = 0.01
-_BARE = "no shackle there, and about what the eye bends is not known"
+_BARE = "no shackle there, and about what the eye bends is not known ('bends_about' of the sling)"
 _CALCULATE = (
     "calculate it, as 'gantline cases' does of 'slings.tolerance', and write 'skew_load_factor' under 'rules'"
 )
@@ -220,34 +220,32 @@ def bending_text(diameter: float, rope: float) -> str:
 
 def sling_bend(sling: Sling) -> tuple[float, str] | str:
     """Smallest diameter about which the eyes of a sling bend [m] and its place; or why it is not known."""
-    known = {
-        end: shackle.bow_diameter
-        for end, shackle in sling.shackles.items()
-        if shackle.bow_diameter is not None
-    }
+    bows = {end: shackle.bow_diameter for end, shackle in sling.shackles.items()}
+    known = {end: diameter for end, diameter in {**sling.bends_about, **bows}.items() if diameter is not None}
     if sling.over is not None:
         return "bends about an extension sheave, whose diameter counts in pictures only"
-    if not sling.shackles:
-        return "no shackles given"
-    if len(known) < len(sling.shackles):
+    if None in bows.values():
         return "bow diameter not known"
+    if not known:
+        return "no shackles given, nor 'bends_about'"
     end = min(known, key=lambda one: known[one])
     return known[end], f"{sling.name} {end}"
 
 
 def bare_ends(sling: Sling) -> Iterator[Missing]:
-    """Ends of a sling of which nothing tells about what their eyes bend, beside one that has a shackle.
+    """Ends of a sling of which nothing tells about what their eyes bend, beside one that is known.
 
-    An eye on a pin, a trunnion or a hook may bend more sharply than about the bow at the other end.
+    An eye on a pin, a trunnion or a hook may bend more sharply than what is at the other end.
     """
-    if sling.shackles and sling.over is None:
+    known = {*sling.shackles, *sling.bends_about}
+    if known and sling.over is None:
         for end in ("top", "bottom"):
-            if end not in sling.shackles:
+            if end not in known:
                 yield Missing(f"{sling.name} {end}", _BARE)
 
 
 def sling_bending_ratio(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Diameter of a shackle's bow over the diameter of the sling that bends about it."""
+    """Diameter of a shackle's bow, or of what else an eye lies on, over that of the sling."""
     for sling in recording.rig.slings:
         rope = recording.rig.rope(sling.rope)
         bend = sling_bend(sling)

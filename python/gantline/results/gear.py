@@ -151,6 +151,7 @@ class Sling(FromJson):
         length: Effective sling length [m].
         minimum_breaking_force: Of its rope [N]; None if not said.
         shackles: Shackles at `top` and `bottom`.
+        bends_about: Diameters of what its eyes lie on where there is no shackle, at `top` and `bottom` [m].
         upper_weight: What its upper end hangs on what holds it beside its tension [N]: of a lumped rope half,
             its upper shackle, a chain hoist.
     """
@@ -167,6 +168,7 @@ class Sling(FromJson):
     length: float | None = None
     minimum_breaking_force: float | None = None
     shackles: Mapping[str, Shackle] = field(default_factory=dict)
+    bends_about: Mapping[str, float] = field(default_factory=dict)
     upper_weight: float = 0.0
 
     @classmethod

@@ -52,6 +52,8 @@ _LARGEST_TORQUE_FACTOR = 0.3
 #: Diameters of bows and pins of shackles [m]; those of shackles of 1550 t are 0.34 m.
 _SMALLEST_SHACKLE = 4e-3
 _LARGEST_SHACKLE = 0.5
+#: Trunnions of the largest columns have 2 to 3 m [m]; plausible.
+_LARGEST_IN_AN_EYE = 5.0
 #: By which a limit in tonnes is held against forces [m/s^2].
 _GRAVITY = 9.81
 #: Modulus of solid steel [Pa], EN 1993-1-1, 3.2.6: no rope is stiffer over its metallic area.
@@ -317,6 +319,26 @@ class SlingShackles(Element):
     bottom: Name | None = Field(None, description="Shackle at the lug, a name of 'shackles'.")
 
 
+class SlingBends(Element):
+    """What the eyes of a sling lie on where they have no shackle."""
+
+    what: ClassVar[str] = "what the eyes of a sling lie on"
+
+    top: PositiveLength | None = Field(
+        None, description="Diameter of a hook's prong, pin or trunnion in its upper eye."
+    )
+    bottom: PositiveLength | None = Field(None, description="Diameter of a pin or trunnion in its lower eye.")
+
+    @model_validator(mode="after")
+    def _diameters_fit_into_eyes(self) -> SlingBends:
+        for key in ("top", "bottom"):
+            diameter = getattr(self, key)
+            if diameter is not None and not _SMALLEST_SHACKLE <= diameter <= _LARGEST_IN_AN_EYE:
+                sentence = f"{diameter / 1e-3:g} mm is no diameter for the eye of a sling"
+                raise refuse(f"{sentence}; from 4 mm to 5 m is right, such as '{key}: 300 mm'", key)
+        return self
+
+
 class SlingDefaults(Element):
     """What all slings have unless they say otherwise."""
 
@@ -330,6 +352,11 @@ class SlingDefaults(Element):
     rope_nodes: RopeNodes | None = Field(None, description=NODES_SHOWN)
     breaks_at: BreaksAt | None = Field(None, description=f"{BREAKS_SHOWN} As its rope if not given.")
     shackles: SlingShackles | None = Field(None, description="Shackles at both ends.")
+    bends_about: SlingBends | None = Field(
+        None,
+        description="Diameters of what its eyes lie on where there is no shackle, such as {top: 300 mm} on "
+        "the prong of a hook.",
+    )
     tolerance: LengthTolerance | None = Field(
         None, description="Tolerance of the length, plus and minus: a share of it, or a length."
     )

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from gantline.scenario.cranes.chain_hoist import ChainHoist
@@ -97,6 +98,7 @@ class SlingRigging:
         tolerance: what the length may be off, plus and minus [m].
         starts_on: whether it is on at the start, and not put on by a step of the plan.
         chain_hoist: what changes its length as steps say; None for nothing.
+        bends_about: diameters of what its eyes lie on without a shackle, at `top` and `bottom` [m].
     """
 
     name: str
@@ -116,6 +118,7 @@ class SlingRigging:
     bottom: tuple[str, Shackle] | None
     starts_on: bool = True
     chain_hoist: ChainHoist | None = None
+    bends_about: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def upper_body(self) -> str:
@@ -334,7 +337,32 @@ def _sling(findings: Findings, name: str) -> SlingRigging | None:
         return None
     lower = tuple(end for end in ends if end is not None)
     found = SlingRigging(name, *upper, given.over, lower, length, tolerance, rope, weight, top, bottom)
-    return replace(found, chain_hoist=given.chain_hoist)
+    return replace(found, chain_hoist=given.chain_hoist, bends_about=_bends(findings, given, found))
+
+
+def _bends(findings: Findings, given: Sling, found: SlingRigging) -> dict[str, float]:
+    """Diameters of what the eyes of a sling lie on where no shackle is [m].
+
+    What all slings lie on is none of one that has a shackle there for itself, or runs over a sheave.
+    """
+    defaults = findings.scenario.sling_defaults or SlingDefaults()
+    own, own_shackles = given.bends_about is not None, given.shackles is not None
+    bends = given.bends_about or defaults.bends_about
+    path: Path = ("slings", found.name) if own else ("sling_defaults",)
+    lies: dict[str, float] = {}
+    for end, shackle in (("top", found.top), ("bottom", found.bottom)):
+        diameter: float | None = getattr(bends, end) if bends is not None else None
+        if diameter is None:
+            continue
+        if shackle is not None and own >= own_shackles:
+            sentence = f"the {end} has a shackle, whose 'bow_diameter' the eye lies on"
+            findings.add((*path, "bends_about", end), f"{sentence}; leave it out")
+        elif end == "top" and given.over is not None and own:
+            sentence = "a sling that runs over a sheave has no eye at its top"
+            findings.add((*path, "bends_about", end), f"{sentence}; leave it out")
+        elif shackle is None and (end == "bottom" or given.over is None):
+            lies[end] = diameter
+    return lies
 
 
 def _sling_weight(findings: Findings, name: str, rope: str, kind: RopeMaterial | None) -> RopeWeight | None:
