@@ -7,9 +7,6 @@ lumped at the load, half at the jack, which has both: at its upper end hangs the
 
 from __future__ import annotations
 
-import re
-from pathlib import Path
-
 import pytest
 
 from gantline.checks.check import Verdict
@@ -18,6 +15,7 @@ from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from gantline.statics import Statics
 from lift_text import changed
+from shown import ROOT, lift_on
 from tackle import TACKLE
 
 NAME = "drum_load_of_rated_capacity"
@@ -28,19 +26,13 @@ JACKS = {
     for name, lever in {"j1": NEAR, "j2": NEAR, "j3": FAR, "j4": FAR}.items()
 }
 """What each bears [t]."""
-
-
-def jacks() -> str:
-    """The lift in strand jacks of the guide, with jacks for 300 t."""
-    page = Path(__file__).parents[2] / "docs" / "guides" / "several_cranes.md"
-    lifts = re.findall(r"```yaml\n(.*?)```", page.read_text(encoding="utf-8"), flags=re.DOTALL)
-    [text] = [str(one) for one in lifts if "strand jacks" in one]
-    return text
+#: The lift, with jacks for 300 t.
+TEXT = lift_on(ROOT / "docs" / "guides" / "several_cranes.md", "A bridge section in four strand jacks")
 
 
 def test_jacks_bear_their_share_and_their_bundles() -> None:
     """By levers: 189.7 and 211.9 t of 300 t; bundles that stretch by 0.4 % move these by less than 2 mm."""
-    at_rest = Statics(parse_scenario(jacks())).equilibrium().recording
+    at_rest = Statics(parse_scenario(TEXT)).equilibrium().recording
     expected = {name: borne / 300.0 for name, borne in JACKS.items()}
     assert values_of(at_rest, NAME) == pytest.approx(expected, rel=2e-4)
 
@@ -50,7 +42,7 @@ def test_a_run_has_the_peak_as_the_jacks_start() -> None:
 
     That is of the end which comes clear last; the other bears more while its load stands on the far corners.
     """
-    used = values_of(simulate(parse_scenario(jacks())), NAME)
+    used = values_of(simulate(parse_scenario(TEXT)), NAME)
     for name in ("j3", "j4"):
         assert 1.0 < used[name] / (JACKS[name] / 300.0) < 1.0 + 4 * 5e-3 / 9.81
 
@@ -60,7 +52,7 @@ def test_contingency_counts_and_more_than_rated_fails() -> None:
 
     By hand 211.1 + 0.4 t times 1.1, and 0.4 t: 233.1 of 230 t.
     """
-    text = changed(jacks(), ("calculated: 800 t", "calculated: 800 t, contingency: 1.1"), ("300 t", "230 t"))
+    text = changed(TEXT, ("calculated: 800 t", "calculated: 800 t, contingency: 1.1"), ("300 t", "230 t"))
     [check] = [
         one
         for one in check_recording(Statics(parse_scenario(text)).equilibrium().recording)

@@ -349,15 +349,24 @@ def _losses(recording: Recording) -> list[str]:
 
 
 def _drums(recording: Recording) -> list[str]:
+    """What drums paid out, and where one is rated what its ropes use of that."""
+    used = values_of(recording, "drum_load_of_rated_capacity")
     rows = []
     for drum in recording.rig.drums:
         paid_out = recording.column("rope_paid_out", drum.name)
         extremes = (show(float(paid_out[-1]), "m", 3), show(float(paid_out.min()), "m", 3))
         fewest = recording.metrics().get(f"least_drum_wraps.{drum.name}")
         turns = ABSENT if fewest is None else f"{fewest:.1f}"
-        rows.append((drum.name, *extremes, show(float(paid_out.max()), "m", 3), turns))
+        row = (drum.name, *extremes, show(float(paid_out.max()), "m", 3), turns)
+        of_ropes = [
+            used[name]
+            for name in (drum.joint, *(f"{drum.joint}/{rope}" for rope in drum.ropes))
+            if name in used
+        ]
+        rows.append((*row, show(max(of_ropes, default=None), "%", 1)) if used else row)
     head = ("Drum", "rope paid out at the end", "least", "most", "fewest turns")
-    return table(head, rows, "lrrrr") if rows else []
+    rated = ("of rated capacity",) if used else ()
+    return table((*head, *rated), rows, "l" + "r" * (len(head) + len(rated) - 1)) if rows else []
 
 
 def _trust(recording: Recording, metrics: dict[str, float]) -> list[str]:

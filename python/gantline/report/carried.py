@@ -47,10 +47,13 @@ def hook_row(subject: Subject, hook: Hook) -> dict[str, Any]:
         "room": number(height, "m", 2),
         "aside": number(aside, "deg", 2),
         "name": hook.name,
-        "readings": [number(reading, "t", 1) for reading in _load_cell(subject, load)],
-        "static": number(_mass(subject, subject.static(load)), "t", 1),
+        "readings": [
+            number(reading, "t", 1)
+            for reading in load_cell(subject, load, is_alone=len(subject.rig.hooks) == 1)
+        ],
+        "static": number(mass_of(subject, subject.static(load)), "t", 1),
         "peak": number(highest / subject.rig.gravity, "t", 1),
-        "rated": as_given(_mass(subject, hook.rated_capacity)),
+        "rated": as_given(mass_of(subject, hook.rated_capacity)),
         "used": number(shares.get(hook.name), "%", 1),
     }
 
@@ -63,21 +66,31 @@ def _highest(subject: Subject, hook: Hook) -> float | None:
     return float(recording.column("hook_height", hook.name)[subject.counts].max())
 
 
-def _mass(subject: Subject, force: float | None) -> float | None:
+def mass_of(subject: Subject, force: float | None) -> float | None:
+    """What a force [N] holds up at rest [kg]; None of none."""
     return None if force is None else force / subject.rig.gravity
 
 
-def _load_cell(subject: Subject, load: FloatArray) -> list[float | None]:
-    """What a load cell reads when a share of the loads' weight has come over [kg]; the hoist load."""
+def load_cell(subject: Subject, load: FloatArray, *, is_alone: bool) -> list[float | None]:
+    """What a load cell reads when a share of the loads' weight has come over [kg].
+
+    Args:
+        subject: What the page is of.
+        load: The force that it measures, shape (time,) [N]: hoist load, or tension of a rope.
+        is_alone: Whether nothing else lifts the loads.
+
+    Returns:
+        One for each of `READINGS`; None where that is not known.
+    """
     recording = subject.recording
     if "load_transferred" not in recording or not subject.rig.loads:
         return [None for _ in READINGS]
     transferred = recording["load_transferred"].values.min(axis=1)
     if recording.is_equilibrium or transferred[0] >= READINGS[0]:
         whole = subject.static(load) if _hangs_whole(subject).any() else None
-        return [*(None for _ in READINGS[1:]), _mass(subject, whole)]
+        return [*(None for _ in READINGS[1:]), mass_of(subject, whole)]
     if subject.rig.is_in_waves:
-        return _between_crests(subject, load)
+        return _between_crests(subject, load, is_alone=is_alone)
     found: list[float | None] = []
     for part in READINGS[:-1]:
         over = np.flatnonzero(transferred >= part)
@@ -88,10 +101,10 @@ def _load_cell(subject: Subject, load: FloatArray) -> list[float | None]:
         low, high = float(transferred[at - 1]), float(transferred[at])
         between = (part - low) / (high - low)
         found.append(float(load[at - 1] + between * (load[at] - load[at - 1])) / subject.rig.gravity)
-    return [*found, _mass(subject, _once_clear(subject, load))]
+    return [*found, mass_of(subject, _once_clear(subject, load))]
 
 
-def _between_crests(subject: Subject, load: FloatArray) -> list[float | None]:
+def _between_crests(subject: Subject, load: FloatArray, *, is_alone: bool) -> list[float | None]:
     """What a load cell reads on the mean of many waves [kg]; of one wave a sample tells next to nothing.
 
     Supports bear (1 - p) W of the weight W when the share p has come over. Where one hook bears all the rest
@@ -101,11 +114,11 @@ def _between_crests(subject: Subject, load: FloatArray) -> list[float | None]:
     static, rig = subject.static(load), subject.rig
     if rig.hinges:
         static = _once_clear(subject, load)
-    if static is None or len(rig.hooks) > 1 or rig.hinges:
-        return [*(None for _ in READINGS[1:]), _mass(subject, static)]
+    if static is None or not is_alone or rig.hinges:
+        return [*(None for _ in READINGS[1:]), mass_of(subject, static)]
     weighs = sum((series.load_weight(subject.recording, one) for one in rig.loads), np.zeros(len(load)))
     weight = subject.static(weighs) or 0.0
-    return [_mass(subject, static - (1.0 - part) * weight) for part in READINGS]
+    return [mass_of(subject, static - (1.0 - part) * weight) for part in READINGS]
 
 
 def _once_clear(subject: Subject, load: FloatArray) -> float | None:
@@ -260,7 +273,7 @@ def spreader_row(subject: Subject, spreader: Spreader) -> dict[str, Any]:
     return {
         "name": spreader.name,
         "mass": number(spreader.weight / subject.rig.gravity, "t", 2),
-        "rated": as_given(_mass(subject, spreader.rated_capacity)),
+        "rated": as_given(mass_of(subject, spreader.rated_capacity)),
         "used": number(found("spreader_load_of_rated_capacity"), "%", 1),
         "thrust": number(found("spreader_thrust"), "kN", 0),
         "tilt": number(found("spreader_tilt"), "deg", 2),

@@ -29,6 +29,7 @@ from gantline.report.sketch import sketches
 from gantline.report.steps import first_steps
 from gantline.report.subject import ABSENT, Subject, as_given, number, share, show, typeset
 from gantline.report.turning import turnings
+from gantline.report.winches import winch_rows
 from gantline.results import series
 from gantline.results.cranes.boom import Boom
 from gantline.results.cranes.crane import Crane
@@ -61,6 +62,7 @@ _OF_NO_CRANE = "wind exceeds the limit of what lifts (not in the lift file; from
 
 #: What a load cell in a rope has to show.
 _IN_CURVES = "the tension of its rope under “Tensions and travel”"
+_OF_WINCHES = "its reading in the table “Winches and jacks”"
 
 
 class FirstPage(Section):
@@ -74,6 +76,7 @@ class FirstPage(Section):
         """What the template is given."""
         most_slings = _MOST_SLINGS_AFLOAT if subject.rig.vessels else _MOST_SLINGS
         slings, slings_left_out = sling_rows(subject, most_slings)
+        winches, winches_left_out = winch_rows(subject)
         failed = _failed(subject)[:_MOST_FAILED]
         # What failed stands at the top with its distance, and is not told again.
         too_near = next((check.element for check in failed if _is_distance(check)), "")
@@ -89,6 +92,8 @@ class FirstPage(Section):
             "sketches": sketches(subject),
             "weights": _weights(subject),
             "hooks": [hook_row(subject, hook) for hook in subject.rig.hooks],
+            "winches": winches,
+            "winches_left_out": winches_left_out,
             "cranes_travel": bool(subject.rig.cranes),
             "readings": [f"{100 * part:.0f} %" for part in READINGS],
             "slings": slings,
@@ -382,8 +387,9 @@ def stop_if(subject: Subject) -> list[str]:
     """When to stop the lift: the usual bounds, or the lift's own where it has some."""
     limits = subject.rig.limits
     cell = "the mean of a load cell over some waves" if subject.rig.is_in_waves else "a load cell"
-    # What lifts without hooks, as jacks of `mechanics` do, has its tensions in curves alone.
-    reading = "its reading in the table “Hooks”" if subject.rig.hooks else _IN_CURVES
+    # Ropes of `mechanics` without a drum have their tensions in curves alone.
+    jacks = _OF_WINCHES if any(drum.ropes for drum in subject.rig.drums) else _IN_CURVES
+    reading = "its reading in the table “Hooks”" if subject.rig.hooks else jacks
     # What a hinge bears changes as its load turns, which readings at shares of the weight do not tell.
     turned = [hinge.load for hinge in subject.rig.hinges if subject.rig.hooks]
     if turned and next(hold_points(subject.recording), None) is not None:
