@@ -60,6 +60,7 @@ class Parts:
         rims: of round loads, over the ground.
         landings: posts and walls that guide what lands.
         shapes: shapes by name: the body that each is on and its parts, see `gantline.assembly.shapes`.
+        hook_shapes: those of hooks that are watched, for which the name of no crane stands.
         pairs: shapes that may touch.
         watches: distances that are recorded.
         pulls: groups of ropes of which it is recorded when they pull most together.
@@ -88,6 +89,7 @@ class Parts:
     rims: list[Json] = field(default_factory=list)
     landings: list[Json] = field(default_factory=list)
     shapes: dict[str, Json] = field(default_factory=dict)
+    hook_shapes: dict[str, Json] = field(default_factory=dict)
     pairs: list[Json] = field(default_factory=list)
     watches: list[Json] = field(default_factory=list)
     pulls: list[Json] = field(default_factory=list)
@@ -257,7 +259,7 @@ class Parts:
             "supports": self.supports,
             "rims": self.rims,
             "landings": self.landings,
-            "shapes": [shape for name, shape in self.shapes.items() if name in used],
+            "shapes": [shape for name, shape in (self.shapes | self.hook_shapes).items() if name in used],
             "pairs": self.pairs,
             "watches": self.watches,
             "pulls": self.pulls,

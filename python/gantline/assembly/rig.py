@@ -31,7 +31,7 @@ from gantline.assembly.plan.ranges import range_rig
 from gantline.assembly.plan.waits import waited_for
 from gantline.assembly.ropes.rope_rig import drum_rig, rope_rig, sheaves_with_flow, wrapped_sheaves
 from gantline.assembly.ropes.tag_lines import tag_rig
-from gantline.assembly.shapes import watch_name
+from gantline.assembly.shapes import watch_name, watched_hook
 from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.afloat.stream import Wind
@@ -93,7 +93,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **_equalised_below(scenario),
         "plan": [_step(scenario, step) for step in scenario.plan],
         **_starts_off(rigging),
-        **_supports_and_watches(scenario),
+        **_supports_and_watches(scenario, parts),
     }
 
 
@@ -103,7 +103,7 @@ def _starts_off(rigging: Rigging) -> Json:
     return {"starts_off": later} if later else {}
 
 
-def _supports_and_watches(scenario: Scenario) -> Json:
+def _supports_and_watches(scenario: Scenario, parts: Parts) -> Json:
     """Supports with what they bear, pairs that are watched or touch, what stands about; nothing without."""
     supports = [
         {
@@ -118,7 +118,7 @@ def _supports_and_watches(scenario: Scenario) -> Json:
     watches = [
         {
             "name": watch_name(watch),
-            "between": list(watch.between),
+            "between": [watched_hook(parts, scenario, name) or name for name in watch.between],
             "smallest": watch.smallest,
             **{key: step for key in ("from_step", "to_step") if (step := getattr(watch, key)) is not None},
         }

@@ -17,6 +17,7 @@ from gantline.assembly.cranes.boom import boom_shape
 from gantline.assembly.cranes.compensators import compensator_shapes
 from gantline.assembly.cranes.crawler import crawler_shape, crawlers
 from gantline.assembly.cranes.goliath import crane_shape, goliaths
+from gantline.assembly.cranes.reeving import hook_block_shape, reeved_hooks
 from gantline.assembly.loads.carried import carried
 from gantline.assembly.loads.lifted import LiftedLoad
 from gantline.assembly.loads.supports import every_support, pad_shape, support_contact
@@ -25,6 +26,7 @@ from gantline.scenario import Rigging, Scenario
 from gantline.scenario.cranes.compensator import rod_of
 from gantline.scenario.cranes.crane import EqualizerFrame
 from gantline.scenario.cranes.crawler import tracks_body
+from gantline.scenario.cranes.hooks import full_name
 from gantline.scenario.cranes.slewing import upper_body
 from gantline.scenario.errors import PathPart, nearest
 from gantline.scenario.ground import Ground
@@ -41,12 +43,15 @@ __all__ = [
     "pair_name",
     "spreader_shape",
     "watch_name",
+    "watched_hook",
 ]
 
 #: Thickness of the walls and the floor of a dock as things by themselves [m].
 _THICK = 1.0
 #: How far the ground reaches around a dock, and how deep below its floor [m].
 _GROUND_REACH, _GROUND_DEPTH = 2000.0, 50.0
+#: Half of what a hook without reeving takes up, whose hook block nothing says [m]: a hand's breadth.
+_HOOK = 0.1
 #: Places at which one load touches one thing at a time, at most; a box on level ground has four.
 _PLACES = 8
 #: The same of a load whose shape has several parts: as many as the corners of both ends of a round one.
@@ -237,6 +242,7 @@ def _known(parts: Parts, scenario: Scenario, path: tuple[PathPart, ...], name: s
     if not found:
         parted = (shape.split(".") for shape in parts.shapes)
         known = {".".join(words[:count]): None for words in parted for count in range(1, len(words) + 1)}
+        known |= dict.fromkeys(scenario.hooks) if path[0] == "watch" else {}
         right = nearest(name, known) if known else "give it one: 'shape: {box: [1 m, 1 m, 1 m]}'"
         sentence = f"'{name}' has no shape; {right}"
         raise scenario.error(path, sentence)
@@ -256,16 +262,23 @@ def add_watches(parts: Parts, scenario: Scenario, diameters: Mapping[str, float 
     """
     for place, watch in enumerate(scenario.watch):
         path = ("watch", place, "between")
-        ropes = [_ropes(parts, name) for name in watch.between]
-        shapes = [
-            [] if own else _known(parts, scenario, path, name)
-            for own, name in zip(ropes, watch.between, strict=True)
+        hooks = [_hook(parts, scenario, name) for name in watch.between]
+        ropes = [
+            _ropes(parts, name) if hook is None else []
+            for hook, name in zip(hooks, watch.between, strict=True)
         ]
         if all(ropes):
             raise scenario.error(path, "distances between ropes are not recorded; one of the two has a shape")
+        if any(ropes) and any(hooks):
+            sentence = "distances of a hook to ropes are not recorded, as falls and slings lead to it"
+            raise scenario.error(path, f"{sentence}; hooks are watched against what has a shape")
+        shapes = [
+            [hook] if hook is not None else [] if own else _known(parts, scenario, path, name)
+            for hook, own, name in zip(hooks, ropes, watch.between, strict=True)
+        ]
         sides = []
         for side in (0, 1):
-            against = {parts.shapes[shape]["body"] for shape in shapes[1 - side]}
+            against = {(parts.shapes | parts.hook_shapes)[one]["body"] for one in shapes[1 - side]}
             watched = [
                 one
                 for rope in ropes[side]
@@ -276,6 +289,26 @@ def add_watches(parts: Parts, scenario: Scenario, diameters: Mapping[str, float 
         if any(one["name"] == name for one in parts.watches):
             raise scenario.error(path, f"'{name}' is watched already; once is right")
         parts.watches.append({"name": name, "between": sides})
+
+
+def watched_hook(parts: Parts, scenario: Scenario, name: str) -> str | None:
+    """Full name of the hook that a watched name means; None where it means anything else."""
+    return None if members(parts.shapes, name) else full_name(name, scenario.hooks)
+
+
+def _hook(parts: Parts, scenario: Scenario, name: str) -> str | None:
+    """The same, of a hook that has a shape from then on."""
+    hook = watched_hook(parts, scenario, name)
+    if hook is None:
+        return None
+    reeved = next((one for one in reeved_hooks(scenario) if one.name == hook), None)
+    box = (
+        box_shape([2 * _HOOK] * 3, (0.0, 0.0, 0.0))
+        if reeved is None
+        else hook_block_shape(parts, scenario, reeved)
+    )
+    parts.hook_shapes[hook] = {"name": hook, "body": hook, "parts": [box]}
+    return hook
 
 
 def watch_name(watch: Watch) -> str:

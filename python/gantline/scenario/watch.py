@@ -21,8 +21,8 @@ class Watch(Element):
 
     between: _Two = Field(
         description="Two names: of the load, a structure or a part of it ('dock.walls'), 'ground', a group "
-        "of supports, an equalizer, a body of 'mechanics' with a shape; and on one side also of a rope "
-        "('sling.S1'), or 'slings', or 'ropes'."
+        "of supports, an equalizer, a hook ('goliath.U1'), a body of 'mechanics' with a shape; and on one "
+        "side also of a rope ('sling.S1'), or 'slings', or 'ropes'."
     )
     smallest: NotNegativeLength = Field(
         0.0, description="Distance below which there is a warning; 0 if not given: where they touch."

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gantline.assembly.parts import Json, Parts, drum_layers, end, half_turn, material
+from gantline.assembly.parts import Json, Parts, box_shape, drum_layers, end, half_turn, material
 from gantline.assembly.ropes.rope_weight import lump_rope
 from gantline.assembly.ropes.route import route_length
 from gantline.assembly.ropes.sheave import add_sheave_flow
@@ -261,6 +261,19 @@ def _guides(hook: ReevedHook, rope: int, radius: float) -> list[Json]:
     x, y = hook.hook.place
     lead = (x + enter, y + rows[2 * row], _said(hook.reeving.upper_sheaves_at) - hook.reeving.lead_line)
     return [*guides, end(None, lead)]
+
+
+def hook_block_shape(parts: Parts, scenario: Scenario, hook: ReevedHook) -> Json:
+    """The box about the bearing of a hook and the sheaves of its hook block, whose ropes have been added.
+
+    Along their axle it is as wide as they stand apart, and no less than the radius of one.
+    """
+    radius = hook.reeving.diameter((scenario.ropes or {})[hook.reeving.rope].diameter) / 2
+    own = (rope for rope in parts.ropes if rope["name"] in hook.ropes)
+    guides = [guide for rope in own for guide in rope["route"] if guide["body"] == hook.name]
+    rows = [(guide["enter"] if guide["type"] == "half_turn" else guide["at"])[1] for guide in guides]
+    width, height = max(max(rows) - min(rows), radius), hook.hook_block.height + radius
+    return box_shape((2 * radius, width, height), (0.0, (max(rows) + min(rows)) / 2, height / 2))
 
 
 def hang_in_ropes(parts: Parts, scenario: Scenario, hook: ReevedHook) -> None:

@@ -163,14 +163,16 @@ def _is_looked_after(recording: Recording, one: _Body, other: _Body) -> bool:
     """Whether the lift file watches a pair over the whole lift, or lets it touch.
 
     The name of a crane stands for those of its parts that distances are of: of Goliath cranes the legs, of
-    floating cranes the boom, of none the hook blocks.
+    floating cranes the boom, of none the hook blocks, which have names of their own.
     """
     goliaths = {crane.name for crane in recording.rig.cranes}
     on_decks = {boom.name for boom in recording.rig.booms if boom.base == boom.name}
 
     def stands_for(watched: str, body: _Body) -> bool:
+        if body.kind == "hook":
+            return body.name == watched
         is_part = body.of in goliaths and body.name != body.of
-        if is_part or body.name in on_decks or body.kind == "hook":
+        if is_part or body.name in on_decks:
             return False
         return body.name == watched or body.name.startswith(f"{watched}.")
 
