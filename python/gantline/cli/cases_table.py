@@ -184,8 +184,12 @@ def _lines(
     """Each reason with the states that it is true of."""
     for reason, found in reasons.items():
         every = len(found) == len(states) and len(states) > 1
-        line = f"{reason}: {'everywhere' if every else where(found)}"
-        yield from textwrap.wrap(line, max(width, 60), initial_indent="  ", subsequent_indent="    ")
+        yield from _told(f"{reason}: {'everywhere' if every else where(found)}", width)
+
+
+def _told(line: str, width: int) -> Iterator[str]:
+    """A sentence below a table, in lines of a width."""
+    yield from textwrap.wrap(line, max(width, 60), initial_indent="  ", subsequent_indent="    ")
 
 
 def _cautions(states: Sequence[State]) -> dict[str, list[int]]:
@@ -201,13 +205,18 @@ def _cautions(states: Sequence[State]) -> dict[str, list[int]]:
 
 
 def _overshoots(result: CasesResult, width: int) -> Iterator[str]:
-    """How far the sling goes that goes farthest as others are cut, of each case that cuts some."""
+    """How far the sling goes that goes farthest as others are cut, of each case that cuts some.
+
+    Of one in which a load comes down on something, that what it does on the way is not known.
+    """
     for state in result.states:
+        if state.cut and state.stands and state.losses == "none":
+            down = f"what slings bear as {', '.join(state.stands)} comes down is not in it"
+            yield from _told(f"{state.case} is at rest: {down}; a run with 'cut_at' tells", width)
         if state.swings_to:
             sling, force = max(state.swings_to.items(), key=lambda one: one[1])
             goes = f"{sling} swings to {show(force, 'kN', 1)} on the way there, by twice what comes on"
-            line = f"{state.case} is at rest: {goes}, undamped; a run with 'cut_at' tells"
-            yield from textwrap.wrap(line, max(width, 60), initial_indent="  ", subsequent_indent="    ")
+            yield from _told(f"{state.case} is at rest: {goes}, undamped; a run with 'cut_at' tells", width)
 
 
 def _in_cases(states: Sequence[State], found: Sequence[int]) -> str:

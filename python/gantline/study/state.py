@@ -57,7 +57,7 @@ class State:
         cut: Slings and ropes that the case cuts.
         in_vain: Of what it cuts, what is not there to be cut, and why; a sentence each.
         swings_to: How far slings go on the way there that bear more since others are cut, by their names,
-            undamped [N].
+            undamped [N]; nothing of a case in which a load stands.
         changes_nothing: Whether all that is asked of it is as in the lift as it is given.
         stands: Loads that something supports, which hang clear at that time in the lift as it is given.
         checks: Its checks, of slings that the case cuts none.
