@@ -9,13 +9,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gantline.checks.check import ALL_KNOWN, PARTED, Check, Verdict
-from gantline.checks.crawlers import left_ground, out_of_level
+from gantline.checks.crawlers import left_ground
 from gantline.checks.drums import turns_left
 from gantline.checks.ends import about_end_of_step, one_sample, second_half_of_hold
 from gantline.checks.equalizers import held_upright
 from gantline.checks.guides import beside_guides
 from gantline.checks.held_down import held_down, shut_in, tied_down
 from gantline.checks.hinges import opened
+from gantline.checks.level import out_of_level
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import (
     bent_over_edges,
