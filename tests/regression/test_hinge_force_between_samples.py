@@ -121,9 +121,9 @@ def test_pins_count_the_moment_of_that_time() -> None:
     coarse, fine = (
         gantline.simulate(gantline.parse_scenario(aside), sample_interval=apart) for apart in (0.02, 1e-3)
     )
-    used = [
+    used, finely = (
         next(one for one in check_recording(run) if one.name == "hinge_force_of_rated_capacity").value
         for run in (coarse, fine)
-    ]
-    assert used[0] == pytest.approx(used[1], rel=1e-4)
-    assert used[0] > 1.05 * coarse.metrics()["peak_hinge_force.foot"] / (150e3 * G)
+    )
+    assert used is not None and used == pytest.approx(finely, rel=1e-4)
+    assert used > 1.05 * coarse.metrics()["peak_hinge_force.foot"] / (150e3 * G)

@@ -89,8 +89,8 @@ def _factor(
         more = highest.tension + (contingency - 1.0) * (highest.tension - highest.own_weight)
         at_design = strength / more if more > tension else None
         formula = f"{kilonewton(strength)} / {shown}"
-        with_losses = strength / (_lead_line(recording, rope) * tension)
-        with_losses = with_losses if with_losses < strength / tension else None
+        line = _lead_line(recording, rope)
+        with_losses = strength / (line * tension) if line > 1.0 else None
         yield Found(strength / tension, element, time, formula, at_design=at_design, with_losses=with_losses)
 
 
@@ -148,10 +148,12 @@ def _load(recording: Recording, rope: Rope, force: Force) -> Iterator[Finding]:
         yield Refused(rope.name, "bent so sharply that no strength is left")
         return
     assert rope.minimum_breaking_force is not None
+    more = _lead_line(recording, rope.name)
     for found in over(force, rope.minimum_breaking_force, rope.name, _safety(recording, bending)):
-        more = _lead_line(recording, rope.name)
-        is_more = isinstance(found, Found) and more > 1.0
-        yield replace(found, with_losses=more * found.value) if is_more else found
+        if isinstance(found, Found) and more > 1.0:
+            yield replace(found, with_losses=more * found.value)
+        else:
+            yield found
     sling = next((one for one in recording.rig.slings if one.rope == rope.name), None)
     if sling is not None:
         yield from bare_ends(sling)
