@@ -11,7 +11,8 @@ from __future__ import annotations
 import pytest
 
 from gantline.checks import Verdict
-from gantline.results.loads.hinges import in_words, is_shut
+from gantline.results.loads.hinge_peaks import in_words
+from gantline.results.loads.hinges import is_shut
 from gantline.results.loads.lift_off import lift_off_in_words
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import simulate

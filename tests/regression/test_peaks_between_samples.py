@@ -53,7 +53,7 @@ def test_samples_that_miss_peaks_are_told() -> None:
     (said,) = [one for one in coarse.attributes["warnings"] if one.startswith("samples")]
     assert said.startswith("samples 0.50 s apart miss peaks: sling.")
     assert said.endswith(
-        "loads of several hooks together, hinges, angles and distances are those of samples: a shorter "
+        "loads of several hooks together, angles and distances are those of samples: a shorter "
         "'sample_interval' has their peaks"
     )
 

@@ -12,7 +12,7 @@ import pytest
 from gantline.cli.hinge_table import hinge_table
 from gantline.report.hinges import Hinges
 from gantline.report.subject import Subject
-from gantline.results.loads.hinges import in_words
+from gantline.results.loads.hinge_peaks import in_words
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from hinged_mast import FOOT, HEAD, MAST, WEIGHT, mast

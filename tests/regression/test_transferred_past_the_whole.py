@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import pytest
 
-from gantline.results.loads.hinges import in_words
+from gantline.results.loads.hinge_peaks import in_words
 from gantline.scenario import parse_scenario
 from gantline.simulation import simulate
 from gantline.units import format_quantity

@@ -12,7 +12,8 @@ from gantline.assembly import assemble
 from gantline.checks import Verdict, check_recording
 from gantline.report.attitude import attitude
 from gantline.report.subject import Subject
-from gantline.results.loads.hinges import in_words, is_shut
+from gantline.results.loads.hinge_peaks import in_words
+from gantline.results.loads.hinges import is_shut
 from gantline.results.recording import Recording, open_recording
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation, simulate

@@ -244,7 +244,8 @@ impl Simulation {
                 |row, known| method.peak((system, &frame.kinematics), (span.before, after), row, known);
             samples.note_peaks(system, &after.q, peak);
             for group in 0..system.pulls.len() {
-                let pull = |rows: &_, known| method.pull((system, &frame.kinematics), after, rows, known);
+                let pull =
+                    |bearers: &_, known| method.pull((system, &frame.kinematics), after, bearers, known);
                 if let Some(found) = pulls.found(system, group, &after.q, pull) {
                     let motion =
                         |span: &Span, share, sample: &mut Sample| method.course(system, span, share, sample);
@@ -287,8 +288,8 @@ impl Simulation {
         all
     }
 
-    /// The same by name of the moments at which groups of ropes pulled most together, one for each; fewer before the first
-    /// step.
+    /// The same by name of the moments at which groups of ropes pulled most together, or of pins bore most, one for each;
+    /// fewer before the first step.
     pub fn columns_of_pulls(&self) -> Vec<Named> {
         let events = self.events().iter().map(|event| event.0).collect();
         let samples = self.pulls.samples();

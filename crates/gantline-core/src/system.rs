@@ -332,7 +332,7 @@ pub struct System {
     pub removals: Vec<Removal>,
     /// Distances that are recorded.
     pub watches: Vec<Watch>,
-    /// For every group of ropes that pull together, the indices of their constraints.
+    /// For every group of ropes that pull together, or of pins, the indices of their constraints.
     pub pulls: Vec<Vec<usize>>,
     /// Waves on the water.
     pub sea: Arc<Trains>,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -13,7 +12,7 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.measure import Finding, Found, Missing, Refused, extreme
 from gantline.results.cranes.crawler import Crawler, raised_state
 from gantline.results.recording import Recording
-from gantline.results.rotation import axes, tilt
+from gantline.results.rotation import axes
 from gantline.results.surroundings import ground_of
 from gantline.results.variable import BoolArray, FloatArray
 from gantline.units import format_quantity
@@ -22,11 +21,6 @@ from gantline.units import format_quantity
 _ENDS = ((1, 1), (-1, 1), (1, -1), (-1, -1))
 #: How far the end of a track moves as a crane rocks [m].
 _ROCKS = 0.05
-#: Lean of the tracks up to which a chart without a word on that holds [rad]: 1 % of slope. Plausible, no
-#: document; makers rate cranes that stand level, and many say within how much.
-_LEVEL = math.atan(0.01)
-#: Share of the most that its hooks bear from which on a lean counts [1]: without it a counterweight leans it.
-_LOADED = 0.25
 
 
 def ground_pressure(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -99,39 +93,6 @@ def _raised_from(value: float, found: Found, simulated: FloatArray, recording: R
         return ""
     shown = format_quantity(value, unit, 1)
     return f"{shown} with the design weight, {format_quantity(then, unit, 1)} simulated"
-
-
-def out_of_level(recording: Recording) -> list[Check]:
-    """A warning for each crawler crane that leans under load, where its chart does not say that it may.
-
-    Its falls hang plumb all the same, and pull across a boom that leans aside: no lead tells of it.
-    """
-    checks = []
-    for crane in recording.rig.crawlers:
-        charts = [one for one in recording.rig.rating_charts if one.crane == crane.name]
-        if charts and all(one.heel is not None and one.trim is not None for one in charts):
-            continue
-        borne = np.zeros(len(recording.time))
-        for hook in crane.hooks:
-            borne += recording.column("hook_load", hook)
-        lean = tilt(recording.column("body_orientation", crane.tracks))
-        lean[borne < _LOADED * borne.max(initial=0.0)] = 0.0
-        if recording.is_equilibrium:
-            lean[:-1] = 0.0
-        if not lean.max(initial=0.0) > _LEVEL:
-            continue
-        worst = int(np.argmax(lean))
-        slope = format_quantity(math.tan(float(lean[worst])), "%", 1)
-        angle = format_quantity(float(lean[worst]), "deg", 2)
-        remark = (
-            f"its tracks lean by {angle}, {slope}, under load: cranes are rated level, and as much of what "
-            "hangs pulls across a boom that leans aside; 'heel' and 'trim' of its rating say what its chart "
-            "allows"
-        )
-        meaning = "a crane whose chart has no 'heel' and 'trim' leans by at most 1 % under load"
-        check = Check("stands_level", Verdict.WARNING, meaning, element=crane.name, remark=remark)
-        checks.append(replace(check, time=None if recording.is_equilibrium else float(recording.time[worst])))
-    return checks
 
 
 def left_ground(recording: Recording) -> list[Check]:

@@ -11,6 +11,7 @@ from gantline.checks.design_weight import largest_ratios
 from gantline.checks.forces import raised_of_capacity
 from gantline.checks.measure import Caution, Finding, Missing
 from gantline.results import series
+from gantline.results.loads.hinge_peaks import hinge_peak
 from gantline.results.loads.hinges import (
     HINGE_OPENED,
     Hinge,
@@ -44,7 +45,10 @@ def of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Findi
             continue
         ratios = largest_ratios(recording, [hinge.load])
         force = borne_by_pins(recording, hinge)
-        yield from raised_of_capacity(recording, during, hinge.name, force, ratios, hinge.rated_capacity)
+        most = hinge_peak(recording, hinge, borne_by_pins)
+        yield from raised_of_capacity(
+            recording, during, hinge.name, force, ratios, hinge.rated_capacity, most
+        )
         if hinge.pins_apart is None:
             yield from _askew(recording, hinge, ratios * during, hinge.rated_capacity)
 

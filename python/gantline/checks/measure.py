@@ -28,6 +28,8 @@ class Found:
         factors: Names of the rule's factors in it.
         between: What it may have come to between two samples, where that is worse, SI; None where it is not.
         at_design: What it comes to with the design weight, where that is known and worse, SI; None where not.
+        with_losses: What it comes to with sheaves that take what sheaves take as a rule, SI, where nothing
+            says what they do; None where something does.
     """
 
     value: float
@@ -37,6 +39,7 @@ class Found:
     factors: tuple[str, ...] = ()
     between: float | None = None
     at_design: float | None = None
+    with_losses: float | None = None
 
 
 @dataclass(frozen=True)

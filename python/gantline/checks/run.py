@@ -9,13 +9,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gantline.checks.check import ALL_KNOWN, PARTED, Check, Verdict
-from gantline.checks.crawlers import left_ground, out_of_level
+from gantline.checks.crawlers import left_ground
 from gantline.checks.drums import turns_left
 from gantline.checks.ends import about_end_of_step, one_sample, second_half_of_hold
 from gantline.checks.equalizers import held_upright
 from gantline.checks.guides import beside_guides
 from gantline.checks.held_down import held_down, shut_in, tied_down
 from gantline.checks.hinges import opened
+from gantline.checks.level import out_of_level
 from gantline.checks.limits import LIMITS
 from gantline.checks.loads import (
     bent_over_edges,
@@ -151,6 +152,7 @@ class _Outcome:
     of: frozenset[str]
     between: float | None
     at_design: float | None
+    with_losses: float | None
     refused: tuple[Refused, ...]
     missing: str
     lacks_strength: bool
@@ -177,6 +179,7 @@ def _look(measure: Measure, recording: Recording, during: BoolArray) -> _Outcome
         of=frozenset(one.element for one in values),
         between=pick((one.between for one in values if one.between is not None), default=None),
         at_design=pick((one.at_design for one in values if one.at_design is not None), default=None),
+        with_losses=pick((one.with_losses for one in values if one.with_losses is not None), default=None),
         refused=tuple(one for one in findings if isinstance(one, Refused)),
         missing=_reasons(one for one in findings if isinstance(one, Missing)),
         lacks_strength=any(isinstance(one, Missing) and one.is_strength for one in findings),
@@ -253,10 +256,14 @@ def _check_limit(recording: Recording, key: str, measure: Measure, given: object
     if verdict is Verdict.OK:
         between = "between two samples it may have come to {}: a shorter 'sample_interval' tells"
         at_design = "with the design weight it comes to {}, drums and tanks as here: 'simulate: design' tells"
+        with_losses = (
+            "as it hoists over sheaves that take 2 % each it comes to {}: 'sheave_efficiency' says it"
+        )
         remarks = [
             _beyond_all(check, measure),
             _past_too(check, measure, found.between, between),
             _past_too(check, measure, found.at_design, at_design),
+            _past_too(check, measure, found.with_losses, with_losses),
             *remarks,
         ]
     if key in rig.assumed_limits and verdict is Verdict.FAILED:

@@ -8,11 +8,14 @@ from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Se
 from gantline.checks import governing
 from gantline.cli.table import ABSENT, show, table, tables
 from gantline.results.file.saved import WORST_OF_LOSSES
+from gantline.scenario.file.case import ENVELOPE, TOLERANCE
 from gantline.study.cases import CasesResult
 from gantline.study.state import QUANTITIES, State, Worst, values_of
 
 #: How the lift without any change is called.
 AS_GIVEN = "as given"
+#: Share of its tension that margins add to a sling from which on they count beside others [1].
+_ADDS = 0.01
 #: What a line of the worst cases is called.
 _LINES = {
     "sling_tension": "{} highest",
@@ -56,6 +59,7 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
         *notes(result.states, in_cases, width),
         *_lines(_cautions(result.states), result.states, in_cases, width),
         *_overshoots(result, width),
+        *_at_once(result, width),
     ]
     states, governed = _states(groups, width), _governing(groups, width)
     numbered = _numbered([name for name, _ in groups], [*states, *governed], width)
@@ -184,8 +188,12 @@ def _lines(
     """Each reason with the states that it is true of."""
     for reason, found in reasons.items():
         every = len(found) == len(states) and len(states) > 1
-        line = f"{reason}: {'everywhere' if every else where(found)}"
-        yield from textwrap.wrap(line, max(width, 60), initial_indent="  ", subsequent_indent="    ")
+        yield from _told(f"{reason}: {'everywhere' if every else where(found)}", width)
+
+
+def _told(line: str, width: int) -> Iterator[str]:
+    """A sentence below a table, in lines of a width."""
+    yield from textwrap.wrap(line, max(width, 60), initial_indent="  ", subsequent_indent="    ")
 
 
 def _cautions(states: Sequence[State]) -> dict[str, list[int]]:
@@ -201,13 +209,39 @@ def _cautions(states: Sequence[State]) -> dict[str, list[int]]:
 
 
 def _overshoots(result: CasesResult, width: int) -> Iterator[str]:
-    """How far the sling goes that goes farthest as others are cut, of each case that cuts some."""
+    """How far the sling goes that goes farthest as others are cut, of each case that cuts some.
+
+    Of one in which a load comes down on something, that what it does on the way is not known.
+    """
     for state in result.states:
+        if state.cut and state.stands and state.losses == "none":
+            down = f"what slings bear as {', '.join(state.stands)} comes down is not in it"
+            yield from _told(f"{state.case} is at rest: {down}; a run with 'cut_at' tells", width)
         if state.swings_to:
             sling, force = max(state.swings_to.items(), key=lambda one: one[1])
             goes = f"{sling} swings to {show(force, 'kN', 1)} on the way there, by twice what comes on"
-            line = f"{state.case} is at rest: {goes}, undamped; a run with 'cut_at' tells"
-            yield from textwrap.wrap(line, max(width, 60), initial_indent="  ", subsequent_indent="    ")
+            yield from _told(f"{state.case} is at rest: {goes}, undamped; a run with 'cut_at' tells", width)
+
+
+def _at_once(result: CasesResult, width: int) -> Iterator[str]:
+    """What a sling bears by the centre of gravity and by lengths at once, where both add to it.
+
+    Each case changes one thing: the sling for which the sum of both is the most, to first order.
+    """
+    most: dict[tuple[str, str], tuple[float, str]] = {}
+    for state in result.states:
+        for sling, force in values_of(state)["sling_tension"].items() if state.margins else ():
+            most[state.margins, sling] = max(most.get((state.margins, sling), (0.0, "")), (force, state.case))
+    found = []
+    for sling, given in values_of(result.given)["sling_tension"].items():
+        pair = [most.get((margins, sling), (0.0, "")) for margins in (ENVELOPE, TOLERANCE)]
+        if all(force > (1.0 + _ADDS) * given for force, _ in pair):
+            (one, first), (other, second) = pair
+            found.append((one + other - given, sling, f"{first} and {second}"))
+    if found:
+        force, sling, cases = max(found)
+        bears = f"with {cases} at once {sling} bears some {show(force, 'kN', 1)}, to first order"
+        yield from _told(f"a case changes one thing: {bears}; a 'vary' of several paths tells", width)
 
 
 def _in_cases(states: Sequence[State], found: Sequence[int]) -> str:

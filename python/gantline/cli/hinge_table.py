@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from gantline.checks import values_of
 from gantline.cli.table import pairs, show, table
-from gantline.results.loads.hinges import HINGE_WAYS, Hinge, hinge_force, hinge_moment, in_words, is_shut
+from gantline.results.loads.hinge_peaks import in_words
+from gantline.results.loads.hinges import HINGE_WAYS, Hinge, hinge_force, hinge_moment, is_shut
 from gantline.results.recording import Recording
 
 

@@ -12,6 +12,7 @@ from gantline.results.loads.clearances import watched_during
 from gantline.results.loads.contact_peaks import guide_peak
 from gantline.results.loads.drift import load_drift
 from gantline.results.loads.guides import told_missed
+from gantline.results.loads.hinge_peaks import hinge_peak
 from gantline.results.loads.hinges import hinge_force
 from gantline.results.loads.lift_off import lift_off_in_words
 from gantline.results.loads.set_down import set_down_in_words
@@ -97,8 +98,8 @@ def _hinges(subject: Subject) -> list[tuple[str, str]]:
     used = values_of(subject.recording, "hinge_force_of_rated_capacity") if subject.rig.hinges else {}
     rows = []
     for hinge in subject.rig.hinges:
-        found = subject.peak(hinge_force(subject.recording, hinge))
-        if found is not None:
+        if subject.counts.any():
+            found = hinge_peak(subject.recording, hinge, hinge_force, subject.counts)
             of = f", {show(used[hinge.name], '%', 0)} of rated" if hinge.name in used else ""
             force = f"{show(found[0], 'kN', 1)} at {show(found[1], 's', 1)}"
             rows.append((f"largest force in {hinge.name}", f"{force}{of}"))

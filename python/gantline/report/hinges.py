@@ -7,7 +7,7 @@ from typing import Any
 from gantline.checks import values_of
 from gantline.report.section import Section
 from gantline.report.subject import Subject, typeset
-from gantline.results.loads.hinges import in_words
+from gantline.results.loads.hinge_peaks import in_words
 
 
 class Hinges(Section):

@@ -19,6 +19,8 @@ from gantline.results import series
 from gantline.results.alike import first_largest, first_peak
 from gantline.results.common_time import CommonTime, Deviation
 from gantline.results.file.gaps import without_gaps
+from gantline.results.loads.hinge_peaks import hinge_peak
+from gantline.results.loads.hinges import hinge_force
 from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.recording import Recording, open_recording, recorded
 from gantline.results.rig import Rig
@@ -341,6 +343,9 @@ def _forces(
 def _peak(recording: Recording, variable: str, name: str) -> Peak:
     if variable == "hook_load":
         return Peak(*hook_peak(recording, name, variable))
+    if variable == "hinge_force":
+        (hinge,) = (one for one in recording.rig.hinges if one.name == name)
+        return Peak(*hinge_peak(recording, hinge, hinge_force))
     force = recording.column(variable, name)
     at = first_peak(force)
     return Peak(float(force[at]), float(recording.time[at]))

@@ -26,7 +26,7 @@ from gantline.results.cranes.rating import (
 )
 from gantline.results.direct import commands, direct, only, round_path
 from gantline.results.loads.guides import guide_state
-from gantline.results.loads.hinges import held_up, hinge_columns, hinge_state
+from gantline.results.loads.hinges import held_up, hinge_columns, hinge_moments_kept, hinge_state
 from gantline.results.loads.hook_load import hook_loads, hook_peaks
 from gantline.results.recording import Recording
 from gantline.results.rig import Load, Rig
@@ -45,14 +45,15 @@ def recording_of(
         columns: Columns of the core by name.
         names: Names along their dimensions, and `event_kind`, `event_name`.
         rig: What results need to know of the lift, see `gantline.results.rig`.
-        pulled: Columns of the moments at which ropes of hooks pulled most, see `hook_peaks`.
+        pulled: Columns of the moments at which ropes of hooks pulled most, see `hook_peaks`, and at which
+            hinges bore most, see `hinge_moments_kept`.
         attributes: Further attributes of the recording: `title`, `scene`, `settings`, ...
 
     Returns:
         The recording, with the variables that riggers ask for added to those of the core.
     """
     lift = Rig.from_json(rig)
-    peaks = {} if pulled is None else hook_peaks(*joined(pulled, names, lift)[:2], lift)
+    peaks = {} if pulled is None else _peaks(*joined(pulled, names, lift)[:2], lift)
     columns, names, of_nodes = joined(columns, names, lift)
     columns, names = hinge_columns(columns, names, lift)
     columns, names, contents, tanks = tank_contents(columns, names, lift)
@@ -66,6 +67,11 @@ def recording_of(
     variables |= of_cranes
     coordinates |= labels
     return Recording(variables, _used(coordinates, variables), {**attributes, "rig": dict(rig)})
+
+
+def _peaks(pulled: Columns, names: Names, lift: Rig) -> dict[str, Variable]:
+    """What hooks and hinges bore at most over all steps."""
+    return hook_peaks(pulled, names, lift) | hinge_moments_kept(pulled, names, lift)
 
 
 def _of_each_sample(columns: Columns, names: Names, lift: Rig) -> Iterator[Derived]:

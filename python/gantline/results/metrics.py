@@ -31,7 +31,8 @@ All values are SI. A metric that does not exist for a lift (no load, no equalize
   spread stays below `Rig.equalised_below`; absent where it never does and of a lift at rest, see
   `gantline.results.ropes.equalising`
 - `peak_pin_force` [N]: largest magnitude of the force on any locking pin at any sample
-- `peak_hinge_force.<hinge>` [N]: largest force between that hinge and its load, whichever way, at any sample
+- `peak_hinge_force.<hinge>` [N]: largest force between that hinge and its load, whichever way, over all
+  steps
 - `peak_hinge_radial_force.<hinge>`, `peak_hinge_axial_force.<hinge>` [N]: its largest part at right angles to
   the axis of the hinge, and the largest magnitude of that along it
 - `peak_hinge_moment.<hinge>` [N m]: largest moment by which it keeps the load from turning askew
@@ -111,6 +112,7 @@ from gantline.results.cranes.rating import chart_used
 from gantline.results.loads.clearances import watched_during
 from gantline.results.loads.contact_peaks import contact_peak, guide_peak
 from gantline.results.loads.drift import load_drift
+from gantline.results.loads.hinge_peaks import hinge_peak
 from gantline.results.loads.hinges import axial_force, hinge_force, hinge_moment, radial_force
 from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.loads.hung_so import has_hung_so, tells_dynamics
@@ -297,7 +299,7 @@ def _hinges(recording: Recording) -> Iterator[_Metric]:
             ("axial_force", axial_force),
             ("moment", hinge_moment),
         ):
-            yield f"peak_hinge_{part}.{hinge.name}", float(np.abs(series_of(recording, hinge)).max())
+            yield f"peak_hinge_{part}.{hinge.name}", hinge_peak(recording, hinge, series_of)[0]
 
 
 def _sheaves(recording: Recording) -> Iterator[_Metric]:

@@ -110,7 +110,7 @@ def missed_peaks(rig: Rig, columns: Columns, names: Names) -> list[str]:
     apart = format_quantity(float(np.median(np.diff(time))), "s", 2)
     had, most = (format_quantity(value, "kN", 1) for value in (peak, sampled))
     missing = f"samples {apart} apart miss peaks: {rope} carried {had} at {when:.2f} s, and {most} in samples"
-    of_samples = "loads of several hooks together, hinges, angles and distances are those of samples"
+    of_samples = "loads of several hooks together, angles and distances are those of samples"
     return [f"{missing}; {of_samples}: a shorter 'sample_interval' has their peaks"]
 
 

@@ -223,7 +223,8 @@ def _states(
         yield _cut(pool, scenario, base, name, time)
     else:
         for variant in variants_of(scenario, name):
-            state = State(name, variant.label, "none", 0.0)
+            margins = case.vary if isinstance(case.vary, str) else ""
+            state = State(name, variant.label, "none", 0.0, margins=margins)
             yield _of_case(pool, scenario, variant.scenario, time, state)
 
 
@@ -321,7 +322,7 @@ def _tolerances(
             for sling, one in zip(question.rig.slings, more, strict=change is not None)
             if sling.name in on
         }
-        state = State(name, pattern_label(longer), "none", 0.0, first_order=first_order)
+        state = State(name, pattern_label(longer), "none", 0.0, margins=TOLERANCE, first_order=first_order)
         yield _of_case(pool, scenario, with_lengths(scenario, name, longer), time, state)
 
 

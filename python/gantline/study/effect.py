@@ -39,17 +39,19 @@ def with_effect(state: State, given: State, earlier: Callable[[float], Equilibri
         return replace(state, in_vain=(), changes_nothing=is_as(state, given), stands=on_ground)
     before = given.rest if is_then else earlier(state.time)
     in_vain = () if before is None else tuple(_in_vain(state, before))
-    swings_to = {} if before is None or state.losses != "none" else _swings_to(state, before)
     nothing = len(in_vain) == len(state.cut)
     on_ground = stands(state, before)
+    swings_to = {}
+    if before is not None and state.losses == "none" and not on_ground:
+        swings_to = _swings_to(state, before)
     return replace(state, in_vain=in_vain, changes_nothing=nothing, swings_to=swings_to, stands=on_ground)
 
 
 def _swings_to(state: State, before: Equilibrium) -> dict[str, float]:
     """How far slings go that bear more as others are cut, by their names, undamped [N].
 
-    What comes on at once comes on twice: a load on the stiffness k of what is left falls as far past its new
-    rest as it was above it.
+    Of loads that hang on. What comes on at once comes on twice: a load on the stiffness k of what is left
+    falls as far past its new rest as it was above it.
     """
     then = values_of(replace(state, rest=before))["sling_tension"]
     now = values_of(state)["sling_tension"]

@@ -54,10 +54,12 @@ class State:
         rest: The equilibrium; None where there is none.
         starts: Whether its start can be put together; where it cannot there is no equilibrium to ask for.
         cause: Why there is none, in one sentence.
+        margins: Margins of the lift file that the case varies, `load.centre_of_gravity.envelope` or
+            `slings.tolerance`; empty for another.
         cut: Slings and ropes that the case cuts.
         in_vain: Of what it cuts, what is not there to be cut, and why; a sentence each.
         swings_to: How far slings go on the way there that bear more since others are cut, by their names,
-            undamped [N].
+            undamped [N]; nothing of a case in which a load stands.
         changes_nothing: Whether all that is asked of it is as in the lift as it is given.
         stands: Loads that something supports, which hang clear at that time in the lift as it is given.
         checks: Its checks, of slings that the case cuts none.
@@ -72,6 +74,7 @@ class State:
     rest: Equilibrium | None = None
     starts: bool = True
     cause: str = ""
+    margins: str = ""
     cut: tuple[str, ...] = ()
     in_vain: tuple[str, ...] = ()
     swings_to: Mapping[str, float] = field(default_factory=dict)
@@ -194,12 +197,9 @@ def settled(question: Statics, time: float | None, state: State, ending: Sequenc
         rest = question.equilibrium(time, losses=state.losses)
     except NoEquilibriumError as problem:
         cause = f"{problem.cause} ({problem.element})"
-        return State(state.case, state.variant, state.losses, problem.time, cause=cause, cut=state.cut)
+        return replace(state, time=problem.time, cause=cause, first_order={})
     checks = check_recording(_without(rest.recording, state.cut), ending)
-    return State(
-        state.case, state.variant, state.losses, rest.time, rest, cut=state.cut, checks=checks,
-        first_order=state.first_order,
-    )  # fmt: skip
+    return replace(state, time=rest.time, rest=rest, checks=checks)
 
 
 def unstartable(state: State, time: float, error: StartError) -> State:

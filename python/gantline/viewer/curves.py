@@ -10,6 +10,8 @@ import numpy as np
 from gantline.results import series
 from gantline.results.loads.aside import swing_of
 from gantline.results.loads.drift import load_drift
+from gantline.results.loads.hinge_peaks import hinge_peak
+from gantline.results.loads.hinges import hinge_force
 from gantline.results.loads.hook_peaks import hook_peak
 from gantline.results.recording import Recording
 from gantline.results.ropes.families import families
@@ -73,7 +75,7 @@ def curves(recording: Recording) -> Iterator[Curve]:
                 values = recording[variable].values[:, at]
                 least = smallest.get(name, 0.0) if group == "clearance" else 0.0
                 label = f"{name} (≥ {least:g} m)" if least > 0.0 else name
-                peak = hook_peak(recording, name, variable) if dim == "hook" else None
+                peak = _between_samples(recording, variable, at)
                 yield Curve(group, name, label, unit, factor, values, equalizer_of.get(name, ""), peak)
     yield from _loads(recording)
     yield from _tanks(recording)
@@ -81,6 +83,15 @@ def curves(recording: Recording) -> Iterator[Curve]:
         for at, kind in enumerate(recording.coordinates["energy_kind"]):
             label = kind.replace("_", " ")
             yield Curve("energy", kind, label, "MJ", 1e-6, recording["energy"].values[:, at])
+
+
+def _between_samples(recording: Recording, variable: str, at: int) -> tuple[float, float] | None:
+    """The peak over all steps of an entry of a variable, and its time [s]; None of what samples have."""
+    if variable == "hinge_force":
+        return hinge_peak(recording, recording.rig.hinges[at], hinge_force)
+    if variable in ("hook_load", "hoist_load"):
+        return hook_peak(recording, recording.rig.hooks[at].name, variable)
+    return None
 
 
 def _ropes(recording: Recording) -> Iterator[Curve]:

@@ -80,7 +80,7 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     let Built { constraints, groups, seats, touches } = build_constraints(spec, &tree, &start, &shapes)?;
     let Touches { finders, removals, mut spots } = touches;
     let watches = build_watches(spec, &shapes)?;
-    let pulls = build_pulls(spec)?;
+    let pulls = build_pulls(spec, &constraints)?;
     let (vessels, marks) = build_vessels(spec, &tree)?;
     let rows = Rows::new(&constraints);
     let coils = places_of_coils(spec, &tree, &constraints, &rows);
@@ -142,14 +142,21 @@ pub fn build(spec: &SystemSpec) -> Result<(System, State), BuildError> {
     Ok((system, state))
 }
 
-/// Of every pull the numbers of its ropes, which are the first constraints.
-fn build_pulls(spec: &SystemSpec) -> Result<Vec<Vec<usize>>, BuildError> {
-    let number = |pull: &str, wanted: &str| {
-        let found = spec.ropes.iter().position(|rope| rope.name == wanted);
-        found.map_or_else(|| error(pull, format!("there is no rope `{wanted}`")), Ok)
+/// Of every pull the numbers of its ropes, which are the first constraints, or of its pins.
+fn build_pulls(spec: &SystemSpec, constraints: &[AnyConstraint]) -> Result<Vec<Vec<usize>>, BuildError> {
+    let number = |pull: &PullSpec, (kind, wanted): (&str, &String)| {
+        let found = constraints.iter().position(|one| match one {
+            AnyConstraint::Rope(rope) => kind == "rope" && rope.name == *wanted,
+            AnyConstraint::Pin(pin) => kind == "pin" && pin.name == *wanted,
+            _ => false,
+        });
+        found.map_or_else(|| error(&pull.name, format!("there is no {kind} `{wanted}`")), Ok)
     };
-    let ropes = |pull: &PullSpec| pull.ropes.iter().map(|rope| number(&pull.name, rope)).collect();
-    spec.pulls.iter().map(ropes).collect()
+    let members = |pull: &PullSpec| {
+        let ropes = pull.ropes.iter().map(|rope| ("rope", rope));
+        ropes.chain(pull.pins.iter().map(|pin| ("pin", pin))).map(|one| number(pull, one)).collect()
+    };
+    spec.pulls.iter().map(members).collect()
 }
 
 /// For each degree of freedom the drive that says its motion; motors of some capacity leave theirs free.

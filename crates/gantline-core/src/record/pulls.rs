@@ -1,13 +1,34 @@
-//! Motion and forces at the moments at which groups of ropes pull most together, which samples may miss.
+//! Motion and forces at the moments at which groups of ropes pull most together, or pins bear most, which samples may miss.
 
 use super::{ALIKE, Sample, Samples, Span, adjusted_rows};
 use crate::constraint::AnyConstraint;
 use crate::system::System;
 
-/// The moment at which a group of ropes has pulled most so far.
+/// Rows that bear one thing together: of ropes that pull at it, or of pins that hold it square to each other.
+#[derive(Debug, Clone, Default)]
+pub struct Bearers {
+    /// How many times the force of each row counts.
+    rows: Vec<(usize, f64)>,
+    are_pins: bool,
+}
+
+impl Bearers {
+    /// What they bear together [N, or N m of pins that keep it from turning] where `of` is the force of a row: ropes what they
+    /// pull, pins the length of the force.
+    pub fn together(&self, of: impl Fn(usize) -> f64) -> f64 {
+        let forces = self.rows.iter().map(|&(row, times)| times * of(row));
+        if self.are_pins {
+            forces.map(|force| force * force).sum::<f64>().sqrt()
+        } else {
+            forces.map(|force| force.max(0.0)).sum()
+        }
+    }
+}
+
+/// The moment at which a group has borne most so far.
 #[derive(Debug, Clone)]
 struct Moment {
-    /// What they pulled with together [N]; less than nothing before the first step.
+    /// What that was [N or N m]; less than nothing before the first step.
     most: f64,
     /// One sample of that moment; none before the first step.
     sample: Samples,
@@ -17,8 +38,8 @@ struct Moment {
 #[derive(Debug, Clone)]
 pub struct Pulls {
     moments: Vec<Moment>,
-    /// Rows of a group, and how many times the force of each is the tension.
-    rows: Vec<(usize, f64)>,
+    /// Those of a group.
+    bearers: Bearers,
     sample: Sample,
     /// Rows that are adjusted.
     adjusted: Vec<usize>,
@@ -29,26 +50,35 @@ impl Pulls {
     pub fn new(system: &System, sample: Sample) -> Self {
         let none = Moment { most: -1.0, sample: Samples::default() };
         let moments = vec![none; system.pulls.len()];
-        Self { moments, rows: Vec::new(), sample, adjusted: adjusted_rows(system) }
+        Self { moments, bearers: Bearers::default(), sample, adjusted: adjusted_rows(system) }
     }
 
-    /// What a group has pulled most with in a step that ended at `q`, and the share of the step at which it was, where it is
-    /// more than ever, by more than rounding: `pull` gives the largest of what rows pull with together, where it is more than
+    /// What a group has borne most in a step that ended at `q`, and the share of the step at which it was, where it is
+    /// more than ever, by more than rounding: `pull` gives the largest of what rows bear together, where it is more than
     /// what is known.
     pub fn found(
         &mut self,
         system: &System,
         group: usize,
         q: &[f64],
-        pull: impl FnOnce(&[(usize, f64)], f64) -> Option<(f64, f64)>,
+        pull: impl FnOnce(&Bearers, f64) -> Option<(f64, f64)>,
     ) -> Option<(f64, f64)> {
-        self.rows.clear();
-        for &rope in &system.pulls[group] {
-            let AnyConstraint::Rope(of) = &system.constraints[rope] else { continue };
-            let scales = of.spans.iter().map(|span| span.scale(q));
-            self.rows.extend((system.rows.first[rope]..).zip(scales));
+        let Bearers { rows, are_pins } = &mut self.bearers;
+        rows.clear();
+        *are_pins = false;
+        for &index in &system.pulls[group] {
+            let first = system.rows.first[index];
+            match &system.constraints[index] {
+                AnyConstraint::Rope(of) => {
+                    rows.extend((first..).zip(of.spans.iter().map(|span| span.scale(q))));
+                }
+                _ => {
+                    rows.push((first, 1.0));
+                    *are_pins = true;
+                }
+            }
         }
-        pull(&self.rows, self.moments[group].most * (1.0 + ALIKE))
+        pull(&self.bearers, self.moments[group].most * (1.0 + ALIKE))
     }
 
     /// Keeps the moment that was found for a group; `motion` gives the sample at a share of the step.

@@ -1,6 +1,7 @@
 //! The integrator of a run, and what a run asks of any of them.
 
 use super::{SetupError, above_zero};
+use crate::record::pulls::Bearers;
 use crate::record::{Sample, Span};
 use crate::spec::IntegratorSpec;
 use crate::state::State;
@@ -93,22 +94,22 @@ impl Method {
         }
     }
 
-    /// The largest that rows have pulled with together in the step that has been made, each so many times as `rows` say, [N]
-    /// and the share of the step at which it was, where it is more than `known`. `kinematics` are those after it.
+    /// The largest that rows have borne together in the step that has been made, and the share of the step at which it
+    /// was, where it is more than `known`. `kinematics` are those after it.
     pub fn pull(
         &self,
         (system, kinematics): (&System, &Kinematics),
         after: &State,
-        rows: &[(usize, f64)],
+        bearers: &Bearers,
         known: f64,
     ) -> Option<(f64, f64)> {
         match self {
             Self::Del(_) | Self::Explicit(_) => {
                 let of = |row: usize| system.curved_tension(row, after.tension[row], kinematics);
-                let now = rows.iter().map(|&(row, times)| times * of(row)).sum();
+                let now = bearers.together(of);
                 (now > known).then_some((now, 1.0))
             }
-            Self::Adaptive(adaptive) => adaptive.pull(rows, known),
+            Self::Adaptive(adaptive) => adaptive.pull(bearers, known),
         }
     }
 

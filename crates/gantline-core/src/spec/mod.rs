@@ -51,7 +51,7 @@ pub struct SystemSpec {
     /// Distances that are recorded.
     #[serde(default)]
     pub watches: Vec<WatchSpec>,
-    /// Groups of ropes of which it is recorded when they pull most together.
+    /// Groups of ropes, or of pins, of which it is recorded when they bear most together.
     #[serde(default)]
     pub pulls: Vec<PullSpec>,
     /// Forces of the water on bodies.

@@ -170,14 +170,19 @@ pub struct AdjusterSpec {
     pub factor: f64,
 }
 
-/// Ropes that pull at one thing together, such as those at a hook.
+/// Ropes that pull at one thing together, such as those at a hook, or pins that hold one thing, each square to the others,
+/// such as those of a hinge.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PullSpec {
     /// Unique name.
     pub name: String,
     /// Names of its ropes.
+    #[serde(default)]
     pub ropes: Vec<String>,
+    /// Joints of its pins, where it is of pins.
+    #[serde(default)]
+    pub pins: Vec<String>,
 }
 
 fn one() -> f64 {

@@ -1,4 +1,4 @@
-"""Ropes that pull at a hook together: the core keeps when they pull most, between samples too."""
+"""Ropes at a hook and pins of a hinge: the core keeps when they bear most together, between samples too."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from gantline.assembly.cranes.reeving import reeved_hooks
 from gantline.assembly.parts import Parts
 from gantline.assembly.plain import ropes_ending_at, ropes_over
 from gantline.scenario import Rigging, Scenario
+from gantline.scenario.loads.hinge import PUSHES, TURNS, hinge_joints
 
 __all__ = ["add_pulls"]
 
@@ -15,7 +16,8 @@ __all__ = ["add_pulls"]
 def add_pulls(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
     """A group of ropes for each hook, of what hangs in it and maybe none, then one for each that has falls.
 
-    What hangs in a hook and its falls pull most at two moments: between them is the hook block.
+    What hangs in a hook and its falls pull most at two moments: between them is the hook block. After them of
+    each hinge the pins that hold its load, then those that keep it from turning askew.
     """
     pieces: dict[str, str] = {}
     for rope in parts.ropes:
@@ -32,3 +34,7 @@ def add_pulls(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
         {"name": name, "ropes": [pieces[rope] for rope in dict.fromkeys(ropes) if rope in pieces]}
         for name, ropes in groups
     ]
+    for hinge in scenario.hinges or {}:
+        joints = hinge_joints(hinge)
+        for part, ways in (("force", PUSHES), ("moment", TURNS)):
+            parts.pulls.append({"name": f"{hinge}/{part}", "pins": [joints[way] for way in ways]})

@@ -39,6 +39,9 @@ _OVER: dict[tuple[str, ...], str] = {
     ("time", "pin"): "pin_force",
     ("time", "hinge", "hinge_way"): "hinge_push",
     ("time", "hinge"): "hinge_force hinge_moment",
+    ("hinge_peak", "hinge", "hinge_way"): "hinge_peak_push",
+    ("hinge_peak", "hinge"): "hinge_peak_moment",
+    ("hinge_peak",): "hinge_peak_time",
     ("time", "contact"): "contact_force",
     ("contact",): "contact_peak_force contact_peak_time",
     ("time", "pair"): "clearance",
@@ -82,6 +85,9 @@ OPTIONAL = frozenset(
         "hook_peak_time",
         "hoist_peak_load",
         "hoist_peak_time",
+        "hinge_peak_push",
+        "hinge_peak_moment",
+        "hinge_peak_time",
         "momentum",
         "angular_momentum",
         "load_swing",
@@ -90,7 +96,7 @@ OPTIONAL = frozenset(
     }
 )
 #: Dimensions whose entries are counted and have no names.
-COUNTED = frozenset({"time", "event", "rope_point"})
+COUNTED = frozenset({"time", "event", "rope_point", "hinge_peak"})
 #: Names along dimensions that are the same in every recording.
 FIXED = {
     "xyz": ("x", "y", "z"),

@@ -12,7 +12,6 @@ from gantline.results.file.form import Vector
 from gantline.results.rotation import axes
 from gantline.results.strength import FromJson
 from gantline.results.variable import BoolArray, Columns, Derived, FloatArray, Names, Variable
-from gantline.units import format_quantity
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
@@ -29,8 +28,8 @@ __all__ = [
     "hinge_columns",
     "hinge_force",
     "hinge_moment",
+    "hinge_moments_kept",
     "hinge_state",
-    "in_words",
     "is_shut",
     "pulled_up",
     "radial_force",
@@ -39,8 +38,6 @@ __all__ = [
 
 #: Kind of event: a hinge lets its load go.
 HINGE_OPENED = "hinge_opened"
-#: Share of the load's weight from which on it is told that a hinge holds the load down [1].
-_HELD_DOWN = 0.01
 #: Axes of a hinge: the middle one is its own, the last as upright as that allows.
 HINGE_WAYS = ("across", "along", "upright")
 
@@ -136,6 +133,34 @@ def hinge_state(columns: Columns, names: Names, rig: Rig) -> Derived:
         "hinge_push": Variable(("time", "hinge", "hinge_way"), push, "N", of_it),
         "hinge_moment": Variable(("time", "hinge"), columns["hinge_moment"], "N m", moment),
     }, {"hinge": [hinge.name for hinge in rig.hinges], "hinge_way": HINGE_WAYS}
+
+
+def hinge_moments_kept(pulled: Columns, names: Names, rig: Rig) -> dict[str, Variable]:
+    """What hinges bear at the moments at which they bore most, between samples too.
+
+    Args:
+        pulled: Columns of the core of one moment for each group of bearers. The last of them are of two for
+            each hinge: when its force was most, and when its moment was; none before the first step.
+        names: Names along their dimensions.
+        rig: The lift.
+
+    Returns:
+        Variables by their names; nothing without hinges or before the first step.
+    """
+    count = 2 * len(rig.hinges)
+    if not count or len(pulled["time"]) < count:
+        return {}
+    columns, names = hinge_columns(pulled, names, rig)
+    borne = {name: columns[name][-count:] for name in ("hinge_push", "hinge_moment")}
+    state, _ = hinge_state(borne, names, rig)
+    time = Variable(("hinge_peak",), pulled["time"][-count:], "s", "when hinges bore most, over all steps")
+    kept = {"hinge_peak_time": time}
+    for name in ("hinge_push", "hinge_moment"):
+        one = state[name]
+        text = f"{one.description}, at hinge_peak_time"
+        dims = ("hinge_peak", *one.dims[1:])
+        kept[name.replace("hinge", "hinge_peak")] = Variable(dims, one.values, one.unit, text)
+    return kept
 
 
 def held_up(columns: Columns, names: Names, rig: Rig, load: str) -> FloatArray:
@@ -241,42 +266,3 @@ def shut_as_at(recording: Recording, time: float) -> BoolArray:
         is_open = any(at < time or at <= recording.time[0] for at in opened)
         same &= is_shut(recording, hinge) != is_open
     return same
-
-
-def in_words(recording: Recording, hinge: Hinge, used: float | None = None) -> list[tuple[str, str]]:
-    """What a hinge bears at most, how far its load turns in it, and when it opens: titles and sentences.
-
-    Args:
-        recording: Of a run.
-        hinge: A hinge of it.
-        used: Share of its rated capacity, as the checks have it [1]; None if that is not known.
-    """
-    force, shut = hinge_force(recording, hinge), is_shut(recording, hinge)
-    peak = int(np.argmax(force))
-    moment = float(hinge_moment(recording, hinge).max())
-    turned = recording.column("joint_position", hinge.name)
-    reach = float(np.abs(turned - turned[0])[shut].max(initial=0.0))
-    words = (
-        f"{format_quantity(force[peak], 'kN', 1)} at most, at {format_quantity(recording.time[peak], 's', 2)}"
-    )
-    rows = [
-        ("force", words),
-        ("radial", f"{format_quantity(float(radial_force(recording, hinge).max()), 'kN', 1)} at most"),
-        ("axial", f"{format_quantity(float(np.abs(axial_force(recording, hinge)).max()), 'kN', 1)} at most"),
-        ("moment askew", f"{format_quantity(moment, 'kN m', 1)} at most"),
-        (f"{hinge.load} turned in it", f"by {format_quantity(reach, 'deg', 2)} at most"),
-    ]
-    if used is not None:
-        rows.insert(1, ("of rated capacity", format_quantity(used, "%", 1)))
-    pulled = pulled_up(recording, hinge)
-    load = recording.rig.load(hinge.load)
-    most = int(np.argmax(pulled))
-    if load is not None and pulled[most] > _HELD_DOWN * load.weight:
-        down = f"with {format_quantity(pulled[most], 'kN', 1)} at most"
-        when = f"at {format_quantity(recording.time[most], 's', 2)}"
-        rows.append((f"holds {hinge.load} down", f"{down}, {when}"))
-    at = [time for time, _, name in recording.events(HINGE_OPENED) if name == hinge.name]
-    if at and shut.any():
-        bore = format_quantity(float(force[shut][-1]), "kN", 1)
-        rows.append(("opened", f"at {format_quantity(at[0], 's', 2)}; it bore {bore}"))
-    return rows

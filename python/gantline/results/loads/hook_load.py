@@ -32,7 +32,8 @@ def hook_peaks(pulled: Columns, names: Names, rig: Rig) -> dict[str, Variable]:
 
     Args:
         pulled: Columns of one moment for each hook, in their order, at which what hangs in it pulled most,
-            then of one for each hook with falls at which these did; of fewer before the first step.
+            then of one for each hook with falls at which these did, before those of others; of fewer before
+            the first step.
         names: Names along their dimensions.
         rig: The lift.
 
@@ -45,7 +46,7 @@ def hook_peaks(pulled: Columns, names: Names, rig: Rig) -> dict[str, Variable]:
         if hook.falls:
             own[place].append(count)
             count += 1
-    if not rig.hooks or len(pulled["time"]) != count:
+    if not rig.hooks or len(pulled["time"]) < count:
         return {}
     loads, _ = hook_loads(pulled, names, rig)
     found = {}

@@ -326,7 +326,8 @@ def _slewing_boom(name: str, crane: FloatingCrane, axis: tuple[float, float]) ->
         apart=pins.apart,
         luffing=luffing,
         hooks=crane.hooks,
-        reach_from=(0.0, 0.0, 0.0),
+        # At the height at which outreach counts too: of an axis that leans each height has another radius.
+        reach_from=(0.0, 0.0, pins.at[2]),
         path=("cranes", name),
         slew=(crane.slew, crane.slewing),
     )

@@ -4,6 +4,7 @@
 use super::LOOKS;
 use super::evaluation::Evaluation;
 use crate::constraint::Law;
+use crate::record::pulls::Bearers;
 use crate::system::System;
 
 /// The start of a step and its looks.
@@ -157,14 +158,10 @@ impl Looks {
         highest(self.forces.each_ref().map(|forces| forces[row]), |x| self.at(row, x), least)
     }
 
-    /// The largest of what rows pull together, each so many times as `rows` say, [N] and the share of the step at which it
-    /// was, where it is more than `least`.
-    pub fn pull(&self, rows: &[(usize, f64)], least: f64) -> Option<(f64, f64)> {
-        let sum = |of: &dyn Fn(usize) -> f64| -> f64 {
-            rows.iter().map(|&(row, times)| times * of(self.place(row)).max(0.0)).sum()
-        };
-        let forces = self.forces.each_ref().map(|forces| sum(&|row| forces[row]));
-        highest(forces, |x| sum(&|row| self.at(row, x)), least)
+    /// The largest of what rows bear together and the share of the step at which it was, where it is more than `least`.
+    pub fn pull(&self, bearers: &Bearers, least: f64) -> Option<(f64, f64)> {
+        let forces = self.forces.each_ref().map(|forces| bearers.together(|row| forces[self.place(row)]));
+        highest(forces, |x| bearers.together(|row| self.at(self.place(row), x)), least)
     }
 }
 

@@ -42,6 +42,7 @@ use crate::force;
 use crate::plan::condition::Support;
 use crate::plan::soon;
 use crate::record::Sample;
+use crate::record::pulls::Bearers;
 use crate::rope::seat::Winding;
 use crate::solver::complementarity::Mode;
 use crate::solver::symbolic::ZeroPivot;
@@ -217,9 +218,9 @@ impl Adaptive {
         self.looks.peak(row, least)
     }
 
-    /// The same of what rows pull together, each so many times.
-    pub fn pull(&self, rows: &[(usize, f64)], least: f64) -> Option<(f64, f64)> {
-        self.looks.pull(rows, least)
+    /// The same of what rows bear together.
+    pub fn pull(&self, bearers: &Bearers, least: f64) -> Option<(f64, f64)> {
+        self.looks.pull(bearers, least)
     }
 
     /// One step from `state`, not beyond `until` [s].
