@@ -1,6 +1,6 @@
 """What a researcher hands in on the first day, and how it ended.
 
-`recording.save("lift.csv")` wrote NetCDF under the name of a table, which no spreadsheet opens. `compare` with
+`recording.save("lift.csv")` wrote NetCDF under the name of a table, which no spreadsheet opens. `compare` of
 one name ended with "not enough values to unpack (expected 2, got 1)", and took the text "ab" for the names
 "a" and "b". `verdict_of(recording)` ended with "'str' object has no attribute 'verdict'", `Report(None)` and
 `open_recording(None)` in words of Python. `equilibrium(time="12 s")` said that '12 s' is no time of a lift of
