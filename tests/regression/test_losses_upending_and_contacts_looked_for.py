@@ -30,7 +30,8 @@ def test_losses_of_an_equalizer(key: str) -> None:
     ]
     bare = text.replace(" efficiency: 1.0,", "")
     right = bare.replace(hangs, f"{hangs}    sheaves: {{loss: 2 %}}\n")
-    assert parse_scenario(right).equalizers["e1"].sheaves is not None
+    equalizers = parse_scenario(right).equalizers
+    assert equalizers is not None and equalizers["e1"].sheaves is not None
 
 
 def test_upending() -> None:

@@ -165,7 +165,7 @@ def outcome_of(checks: Sequence[Check]) -> Outcome:
     Raises:
         TypeError: If these are no checks, such as a recording.
     """
-    if not (isinstance(checks, Sequence) and all(isinstance(check, Check) for check in checks)):
+    if not all(isinstance(check, Check) for check in checks):
         right = "gantline.checks.check_recording gives those of a recording"
         raise TypeError(f"a list of checks is needed, not {type(checks).__name__}; {right}")
     if _is_nothing(checks):
