@@ -52,7 +52,7 @@ def test_contents_and_back_into_the_lift_file(lift: Path, tmp_path: Path) -> Non
 
 
 def test_only_some_tanks(lift: Path) -> None:
-    result = ballast(lift, "--tanks", "aft, side", "--at-time", "0 s", "--json")
+    result = ballast(lift, "--tanks", "aft, side", "--time", "0 s", "--json")
     assert result.returncode == 0, result.stderr
     found = json.loads(result.stdout)
     assert found["contents"]["fore"] == 900e3
@@ -67,8 +67,8 @@ def test_only_some_tanks(lift: Path) -> None:
         (["--tanks", ","], 2, "no tank may change; name one at least"),
         (["--vessel", "boat"], 2, "'boat' is not a vessel with tanks"),
         (["--step", "wiat"], 2, "'wiat' is not a step of the plan; did you mean 'wait'?"),
-        (["--step", "wait", "--at-time", "1 s"], 2, "a time and a step are given; one of them says when"),
-        (["--at-time", "700 s"], 2, "700 s is not in the lift, which lasts 600 s"),
+        (["--step", "wait", "--time", "1 s"], 2, "a time and a step are given; one of them says when"),
+        (["--time", "700 s"], 2, "700 s is not in the lift, which lasts 600 s"),
         (["--draft", "4"], 2, "--draft: '4' has no unit"),
         (["--draft", "0 m"], 2, "--draft: '0 m' is no draft"),
         (["--heel", "50 deg"], 2, "--heel: 50 deg is too steep; less than 45 deg is right"),

@@ -53,8 +53,8 @@ LENGTH = "slings.S1.length"
             "--step: 'pump' is not a step of the plan; known here: 'take up",
         ),
         (
-            "ballast floating_crane --at-time '9000 s'",
-            "--at-time: 9000 s is not in the lift, which lasts 2750 s",
+            "ballast floating_crane --time '9000 s'",
+            "--time: 9000 s is not in the lift, which lasts 2750 s",
         ),
         ("ballast floating_crane --tanks ,", "--tanks: no tank may change; name one at least"),
         ("ballast floating_crane --tanks row1.1,aft", "--tanks: 'aft' is not a tank of barge; known here: "),

@@ -43,6 +43,7 @@ def test_a_load_in_a_house_on_deck(by: float, verdict: Verdict | None) -> None:
     for one in found:
         deep = float(one.remark.split(" m deep")[0].split(", ")[-1])
         assert deep == pytest.approx(by - (UNDERSIDE - TOP), abs=0.03)
+        assert ("'body_contacts' of 'mechanics' let them touch" in one.remark) is (verdict is Verdict.FAILED)
 
 
 def test_its_sling_too() -> None:

@@ -81,7 +81,7 @@ def test_the_water_is_no_dynamics(raised: Recording) -> None:
     check = _check(raised, "hook_dynamic_factor")
     assert check.verdict is not Verdict.FAILED
     assert check.value is None
-    assert "water bears less of it" in check.remark
+    assert "water bore more of it" in check.remark
 
 
 @pytest.mark.parametrize("name", ["hoist_load_of_rated_capacity", "lug_load_of_capacity"])

@@ -49,7 +49,7 @@ def test_what_statics_is_asked() -> None:
     for count in ("3", 2.5, -1):
         with pytest.raises(ValueError, match=r"count: .* is no whole number from 0 on"):
             statics.modes(count)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="time: '3 s' is no time of the lift, which lasts from 0 s to"):
+    with pytest.raises(ValueError, match="time: '3 s' is no number of seconds; the lift lasts from 0 s to"):
         statics.equilibrium(time="3 s")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="frequency: '1 Hz' is no frequency above zero in radians"):
         statics.linear_model("1 Hz")  # type: ignore[arg-type]

@@ -75,4 +75,4 @@ def test_steps_that_take_many_lines_leave_others_to_the_second_sheet() -> None:
     first, rest = first_steps(sample(*long)), StepsContinued().content(sample(*long))
     assert rest is not None
     assert (len(first["rows"]), rest["first"], len(rest["rows"])) == (10, 11, 6)
-    assert first["elsewhere"] == "Steps 11 to 16: see sheet 2."
+    assert first["elsewhere"] == "Steps 11 to 16"

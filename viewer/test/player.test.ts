@@ -14,6 +14,7 @@ import { Lift } from "../src/data/lift";
 import { Pace } from "../src/pace";
 import { parse, written } from "../src/player/address";
 import { Session, usualSpeed } from "../src/player/session";
+import { Arrows } from "../src/scene/arrows";
 import { Bodies } from "../src/scene/bodies";
 import { Clearances } from "../src/scene/clearances";
 import { niceCell } from "../src/scene/fading";
@@ -418,5 +419,25 @@ describe("the room of a lift", () => {
       begin: 0,
     } as unknown as Lift;
     expect(extentOf(lift).high).toEqual([2, 4, 6]);
+  });
+
+  it("has what pushes from below the ground, which lay under the buttons of a phone", () => {
+    const contact = { body: 0, at: [3, 0, 0] };
+    const lift = {
+      header: {
+        bodies: [{ cog: [0, 0, 1] }],
+        contacts: [contact, contact, contact],
+        ropes: [{ name: "sling", peak: 100e3 }],
+        lugs: [{ rope: "sling" }],
+      },
+      contactForces: Float64Array.of(50e3, 100, 300e3),
+      poses: Float64Array.of(10, 20, 1, 1, 0, 0, 0),
+    } as unknown as Lift;
+    // 0.2 of 40 m for as much as the largest sling: a half of 8 m, nothing for what is not drawn, 1.2 at most.
+    const tails = new Arrows(lift, [10, 20, 0], 40).tails();
+    [3, 0, -4, 3, 0, -9.6].forEach((value, at) => {
+      expect(tails[at]).toBeCloseTo(value, 12);
+    });
+    expect(tails).toHaveLength(6);
   });
 });

@@ -31,6 +31,7 @@ from gantline.scenario.cranes.crane_parts import crane_bodies
 from gantline.scenario.extension import ends_below
 from gantline.scenario.loads.guide import guide_body, guide_stand
 from gantline.scenario.loads.structures import Dock, dock_of
+from gantline.scenario.mechanics import Body
 
 __all__ = ["scene"]
 
@@ -92,7 +93,7 @@ def _structures(scenario: Scenario, parts: Parts) -> list[Json]:
 
 
 def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body: Json) -> Json:
-    """A body with what stands for it; one without a shape in the lift file is a cube of steel of its mass."""
+    """A body with what stands for it."""
     name = body["name"]
     shape: Json | None = None
     kind = "body"
@@ -130,15 +131,20 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         shape = stand_shape(stands[name])
     elif plain is None:
         kind = "sheave"
-    elif plain.shape is not None:
-        shape = box_shape(plain.shape.box, plain.shape.centre)
-    elif plain.hull is not None:
-        hull = hull_mesh(scenario, name, plain)
-        kind, shape = "hull", None if hull is None else hull_shape(hull)
-    elif plain.mass > 0.0:
-        side = (plain.mass / STEEL) ** (1 / 3)
-        shape = box_shape([side] * 3, plain.centre_of_gravity)
+    else:
+        kind, shape = _plain_shape(scenario, name, plain)
     return {"name": name, "kind": kind, "shape": shape, "centre_of_gravity": list(body["centre_of_gravity"])}
+
+
+def _plain_shape(scenario: Scenario, name: str, plain: Body) -> tuple[str, Json | None]:
+    """Kind and shape of a body of `mechanics`; one without a shape in the lift file is a cube of steel."""
+    if plain.shape is not None:
+        return "body", box_shape(plain.shape.box, plain.shape.centre)
+    if plain.hull is not None:
+        hull = hull_mesh(scenario, name, plain)
+        return "hull", None if hull is None else hull_shape(hull)
+    side = (plain.mass / STEEL) ** (1 / 3)
+    return "body", box_shape([side] * 3, plain.centre_of_gravity) if plain.mass > 0.0 else None
 
 
 def _load_shape(lifted: LiftedLoad) -> Json:

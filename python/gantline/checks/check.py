@@ -162,7 +162,13 @@ def outcome_of(checks: Sequence[Check]) -> Outcome:
 
     A run that ends before its plan, lifts nothing, or of which something is no number, may show that a lift
     is no go, but not that it is one. Nor may a lift of whose gear no strength is known.
+
+    Raises:
+        TypeError: If these are no checks, such as a recording.
     """
+    if not all(isinstance(check, Check) for check in checks):
+        right = "gantline.checks.check_recording gives those of a recording"
+        raise TypeError(f"a list of checks is needed, not {type(checks).__name__}; {right}")
     if _is_nothing(checks):
         return Outcome.NO_VERDICT
     if has_failed(checks):

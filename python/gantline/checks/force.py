@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
 from gantline.checks.measure import Caution, Finding, Found, Missing
@@ -16,11 +16,6 @@ DYNAMIC = "dynamic_amplification_factor"
 SKEW = "skew_load_factor"
 OWN_WEIGHT = "own weight"
 NO_STATIC = "no static force: the load never hung still, clear of its supports"
-HUNG_OTHERWISE = (
-    "at its peak other slings are on or whole, or sheaves pinned, than whenever the load hung still, it is "
-    "turned by more than 10 deg from there, or water bears less of it or more is in its tanks, so that "
-    "nothing tells what of it is static; a hold there does"
-)
 UNRAISED = "peak of the simulated weight alone: the load never hung still"
 UNRAISED_UNDER_PINS = (
     "peak of the simulated weight alone: the load never hung still with sheaves pinned as they were then, so "
@@ -35,6 +30,12 @@ OF_LESS = (
     "with what is in its tanks, than whenever it hung still; a hold there tells"
 )
 NO_DYNAMIC = f"an equilibrium has no peak, and the rules no {DYNAMIC}"
+
+
+def hung_otherwise_sentence(parts: Iterable[str]) -> str:
+    """Why nothing tells what of a peak is static, by what differs from whenever the loads hung still."""
+    unlike = f"whenever the load hung still, {' and '.join(parts)} than at the peak"
+    return f"{unlike}, of which nothing tells what is static; a hold there does"
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from itertools import combinations
 
 import numpy as np
 
-from gantline.checks.force import HUNG_OTHERWISE, NO_STATIC, Raised, as_it_is, kilonewton, over
+from gantline.checks.force import NO_STATIC, Raised, as_it_is, hung_otherwise_sentence, kilonewton, over
 from gantline.checks.forces import hook_force
 from gantline.checks.measure import Caution, Finding, Found, Missing, extreme
 from gantline.checks.ratings import SEVERAL, crane_of, kept_back
@@ -17,7 +17,7 @@ from gantline.results import series
 from gantline.results.cranes.pulled_aside import hooks_that_stay, pull_aside
 from gantline.results.gear import Hook
 from gantline.results.loads.hook_peaks import hook_peak
-from gantline.results.loads.hung_so import has_hung_so
+from gantline.results.loads.hung_so import hung_otherwise
 from gantline.results.loads.standing import all_stands
 from gantline.results.recording import Recording
 from gantline.results.ropes.parting import DETACHED, while_there
@@ -98,8 +98,11 @@ def hook_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fin
             text += f" / static {kilonewton(static)}"
             for sampled in extreme(recording, force / static, during, hook.name):
                 found = _over_all_steps(recording, during, sampled, static)
-                hung_so = found.time is None or has_hung_so(recording, found.time)
-                yield replace(found, formula=text) if hung_so else Missing(hook.name, HUNG_OTHERWISE)
+                otherwise = None if found.time is None else hung_otherwise(recording, found.time)
+                if otherwise:
+                    yield Missing(hook.name, hung_otherwise_sentence(otherwise))
+                else:
+                    yield replace(found, formula=text)
 
 
 def falls_margin(recording: Recording, during: BoolArray) -> Iterator[Finding]:

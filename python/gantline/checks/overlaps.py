@@ -13,6 +13,8 @@ _TOPS_ONLY = (
     "supports carry by their tops what comes down on them, and stand in the way of nothing; a box under "
     "'structures' is touched by all of its sides"
 )
+#: What holds a load off a hull or what stands on it, which no key of either does.
+_NO_CONTACT = ", and a load goes through hulls and decks unless 'body_contacts' of 'mechanics' let them touch"
 
 
 def run_into(recording: Recording) -> list[Check]:
@@ -29,7 +31,9 @@ def run_into(recording: Recording) -> list[Check]:
         if found.support is not None:
             more = f"{found.support} carries nothing then: {_TOPS_ONLY}"
         elif found.is_past_middle:
-            more = "no drawing makes that good"
+            more = "no drawing makes that good" + (
+                _NO_CONTACT if _may_be_set_on(recording, {one, other}) else ""
+            )
         else:
             more = "drawn sizes of cranes are rough: a pair under 'watch' takes the place of this"
         meaning = "load, equalizer frames, cranes, hulls, structures and supports stay outside of each other"
@@ -44,3 +48,10 @@ def run_into(recording: Recording) -> list[Check]:
             )
         )
     return checks
+
+
+def _may_be_set_on(recording: Recording, pair: set[str]) -> bool:
+    """Whether one of two is a load and the other a vessel, or a body of `mechanics` that stands somewhere."""
+    rig = recording.rig
+    places = {*(vessel.name for vessel in rig.vessels), *rig.fixtures}
+    return bool(pair & {load.name for load in rig.loads}) and bool(pair & places)

@@ -9,12 +9,12 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from gantline.checks.check import Check, Verdict
-from gantline.checks.force import HUNG_OTHERWISE, NO_STATIC, SKEW, kilonewton
+from gantline.checks.force import NO_STATIC, SKEW, hung_otherwise_sentence, kilonewton
 from gantline.checks.lugs import ropes_that_bear
 from gantline.checks.measure import Caution, Finding, Found, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
-from gantline.results.loads.hung_so import has_hung_so, tells_dynamics
+from gantline.results.loads.hung_so import hung_otherwise, tells_dynamics
 from gantline.results.loads.skew import Skew, skew_loads
 from gantline.results.recording import Recording
 from gantline.results.ropes.parting import DETACHED, partings
@@ -170,8 +170,8 @@ def sling_dynamic_factor(recording: Recording, during: BoolArray) -> Iterator[Fi
             yield Missing(sling.name, NO_STATIC if static is None else "carries nothing at rest")
         elif not tells_dynamics(static, highest):
             yield Missing(sling.name, "all but slack at rest, with less than 5 % of its peak")
-        elif not has_hung_so(recording, time, of_slings=True):
-            yield Missing(sling.name, HUNG_OTHERWISE)
+        elif otherwise := hung_otherwise(recording, time, of_slings=True):
+            yield Missing(sling.name, hung_otherwise_sentence(otherwise))
         else:
             text = f"peak {kilonewton(highest)} / static {kilonewton(static)}"
             yield Found(highest / static, sling.name, time, text)

@@ -13,13 +13,10 @@ from gantline.cli.messages import COULD_NOT_GO_ON, DONE, scenario_errors, stop, 
 from gantline.cli.progress import telling
 from gantline.replacing import replace_text
 
-#: Options whose names are not those of the arguments of `solve_ballast`.
-_OPTIONS = {"time": "--at-time"}
-
 
 def ballast(
     lift: Lift,
-    at_time: Annotated[
+    time: Annotated[
         str | None,
         typer.Option(
             metavar="TIME",
@@ -28,7 +25,7 @@ def ballast(
     ] = None,
     step: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="In place of --at-time: a step of the plan, at its end."),
+        typer.Option(metavar="NAME", help="In place of --time: a step of the plan, at its end."),
     ] = None,
     heel: Annotated[str, typer.Option(metavar="ANGLE", help="Wanted heel, to starboard positive.")] = "0 deg",
     trim: Annotated[str, typer.Option(metavar="ANGLE", help="Wanted trim, by the stern positive.")] = "0 deg",
@@ -58,7 +55,7 @@ def ballast(
 
     Ends with code 3 where the tanks cannot do it.
     """
-    moment = quantity_of("--at-time", at_time, "time")
+    moment = quantity_of("--time", time, "time")
     angles = {"--heel": quantity_of("--heel", heel, "angle"), "--trim": quantity_of("--trim", trim, "angle")}
     depth = quantity_of("--draft", draft, "length")
     if depth is not None and depth <= 0.0:
@@ -89,7 +86,7 @@ def ballast(
         except (NoEquilibriumError, CannotBeError) as problem:
             stop(str(problem), COULD_NOT_GO_ON)
         except QuestionError as problem:
-            stop(f"{_OPTIONS.get(problem.argument, f'--{problem.argument}')}: {problem}")
+            stop(f"--{problem.argument}: {problem}")
         except ValueError as problem:
             stop(f"{scenario.source}: {problem}")
     if as_json:

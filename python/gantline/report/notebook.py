@@ -6,7 +6,7 @@ from html import escape
 
 from gantline.report.page import render_report
 from gantline.results.file.saved import Beside
-from gantline.results.recording import Recording
+from gantline.results.recording import Recording, recorded
 
 _HEIGHT = 760  # pixels
 
@@ -23,11 +23,12 @@ class Report:
 
     Raises:
         BundleMissing: If the player is not built in this installation.
+        TypeError: If it is no recording.
         ValueError: If the recording cannot be drawn.
     """
 
     def __init__(self, recording: Recording, *, beside: Beside | None = None) -> None:
-        self.title = recording.title
+        self.title = recorded(recording).title
         self.html = render_report(recording, beside=beside)
 
     def __repr__(self) -> str:

@@ -57,7 +57,7 @@ def first_steps(subject: Subject) -> dict[str, Any]:
     numbers = f"Step {len(rows)}" if left == 1 else f"Steps {most + 1} {joint} {len(rows)}"
     return {
         "rows": rows[:most],
-        "elsewhere": f"{numbers}: see sheet 2." if left > 0 else "",
+        "elsewhere": numbers if left > 0 else "",
         "has_room": 0 < len(rows) <= _FEW,
     }
 

@@ -187,8 +187,12 @@ def compare(
 
     Raises:
         FileNotFoundError: If there is no such file.
+        TypeError: If `names` are not two texts.
         ValueError: If a file is not a recording of gantline.
     """
+    are_two = isinstance(names, tuple | list) and len(names) == 2
+    if names is not None and not (are_two and all(isinstance(name, str) for name in names)):
+        raise TypeError(f"names: {names!r} are not two texts, such as ('before', 'after')")
     a, b = (open_recording(one) if isinstance(one, str | Path) else recorded(one) for one in (a, b))
     common = _common_time(a, b)
     rig_a, rig_b = a.rig, b.rig

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 _Kept = TypeVar("_Kept")
 
+#: Endings of files by which programs know tables, texts and pages, which a recording is none of.
+_OTHER_KINDS = frozenset({".csv", ".html", ".json", ".ods", ".parquet", ".txt", ".xls", ".xlsx"})
 #: Most names that a message lists.
 _MOST_NAMED = 12
 
@@ -258,17 +260,23 @@ class Recording:
         """Write a NetCDF4 file that holds everything; same recording, same bytes.
 
         Args:
-            path: File to write; an existing one is replaced, and only once the new one is complete.
+            path: File to write, such as `lift.nc`; an existing one is replaced, and only once the new one is
+                complete.
 
         Returns:
             The path written.
 
         Raises:
             OSError: If it cannot be written there.
+            ValueError: If its name ends as that of a file of another kind, such as a table.
         """
         from gantline.results.file.netcdf import save_recording
 
-        return save_recording(self, Path(path))
+        file = Path(path)
+        if file.suffix.lower() in _OTHER_KINDS:
+            right = "gantline.export.write_csv and write_parquet write tables of its variables"
+            raise ValueError(f"{file}: a recording is a NetCDF4 file, {file.stem}.nc; {right}")
+        return save_recording(self, file)
 
 
 def recorded(value: Recording) -> Recording:
@@ -294,10 +302,13 @@ def open_recording(path: str | Path) -> Recording:
 
     Raises:
         FileNotFoundError: If there is no such file.
+        TypeError: If it is no name of a file.
         ValueError: If the file is not a recording of gantline.
     """
     from gantline.results.file.netcdf import load_recording
 
+    if not isinstance(path, str | Path):
+        raise TypeError(f"the file of a recording is needed, not {type(path).__name__}")
     return load_recording(Path(path))
 
 

@@ -37,7 +37,7 @@ class Element(BaseModel):
             of_it = f"{cls.what} {is_or_are(cls.what)} a mapping with keys such as {', '.join(keys[:6])}"
             key, _, value = str(data).strip().partition(" ")
             right = f"; write {{{key}: {shorten(value)}}}" if value and key in keys else ""
-            raise refuse(f"found {found(data)}; {of_it}{right}")
+            raise refuse(f"found {found(data)}; {of_it}{right}", of=cls.what, keys=tuple(keys))
         return handler(data)
 
     def __setattr__(self, name: str, value: Any) -> None:

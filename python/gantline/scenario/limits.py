@@ -302,7 +302,9 @@ class Rules(Element):
     shackle_breaking_factor: _Factor | None = Field(
         None, description="Least factor of a shackle's minimum breaking force over its dynamic load."
     )
-    several_cranes: Annotated[str, Word(tuple(SEVERAL_CRANES))] | None = Field(
+    several_cranes: (
+        Annotated[str, Word(tuple(SEVERAL_CRANES), ("a number as 'several_cranes_factor'",))] | None
+    ) = Field(
         None,
         description="Rule that says what capacity cranes keep back, of their rating chart or without one of "
         "their rated capacity, where several lift one load.",

@@ -60,10 +60,13 @@ _LONGEST_JOINED: Final = 4 * _LONGEST_NAME
 _LONGEST_TEXT: Final = 2000
 
 
-def refuse(sentence: str, key: str | None = None) -> PydanticCustomError:
-    """The error by which a validator refuses a value, or the `key` of a mapping, with a sentence of ours."""
-    context = {"sentence": sentence} if key is None else {"sentence": sentence, "key": key}
-    return PydanticCustomError("gantline", "{sentence}", context)
+def refuse(sentence: str, key: str | None = None, **context: Any) -> PydanticCustomError:
+    """The error by which a validator refuses a value, or the `key` of a mapping, with a sentence of ours.
+
+    What else is known of it, `context`, is for whoever makes messages of several errors.
+    """
+    of_key = {} if key is None else {"key": key}
+    return PydanticCustomError("gantline", "{sentence}", {"sentence": sentence, **of_key, **context})
 
 
 def found(value: object) -> str:

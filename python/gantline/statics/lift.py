@@ -159,9 +159,10 @@ class Statics:
         duration = self.scenario.duration
         moment = duration if time is None else time
         if not (is_number(moment) and 0.0 <= moment <= duration + _PAST):
-            shown = f"{moment:g} s" if is_number(moment) else repr(moment)
-            lasts = f"which lasts from 0 s to {duration:g} s"
-            raise ValueError(f"time: {shown} is no time of the lift, {lasts}")
+            lasts = f"lasts from 0 s to {duration:g} s"
+            if not is_number(moment):
+                raise ValueError(f"time: {moment!r} is no number of seconds; the lift {lasts}")
+            raise ValueError(f"time: {moment:g} s is no time of the lift, which {lasts}")
         start = None if increment is None else [float(part) for part in increment]
         if start is not None and not np.isfinite(start).all():
             raise ValueError(f"increment: {increment!r} has a part that is not finite")

@@ -32,16 +32,11 @@ export class Arrows {
   update(palette: Palette, tensionScale: number): void {
     this.mesh.count = 0;
     COLOUR.set(palette.contact);
-    const { poses } = this.lift;
-    this.lift.header.contacts.forEach((contact, index) => {
-      const { cog } = this.lift.header.bodies[contact.body]!;
-      const at = 7 * contact.body;
-      FROM.set(contact.at[0] - cog[0], contact.at[1] - cog[1], contact.at[2] - cog[2]);
-      FROM.applyQuaternion(TURN.set(poses[at + 4]!, poses[at + 5]!, poses[at + 6]!, poses[at + 3]!));
-      FROM.set(FROM.x + poses[at]!, FROM.y + poses[at + 1]!, FROM.z + poses[at + 2]!);
+    this.lift.contactForces.forEach((force, index) => {
+      this.goTo(index);
       WAY.copy(Z);
       // It ends where it pushes.
-      this.add(this.lift.contactForces[index]!, true, LENGTH * this.size);
+      this.add(force, true, LENGTH * this.size);
     });
     for (const index of this.slings) {
       const tension = this.lift.tensions[index]!;
@@ -64,10 +59,37 @@ export class Arrows {
     if (this.mesh.instanceColor) this.mesh.instanceColor.needsUpdate = true;
   }
 
-  /** An arrow of a force along `WAY`, which begins (or ends) at `FROM`; the largest force has the longest. */
+  /** Where arrows of pushes begin at present, x y z after each other, about the middle of the scene. */
+  tails(): number[] {
+    const [x, y, z] = this.origin;
+    return [...this.lift.contactForces].flatMap((force, index) => {
+      const length = this.lengthOf(force, LENGTH * this.size);
+      if (length === 0) return [];
+      this.goTo(index);
+      return [FROM.x - x, FROM.y - y, FROM.z - z - length];
+    });
+  }
+
+  /** `FROM` goes to where a contact pushes. */
+  private goTo(index: number): void {
+    const { header, poses } = this.lift;
+    const contact = header.contacts[index]!;
+    const { cog } = header.bodies[contact.body]!;
+    const at = 7 * contact.body;
+    FROM.set(contact.at[0] - cog[0], contact.at[1] - cog[1], contact.at[2] - cog[2]);
+    FROM.applyQuaternion(TURN.set(poses[at + 4]!, poses[at + 5]!, poses[at + 6]!, poses[at + 3]!));
+    FROM.set(FROM.x + poses[at]!, FROM.y + poses[at + 1]!, FROM.z + poses[at + 2]!);
+  }
+
+  /** How long the arrow of a force is; 0 of one that has none. The largest force has the longest. */
+  private lengthOf(force: number, longest: number): number {
+    return force > 0.005 * this.largest ? longest * Math.min(1.2, force / this.largest) : 0;
+  }
+
+  /** An arrow of a force along `WAY`, which begins (or ends) at `FROM`. */
   private add(force: number, endsThere: boolean, longest: number): void {
-    if (!(force > 0.005 * this.largest)) return;
-    const length = longest * Math.min(1.2, force / this.largest);
+    const length = this.lengthOf(force, longest);
+    if (length === 0) return;
     if (endsThere) FROM.addScaledVector(WAY, -length);
     FROM.set(FROM.x - this.origin[0], FROM.y - this.origin[1], FROM.z - this.origin[2]);
     const thickness = Math.min(0.16 * this.size, 0.9 * length);

@@ -84,8 +84,8 @@ export class Cameras {
 
   /** What a view has to hold, x y z after each other, about the middle of the scene. */
   private pointsOf(view: View, body: number): ArrayLike<number> {
-    const { size, points } = this.world.extent;
-    if (body < 0) return points;
+    const { size } = this.world.extent;
+    if (body < 0) return this.world.outermost;
     const { x, y, z } = this.followed;
     const around = (low: number, wide: number, high: number) =>
       [-1, 1].flatMap((side) => [

@@ -41,6 +41,8 @@ export class World {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(32, 1, 0.1, 4000);
   readonly extent: Extent;
+  /** Places that a view of all has to hold, x y z after each other, about the middle. */
+  readonly outermost: Float32Array;
   readonly bodies: Bodies;
   readonly arrows: Arrows;
   readonly clearances: Clearances;
@@ -80,6 +82,7 @@ export class World {
     this.bodies = new Bodies(lift, middle, size);
     this.ropes = new Ropes(lift, middle);
     this.arrows = new Arrows(lift, middle, Math.min(size, ROOM_OF_ARROWS * sizeOfLoads(lift)));
+    this.outermost = withTails(this.extent.points, lift, this.arrows);
     this.clearances = new Clearances(lift, middle);
     this.ground = new Ground(lift.header, this.extent);
     this.sea = new Sea(lift, this.extent);
@@ -206,9 +209,7 @@ export function extentOf(lift: Lift): Extent {
     }
   };
   const corners = lift.header.bodies.map((body) => (body.shape ? cornersOf(body.shape, lift) : body.cog));
-  const count = lift.frameTimes.length;
-  for (let part = 0; part <= 8; part++) {
-    lift.seek(lift.frameTimes[Math.round((part / 8) * (count - 1))] ?? 0);
+  atLooks(lift, () => {
     for (const { kind, first, count } of lift.header.ropes) {
       if (kind === "outer") continue; // they go far beyond what is lifted
       for (let at = 3 * first; at < 3 * (first + count); at += 3)
@@ -227,8 +228,7 @@ export function extentOf(lift: Lift): Extent {
       const { kind, shape } = lift.header.bodies[index]!;
       if (kind === "hook" && !shape) hooks.push(pose[0]!, pose[1]!, pose[2]!);
     });
-  }
-  lift.seek(lift.begin);
+  });
   if (low[0] > high[0]) {
     const points = new Float32Array([-5, -5, -5, 5, 5, 5]);
     return { middle: [0, 0, 0], size: 10, low: [-5, -5, -5], high: [5, 5, 5], points };
@@ -248,6 +248,26 @@ export function extentOf(lift: Lift): Extent {
     (value, place) => (place % 3 === 2 ? Math.max(value, low[2]) : value) - middle[place % 3]!,
   );
   return { middle, size, low, high, points };
+}
+
+/** Look at a lift a few times from its start to its end, and leave it at its start. */
+function atLooks(lift: Lift, look: () => void): void {
+  const count = lift.frameTimes.length;
+  for (let part = 0; part <= 8; part++) {
+    lift.seek(lift.frameTimes[Math.round((part / 8) * (count - 1))] ?? 0);
+    look();
+  }
+  lift.seek(lift.begin);
+}
+
+/** Places with where arrows of pushes begin: below the ground, where else nothing is that a view would hold. */
+function withTails(points: Float32Array, lift: Lift, arrows: Arrows): Float32Array {
+  const tails: number[] = [];
+  atLooks(lift, () => tails.push(...arrows.tails()));
+  const all = new Float32Array(points.length + tails.length);
+  all.set(points);
+  all.set(tails, points.length);
+  return all;
 }
 
 /** The longest side of any load [m]; without end where none has a shape. */

@@ -17,6 +17,7 @@ __all__ = [
     "has_hung_as_heavy",
     "has_hung_so",
     "how_on_the_way",
+    "hung_otherwise",
     "left_by_water",
     "most_on_the_way",
     "never_hung_so",
@@ -50,17 +51,36 @@ def has_hung_so(recording: Recording, time: float, *, of_slings: bool = False) -
     whenever it hung still. Nor is how slings share under locking pins, or with those whole that were cut or
     broke: of forces `of_slings` the same sheaves have to be pinned and the same slings whole.
     """
+    return hung_otherwise(recording, time, of_slings=of_slings) == []
+
+
+def hung_otherwise(recording: Recording, time: float, *, of_slings: bool = False) -> list[str] | None:
+    """In what the loads, whenever they hung still, hung otherwise than at a time [s], as halves of sentences.
+
+    Of several times that which is most like it counts. Empty where they hung so, see `has_hung_so`; None
+    where they hung still at no time.
+    """
+    windows = series.quiet_windows(recording)
+    if not windows:
+        return None
     gone_by = PARTING if of_slings else [DETACHED]
     on = while_there(recording, [sling.rope for sling in recording.rig.slings], gone_by)
-    still = _still_as_heavy(recording, time) & shut_as_at(recording, time)
-    if of_slings:
-        still &= pinned_as_at(recording, time)
     # Between two samples either may be right: what comes or goes is slack.
     last = len(recording.time) - 1
     after = min(int(np.searchsorted(recording.time, time, side="right")), last)
-    still &= series.turned_as_at(recording, after)
-    around = (on[:, place, np.newaxis] for place in (max(after - 1, 0), after))
-    return any(bool(((on == then).all(axis=0) & still).any()) for then in around)
+    around = [on[:, place, np.newaxis] for place in (max(after - 1, 0), after)]
+    slings = "other slings were on or whole" if of_slings else "other slings were on"
+    alike = {
+        "water bore more of it or less was in its tanks": _still_as_heavy(recording, time),
+        "hinges held it otherwise": shut_as_at(recording, time),
+        "it was turned by more than 10 deg otherwise": series.turned_as_at(recording, after),
+        slings: np.any([(on == then).all(axis=0) for then in around], axis=0),
+    }
+    if of_slings:
+        alike["other sheaves were pinned"] = pinned_as_at(recording, time)
+    samples = np.array(list(alike.values()))[:, np.any(windows, axis=0)]
+    most = samples[:, int(np.argmax(samples.sum(axis=0)))]
+    return [words for words, is_so in zip(alike, most, strict=True) if not is_so]
 
 
 def never_hung_so(recording: Recording) -> BoolArray:

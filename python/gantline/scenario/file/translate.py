@@ -8,7 +8,7 @@ from typing import Any
 from pydantic_core import ErrorDetails
 
 from gantline.scenario.errors import PathPart, Problem, closest, is_or_are, nearest, shorten
-from gantline.scenario.file.tree import ListNode, MapNode, problem_at
+from gantline.scenario.file.tree import ListNode, MapNode, TextNode, problem_at
 from gantline.scenario.plan.plan import VERBS
 from gantline.scenario.plan.steps import HoistStep, HoldStep
 from gantline.scenario.quantities import found
@@ -131,6 +131,21 @@ _IN_WATER = (
     "volume",
     "water_damping",
 )
+_SHEAVES = (
+    "losses of its sheaves stand under 'sheaves', such as 'sheaves: {loss: 2 %}' or '{bearing: roller}'"
+)
+_OF_ITS_SHEAVES = (
+    "bearing",
+    "efficiency",
+    "loss",
+    "losses",
+    "sheave_efficiency",
+    "sheave_friction",
+    "sheave_loss",
+    "sheave_losses",
+)
+_MECHANICS = "it stands under 'mechanics'"
+_UPEND = "a load is upended by one hook that hoists or lowers, 'until: {load_tilt: {above: 80 deg}}'"
 #: Sailors and forecasts say where it comes from.
 _COMES_FROM = ("coming_from", "from", "from_direction")
 _GOES_TO = (
@@ -163,6 +178,11 @@ _INSTEAD = {
         ),
         _OF_A_ROPE,
     ),
+    "a hoist step": dict.fromkeys(("upend", "upending"), _UPEND),
+    "a lower step": dict.fromkeys(("upend", "upending"), _UPEND),
+    "a lift file": dict.fromkeys(("bodies", "body_contacts", "contacts", "drums"), _MECHANICS),
+    "an equalizer": dict.fromkeys(_OF_ITS_SHEAVES, _SHEAVES),
+    "an equalizer type": dict.fromkeys(_OF_ITS_SHEAVES, _SHEAVES),
     "a vessel": dict.fromkeys(
         ("displacement_raos", "motion", "motion_file", "motions", "rao", "raos", "record", "time_series"),
         "RAOs of displacement stand in 'wave_motion: {raos: vessel.csv, phases: lag, at: [50 m, 0 m, 4 m]}', "
@@ -216,6 +236,7 @@ _VERBS = {
     "swing": "slew",
     "take_in": "haul",
     "turn": "slew",
+    "upend": "hoist",
     "wait": "hold",
 }
 #: What else is to be known of them.
@@ -224,7 +245,36 @@ _BESIDE = {"radius": ", twice as much"}
 
 def translate(errors: Sequence[ErrorDetails], tree: MapNode) -> list[Problem]:
     """Problems for validation errors, with the lines of the tree that was validated."""
-    return [_problem(error, tree) for error in errors]
+    nameless = _nameless(errors, tree)
+    depths = {len(path) for path in nameless}
+    told = [
+        error for error in errors if not any(_locate(error["loc"], tree)[0][:d] in nameless for d in depths)
+    ]
+    return [*nameless.values(), *(_problem(error, tree) for error in told)]
+
+
+def _nameless(errors: Sequence[ErrorDetails], tree: MapNode) -> dict[tuple[PathPart, ...], Problem]:
+    """Where keys of a thing stand in place of its name, by the path of the mapping, and what to say of it.
+
+    Each of these keys, read as a name, is an error by itself, and so is all that stands below them.
+    """
+    told: dict[tuple[PathPart, ...], Problem] = {}
+    for error in errors:
+        context = error.get("ctx") or {}
+        path, node, around = _locate(error["loc"], tree)
+        if path[:-1] in told or not path or path[-1] not in context.get("keys", ()):
+            continue
+        names = around[-1]
+        if not isinstance(names, MapNode) or names.allowed:
+            continue
+        key, what, section = path[-1], context["of"], shorten(str(path[-2])) if len(path) > 1 else ""
+        value = shorten(str(node)) if isinstance(node, TextNode) else "…"
+        right = f"{section}: {{first: {{{key}: {value}, …}}}}"
+        wrong = f"'{key}' is a key of {what}, and stands where the name of one is needed"
+        told[path[:-1]] = problem_at(
+            tree, path, f"{wrong}; a name of yours comes before it, such as '{right}'"
+        )
+    return told
 
 
 def _problem(error: ErrorDetails, tree: MapNode) -> Problem:
