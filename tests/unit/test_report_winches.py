@@ -9,6 +9,7 @@ import pytest
 
 from gantline.report import render_report
 from gantline.report.first_page import stop_if
+from gantline.report.sketch import sketches
 from gantline.report.subject import Subject
 from gantline.report.winches import winch_rows
 from gantline.results import Recording
@@ -54,6 +55,16 @@ def test_the_page_has_the_table_and_stops_by_it() -> None:
     assert stop_if(Subject(run()))[0] == (
         "a load cell differs by more than 10 % from its reading in the table “Winches and jacks”"
     )
+
+
+def test_sketches_name_the_bundles() -> None:
+    """In plan each at its corner of the load."""
+    side, plan = sketches(Subject(run()))
+    for view in (side, plan):
+        assert {mark.text for mark in view.marks if mark.style == "sk-number"} == {"b1", "b2", "b3", "b4"}
+    at = {mark.text: (mark.x, mark.y) for mark in plan.marks if mark.style == "sk-number"}
+    assert at["b1"][0] < at["b3"][0] and at["b2"][0] < at["b4"][0]
+    assert at["b1"][1] < at["b2"][1] and at["b3"][1] < at["b4"][1]  # y of the world is up, of paper down
 
 
 def test_at_rest_gauges_read_what_hangs() -> None:

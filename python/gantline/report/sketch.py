@@ -377,11 +377,7 @@ def _numbers(
     moment: _Moment, paper: Paper, ropes: Mapping[str, FloatArray], above: list[Mark], *, plan: bool
 ) -> list[Mark]:
     """Lugs as dots, and the number of each sling beside its lug or on its way, clear of what lies above."""
-    shown = [
-        (shortened_inside(sling.name), paper.place(ropes[sling.rope]))
-        for sling in moment.rig.slings
-        if sling.rope in ropes
-    ]
+    shown = [(name, paper.place(path)) for name, path in _carrying(moment.rig, ropes)]
     lugs = [path[-1] for _, path in shown]
     marks = [Mark("dot", "sk-lug", x=float(x), y=float(y)) for x, y in lugs]
     # In a plan hooks are over the slings that hang from them: numbers rather keep off their dots there, and
@@ -415,6 +411,14 @@ def _numbers(
         left, right, height = chosen
         marks.append(Mark("text", "sk-number", x=(left + right) / 2, y=height, text=name))
     return marks
+
+
+def _carrying(rig: Rig, ropes: Mapping[str, FloatArray]) -> list[tuple[str, FloatArray]]:
+    """Slings by their numbers, and other ropes at a load by their names, as of strand jacks: from above."""
+    own = dict.fromkeys(rope for load in rig.loads for rope in load.other_ropes)
+    named = {sling.rope: shortened_inside(sling.name) for sling in rig.slings} | {one: one for one in own}
+    found = [(name, ropes[rope]) for rope, name in named.items() if rope in ropes]
+    return [(name, path[::-1] if path[0, 2] < path[-1, 2] else path) for name, path in found]
 
 
 def _row(names: list[str], row: list[tuple[float, float, FloatArray | None]]) -> list[Mark]:
