@@ -1,7 +1,7 @@
 """Eyes of 50 mm on prongs of 300 mm failed a limit of D/d = 6, as `6.00 >= 6.00`.
 
-The quotient of 0.3 and 0.05 is 5.999999999999999 in numbers of 64 bits, and was held against six as it is. What
-is its limit but for rounding keeps it; what is past it by more than that does not.
+The quotient of 0.3 and 0.05 is 5.999999999999999 in numbers of 64 bits, and was held against six as it is.
+What is its limit but for rounding keeps it; what is past it by more than that does not.
 """
 
 from __future__ import annotations
