@@ -134,8 +134,8 @@ def at_drum(recording: Recording, rope: str, end: str) -> FloatArray:
     known, drawn = recording.rig.rope(rope), recording.points_of_ropes.get(rope, ())
     if known is None or known.weight != "lumped" or len(drawn) < 2:
         return tension
-    here, next_to_it = drawn[:2] if end == "first" else (drawn[-1], drawn[-2])
-    heights = recording["rope_point"].values[:, :, 2]
+    heights = recording["rope_point"].values[:, drawn, 2]
+    here, next_to_it = (0, 1) if end == "first" else (-1, -2)
     half = 0.5 * known.mass_per_length * recording.rig.gravity
     read: FloatArray = np.maximum(tension + half * (heights[:, here] - heights[:, next_to_it]), 0.0)
     return read
