@@ -13,7 +13,7 @@ import numpy as np
 from gantline.checks.check import Check, Verdict
 from gantline.checks.force import over
 from gantline.checks.forces import at_upper_end, rope_force
-from gantline.checks.measure import Finding
+from gantline.checks.measure import Finding, Missing
 from gantline.results import series
 from gantline.results.alike import first_peak
 from gantline.results.gear import Drum
@@ -26,15 +26,24 @@ __all__ = ["load_of_rated_capacity", "turns_left"]
 def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Force of each rope on a winch or strand jack, static and dynamic, over what that is rated for.
 
-    At its upper end, where the bundle of a jack hangs in it; a winch down on a deck has less.
+    At its upper end, where the bundle of a jack hangs in it; a winch down on a deck has less. One of which
+    nothing says what it is rated for counts beside others that are, and where no hook lifts the loads.
     """
-    rated = {drum.joint: drum.rated_capacity for drum in recording.rig.drums if drum.rated_capacity}
-    for name, capacity in rated.items():
-        # Whichever way round and on whichever diameter of its shaft, and a rope with both ends there once.
-        ropes = {rope for drum in recording.rig.drums if drum.joint == name for rope in drum.ropes}
-        for rope in sorted(ropes):
-            force = at_upper_end(recording, rope, rope_force(recording, rope, during), during)
-            yield from over(force, capacity, name if len(ropes) == 1 else f"{name}/{rope}")
+    rig = recording.rig
+    # Whichever way round and on whichever diameter of its shaft, and a rope with both ends there once.
+    ropes: dict[str, set[str]] = {}
+    for drum in rig.drums:
+        if drum.ropes:
+            ropes.setdefault(drum.joint, set()).update(drum.ropes)
+    rated = {drum.joint: drum.rated_capacity for drum in rig.drums if drum.rated_capacity}
+    lift_loads = bool(rig.loads) and not rig.hooks
+    for name, on_it in ropes.items():
+        if name in rated:
+            for rope in sorted(on_it):
+                force = at_upper_end(recording, rope, rope_force(recording, rope, during), during)
+                yield from over(force, rated[name], name if len(on_it) == 1 else f"{name}/{rope}")
+        elif rated or lift_loads:
+            yield Missing(name, "rated capacity not known", is_strength=True)
 
 
 def turns_left(recording: Recording) -> list[Check]:

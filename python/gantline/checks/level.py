@@ -75,28 +75,27 @@ def _ashore(recording: Recording) -> Iterator[_Lean]:
 
 
 def _afloat(recording: Recording) -> Iterator[_Lean]:
-    """Of cranes on vessels with a chart, as they lie with the design weight too."""
-    aboard = {boom.name for boom in recording.rig.booms if boom.vessel}
+    """Of cranes on vessels, as they lie with the design weight too."""
+    charts = {chart.crane: chart for chart in recording.rig.rating_charts}
     ways: tuple[tuple[Literal["heel", "trim"], str, str], ...] = (
         ("heel", "across", "its falls hang plumb, and as much of what hangs pulls across its boom"),
         ("trim", "along", "charts hold within an attitude"),
     )
-    for chart in recording.rig.rating_charts:
-        for way, where, why in ways if chart.crane in aboard else ():
-            if all(getattr(chart.of(hook), way) is not None for hook in chart.hooks):
+    for boom in recording.rig.booms:
+        chart, hooks = charts.get(boom.name), [hook.name for hook in boom.hooks]
+        for way, where, why in ways if boom.vessel else ():
+            if chart is not None and all(getattr(chart.of(hook), way) is not None for hook in hooks):
                 continue
             lean = np.maximum(
-                np.abs(recording.column(f"crane_{way}", chart.crane)),
-                np.abs(lean_at_design(recording, chart.crane, way)),
+                np.abs(recording.column(f"crane_{way}", boom.name)),
+                np.abs(lean_at_design(recording, boom.name, way)),
             )
-            what = (
-                f"it leans {where} its boom by",
-                f"{why}; '{way}' of its rating says what its chart allows",
-            )
-            meaning = (
-                f"a crane afloat whose chart has no '{way}' leans {where} its boom by at most 2 % under load"
-            )
-            yield _Lean(chart.crane, chart.hooks, lean, _AFLOAT, what, meaning)
+            lacking, allows = f"whose chart has no '{way}'", "of its rating says what its chart allows"
+            if chart is None:
+                lacking, allows = "without a chart", "of a rating, which it has not, says what is allowed"
+            what = f"it leans {where} its boom by", f"{why}; '{way}' {allows}"
+            meaning = f"a crane afloat {lacking} leans {where} its boom by at most 2 % under load"
+            yield _Lean(boom.name, hooks, lean, _AFLOAT, what, meaning)
 
 
 def _told(recording: Recording, lean: _Lean) -> Check | None:

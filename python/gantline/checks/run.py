@@ -45,7 +45,7 @@ from gantline.checks.slings import idle, taken_off
 from gantline.checks.tag_lines import left_behind, never_taut
 from gantline.checks.vessels import turn_over
 from gantline.results import series
-from gantline.results.alike import first_largest
+from gantline.results.alike import differs, first_largest
 from gantline.results.file.gaps import gaps
 from gantline.results.recording import Recording, recorded
 from gantline.results.rig import Step
@@ -495,11 +495,17 @@ def _first_of(name: str, meaning: str, sentences: Sequence[str], more: str) -> l
 def _verdict(measure: Measure, value: float, limit: float) -> Verdict:
     if math.isnan(value):
         return Verdict.FAILED
-    if measure.warns_up_to is not None and value > measure.warns_up_to:
+    if measure.warns_up_to is not None and _is_past(value, measure.warns_up_to, measure.unit):
         return Verdict.FAILED
-    if value >= limit if measure.at_least else value <= limit:
+    sign = -1.0 if measure.at_least else 1.0
+    if not _is_past(sign * value, sign * limit, measure.unit):
         return Verdict.OK
     return Verdict.FAILED if measure.warns_up_to is None else Verdict.WARNING
+
+
+def _is_past(value: float, limit: float, unit: str) -> bool:
+    """Whether a value is more than a limit, and not by rounding alone: 300 mm over 50 mm are six."""
+    return value > limit and differs(value, limit, unit)
 
 
 #: What is looked at beside limits, in the order of the table; each says of what it has a check.

@@ -29,7 +29,7 @@ from gantline.report.sketch import sketches
 from gantline.report.steps import first_steps
 from gantline.report.subject import ABSENT, Subject, as_given, number, share, show, typeset
 from gantline.report.turning import turnings
-from gantline.report.winches import winch_rows
+from gantline.report.winches import winch_gauges, winch_rows
 from gantline.results import series
 from gantline.results.cranes.boom import Boom
 from gantline.results.cranes.crane import Crane
@@ -416,14 +416,16 @@ def _in_water(subject: Subject) -> str:
     if all(load.in_water is None for load in rig.loads) or not (wet := series.is_wet(recording)).any():
         return ""
     last = rig.time_to_average or READ_OVER
+    cells = [recording.column("hoist_load", hook.name) for hook in rig.hooks]
+    cells = cells or [gauge.reads for gauge in winch_gauges(subject)[0]]
     found = []
-    for point in (one for one in hold_points(recording) if one.step.kind == "hold"):
+    for point in (one for one in hold_points(recording) if one.step.kind == "hold") if cells else ():
         begin, end = spans(recording)[point.step.step]
         late = (recording.time >= max(begin, end - last)) & (recording.time <= end)
         if not late.any() or not wet[late].all():
             continue
-        loads = [recording.column("hoist_load", hook.name)[late] for hook in rig.hooks]
-        means = [number(series.mean_over(recording.time[late], load) / rig.gravity, "t", 1) for load in loads]
+        loads = [series.mean_over(recording.time[late], load[late]) for load in cells]
+        means = [number(load / rig.gravity, "t", 1) for load in loads]
         found.append(f"{' / '.join(means)} t in “{point.step.step}”")
     return f", which is that in air; in water from {', '.join(found) or 'what water leaves of it'}"
 

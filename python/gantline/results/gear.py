@@ -372,6 +372,7 @@ class Drum(FromJson):
         spare_turns: Turns that have to stay on it; None where nothing is said.
         asks_for_turns: Whether the lift file says so, and no rule in its place.
         ropes: Names of the ropes on it; empty of a hook's drum, which has them as falls.
+        ends: Which end of each lies there, `first` or `last` of its route.
         rated_capacity: Working load limit of each of them there [N]; None if not said.
     """
 
@@ -386,6 +387,7 @@ class Drum(FromJson):
     asks_for_turns: bool = False
     flow: str = ""
     ropes: Sequence[str] = ()
+    ends: Sequence[str] = ()
     rated_capacity: float | None = None
 
     @property

@@ -179,9 +179,10 @@ def drum_rig(scenario: Scenario) -> list[Json]:
 
 @dataclass(frozen=True)
 class _Lying:
-    """Ropes on one diameter of a drum: their names, and the diameter of the last [m]; None if not given."""
+    """Ropes on one diameter of a drum: their names, which end of each, and the diameter of the last [m]."""
 
     ropes: tuple[str, ...] = ()
+    ends: tuple[str, ...] = ()
     diameter: float | None = None
 
 
@@ -191,11 +192,11 @@ def _lying_on(scenario: Scenario, name: str, drum: Drum) -> dict[str, dict[float
     ropes = (scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}
     lying: dict[str, dict[float, _Lying]] = {"with": {}, "against": {}}
     for rope, given in ropes.items():
-        for guide in given.route:
+        for place, guide in enumerate(given.route):
             if isinstance(guide, RopeEnd) and guide.drum == name:
                 on, on_it = guide.drum_diameter or drum.diameter, lying[guide.wound or "with"]
-                others = on_it.get(on, _Lying()).ropes
-                on_it[on] = _Lying((*others, rope), kinds[given.rope].diameter)
+                others, end = on_it.get(on, _Lying()), "last" if place else "first"
+                on_it[on] = _Lying((*others.ropes, rope), (*others.ends, end), kinds[given.rope].diameter)
     return lying
 
 
@@ -211,7 +212,7 @@ def _parts_of_drum(
     named = {main: (name, flow)} | {one: (_on_diameter(name, one), flow or name) for one in rest}
     return [
         _drum(called, drum, on, way * on / drum.diameter, lying[on].diameter)
-        | {"flow": of, "ropes": list(lying[on].ropes)}
+        | {"flow": of, "ropes": list(lying[on].ropes), "ends": list(lying[on].ends)}
         for on, (called, of) in named.items()
     ]
 

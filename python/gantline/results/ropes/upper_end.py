@@ -18,7 +18,7 @@ from gantline.results.alike import earliest_peak
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["UpperEnd", "own_weight", "peak_at_upper_end", "utilisation"]
+__all__ = ["UpperEnd", "at_drum", "own_weight", "peak_at_upper_end", "utilisation"]
 
 
 @dataclass(frozen=True)
@@ -116,6 +116,29 @@ def peak_at_upper_end(
         return None
     tension, time = earliest_peak(*found)
     return UpperEnd(tension, own(time), time)
+
+
+def at_drum(recording: Recording, rope: str, end: str) -> FloatArray:
+    """What the gauge of a drum reads of a rope that is wound on it [N], shape (time,).
+
+    The tension of the straight part that comes to it; of one whose weight is lumped with half the weight of
+    that part, which is less where the drum stands below.
+
+    Args:
+        recording: The recording.
+        rope: Name of the rope.
+        end: Which end lies on the drum, `first` or `last`.
+    """
+    segments = [one for one in recording.coordinates["segment"] if one.rpartition("/")[0] == rope]
+    tension = recording.column("segment_tension", segments[0 if end == "first" else -1])
+    known, drawn = recording.rig.rope(rope), recording.points_of_ropes.get(rope, ())
+    if known is None or known.weight != "lumped" or len(drawn) < 2:
+        return tension
+    heights = recording["rope_point"].values[:, drawn, 2]
+    here, next_to_it = (0, 1) if end == "first" else (-1, -2)
+    half = 0.5 * known.mass_per_length * recording.rig.gravity
+    read: FloatArray = np.maximum(tension + half * (heights[:, here] - heights[:, next_to_it]), 0.0)
+    return read
 
 
 def utilisation(recording: Recording, rope: str) -> float | None:
