@@ -16,6 +16,8 @@ from gantline.scenario.file.shipped import shipped
 from gantline.scenario.file.tree import parse_text, read_text
 from gantline.scenario.file.tree_path import PathError, node_of
 from gantline.scenario.file.variants import check_cases
+from gantline.scenario.gear import SlingDefaults
+from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.model import Scenario
 
 __all__ = ["FILE_NAME", "load_scenario", "parse_scenario"]
@@ -105,7 +107,9 @@ def _parsed(text: str, source: str) -> Scenario:
 
 
 def _checked(text: str, source: str) -> Scenario:
-    scenario = from_tree(parse_text(text, source), source, text)
+    # Those that no mapping directly below one has, too.
+    sections = {*Scenario.keys()}.difference(Mechanics.keys(), SlingDefaults.keys())
+    scenario = from_tree(parse_text(text, source, sections), source, text)
     check_cases(scenario)
     return scenario
 
