@@ -1,8 +1,8 @@
 """What studies, saved states and progress are handed in by mistake, and how it ended.
 
 `finer_simulation("equalizer", recording)` ended with "'str' object has no attribute 'settings'", `values_of`
-of a text with "... has no attribute 'rest'", `restore("abc")` with "'str' object is not an instance of 'bytes'",
-and `on_progress=3` with "'int' object is not callable".
+of a text with "... has no attribute 'rest'", `restore("abc")` with "'str' object is not an instance of
+'bytes'", and `on_progress=3` with "'int' object is not callable".
 """
 
 from __future__ import annotations
