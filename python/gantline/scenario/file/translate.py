@@ -26,6 +26,7 @@ _MEANT = {
     "active_heave_compensation": ("heave_compensation",),
     "acceptance": ("limits",),
     "ahc": ("heave_compensation", "compensate_heave"),
+    "bend_diameter": ("bends_about",),
     "buoyancy": ("displaced_volume",),
     "ca": ("added_mass",),
     "chain_fall": ("chain_hoist",),
@@ -54,6 +55,7 @@ _MEANT = {
     "hooks": ("cranes",),
     "hydraulic_cylinder": ("chain_hoist",),
     "inclination": ("load_tilt",),
+    "jacks": ("drums",),
     "keel_blocks": ("supports",),
     "leveller": ("chain_hoist",),
     "lifting": ("hoist",),
@@ -67,6 +69,7 @@ _MEANT = {
     "operations": ("plan",),
     "position": ("at",),
     "pitch": ("load_tilt", "trim"),
+    "pin_diameter": ("bends_about",),
     "put_on": ("attach",),
     "radius": ("diameter", "pitch_diameter", "sheave_diameter"),
     "schedule": ("plan",),
@@ -77,6 +80,7 @@ _MEANT = {
     "slack": ("slings",),
     "slamming": ("slamming_coefficient",),
     "steps": ("plan",),
+    "strand_jacks": ("drums",),
     "stiffness": ("axial_stiffness", "stops"),
     "stiffness_curve": ("curve",),
     "take_off": ("detach",),
@@ -88,6 +92,8 @@ _MEANT = {
     "volume": ("displaced_volume",),
     "weight": ("mass",),
     "winch": ("chain_hoist",),
+    "winches": ("drums",),
+    "working_load_limit": ("rated_capacity", "capacity"),
     "wll": ("working_load_limit", "rated_capacity", "capacity"),
     # <!-- words: off -->
     "barge": ("vessels",),
@@ -148,6 +154,7 @@ _OF_ITS_SHEAVES = (
     "sheave_losses",
 )
 _MECHANICS = "it stands under 'mechanics'"
+_BY_ROPE = "a drum has no place to go to; 'by' says how much rope it takes up or lets out"
 _UPEND = "a load is upended by one hook that hoists or lowers, 'until: {load_tilt: {above: 80 deg}}'"
 #: Sailors and forecasts say where it comes from.
 _COMES_FROM = ("coming_from", "from", "from_direction")
@@ -183,7 +190,12 @@ _INSTEAD = {
     ),
     "a hoist step": dict.fromkeys(("upend", "upending"), _UPEND),
     "a lower step": dict.fromkeys(("upend", "upending"), _UPEND),
-    "a lift file": dict.fromkeys(("bodies", "body_contacts", "contacts", "drums"), _MECHANICS),
+    "a haul_in step": {"to": _BY_ROPE},
+    "a pay_out step": {"to": _BY_ROPE},
+    "a lift file": {
+        **dict.fromkeys(("bodies", "body_contacts", "contacts", "drums"), _MECHANICS),
+        **dict.fromkeys(("jacks", "strand_jacks", "winches"), "they are 'drums' under 'mechanics'"),
+    },
     "an equalizer": dict.fromkeys(_OF_ITS_SHEAVES, _SHEAVES),
     "an equalizer type": dict.fromkeys(_OF_ITS_SHEAVES, _SHEAVES),
     "a vessel": dict.fromkeys(
