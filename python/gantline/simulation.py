@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from gantline import _core
+from gantline.arguments import needed, told
 from gantline.assembly import assemble
 from gantline.assembly.afloat.side_by_side import shared_files
 from gantline.assembly.afloat.vessels import adrift, misplaced, off_their_decks, vessel_hulls
@@ -211,14 +212,16 @@ class Simulation:
 
         Raises:
             ValueError: If `until` is no time.
+            TypeError: If `on_progress` cannot be called.
             SimulationError: If the simulation could not go on.
         """
         if until is not None and not (is_number(until) and until >= 0.0):
             raise ValueError(f"until: {until!r} is no time in seconds from 0 on; None goes on to the end")
+        tell = told(on_progress)
         with noted_interrupt() as is_interrupted:
 
             def goes_on(now: float) -> bool:
-                return not (is_interrupted() or (on_progress is not None and on_progress(now) is False))
+                return not (is_interrupted() or (tell is not None and tell(now) is False))
 
             self._go(goes_on, until)
         return self.recording()
@@ -511,8 +514,11 @@ class Simulation:
         Raises:
             ValueError: If it is no state of this lift and these settings, is damaged, or was saved by another
                 version of gantline; the simulation is then as before.
+            TypeError: If it is no bytes at all.
         """
-        self._core.restore(state)
+        self._core.restore(
+            needed(state, bytes, "a saved state", "`save` of a simulation gives one, in bytes")
+        )
         self._present = None
         self._rest_at_end = self._resting = None
         self._rest_on_the_way = []

@@ -50,6 +50,8 @@ MISTAKES = {
     "'gantline check lift.yaml' looks it over",
     "run equalizr": "equalizr: is no file or folder; "
     "did you mean 'equalizer', a lift that comes with gantline?",
+    "run scenarios/equalizer": "scenarios/equalizer: is no file or folder; "
+    "did you mean 'equalizer', a lift that comes with gantline?",
     "run nowhere.yaml": f"nowhere.yaml: cannot be read (no such file or directory); {LIFT}",
     "run empty": f"empty: is a folder without scenario.yaml; {LIFT}",
     "run whole.nc": "whole.nc: is no lift file but a recording; "

@@ -106,7 +106,7 @@ def test_a_peak_is_when_a_series_first_comes_to_it() -> None:
 def test_what_is_left_of_rounding_has_no_sign() -> None:
     """The line about which slings let a load tilt was (-0.00, 1.00, 0) of `floating_crane`."""
     told = str(LooseTilt("load", ("e1",), (-1e-17, 1.0), 6.0))
-    assert "no tilt stiffness about (0.00, 1.00, 0)" in told
+    assert "no tilt stiffness about (0.00, 1.00, 0.00)" in told
 
 
 @pytest.mark.parametrize("more", [0.0, 1e-15, -1e-15])

@@ -203,6 +203,7 @@ def test_the_command_writes_by_the_ending_of_its_file(tmp_path: Path) -> None:
         ((tmp_path / "a.obj",), "right would be one of .glb, .rrd, .csv, .parquet, .png, .mp4, .gif"),
         ((tmp_path / "a.glb", "--variable", "hook_load"), "is about tables"),
         ((tmp_path / "a.csv", "--variable", "nothing"), "error: --variable: no variable 'nothing'"),
+        ((tmp_path / "a.csv", "--variable", "rope_tensions"), "did you mean 'rope_tension'? It has"),
         ((tmp_path / "a.png", "--time", "1 h"), "error: --time: 3600 s is not within the recording, which"),
         ((tmp_path / "missing" / "a.csv",), "cannot be written"),
     ):

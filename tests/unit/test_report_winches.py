@@ -53,7 +53,7 @@ def test_gauges_read_what_hangs_from_the_jacks() -> None:
 def test_the_page_has_the_table_and_stops_by_it() -> None:
     assert "Winches and jacks: what their gauges should read" in render_report(run())
     assert stop_if(Subject(run()))[0] == (
-        "a load cell differs by more than 10 % from its reading in the table “Winches and jacks”"
+        "a gauge differs by more than 10 % from its reading in the table “Winches and jacks”"
     )
 
 

@@ -28,6 +28,7 @@ from gantline.assembly.doubts.carried import doubtful_carried
 from gantline.assembly.doubts.compensators import doubtful_compensators
 from gantline.assembly.doubts.contacts import doubtful_contacts
 from gantline.assembly.doubts.cranes import doubtful_cranes
+from gantline.assembly.doubts.decks import doubtful_decks
 from gantline.assembly.doubts.dragged import doubtful_dragging
 from gantline.assembly.doubts.drums import doubtful_drums
 from gantline.assembly.doubts.empty import doubtful_empty, doubtful_pins
@@ -203,6 +204,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     doubts = (
         *_doubts(parts, scenario, rigging, lifted, pins),
         *doubtful_levels(parts, scenario, under),
+        *doubtful_decks(parts, scenario, rigging),
         *doubtful_heading(parts, scenario, rigging, lifted, under),
     )
     return Assembly(

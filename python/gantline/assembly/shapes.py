@@ -276,6 +276,9 @@ def add_watches(parts: Parts, scenario: Scenario, diameters: Mapping[str, float 
             [hook] if hook is not None else [] if own else _known(parts, scenario, path, name)
             for hook, own, name in zip(hooks, ropes, watch.between, strict=True)
         ]
+        if alike := [one for one in shapes[0] if one in shapes[1]]:
+            both = "both are" if len(shapes[0]) == len(shapes[1]) == 1 else "both have"
+            raise scenario.error(path, f"{both} '{alike[0]}'; two things have a distance")
         sides = []
         for side in (0, 1):
             against = {(parts.shapes | parts.hook_shapes)[one]["body"] for one in shapes[1 - side]}

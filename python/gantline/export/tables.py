@@ -9,7 +9,7 @@ from math import prod
 from pathlib import Path
 
 from gantline.replacing import replaced
-from gantline.results.recording import Recording, recorded
+from gantline.results.recording import Recording, no_variable, recorded
 from gantline.results.variable import FloatArray
 
 
@@ -37,9 +37,7 @@ def columns(recording: Recording, variables: Sequence[str] = ()) -> Iterator[tup
     over_time = [name for name, one in known.items() if one.dims[:1] == ("time",) and name != "time"]
     for name in variables:
         if name not in over_time:
-            raise VariableError(
-                f"no variable '{name}' over time in this recording; it has {', '.join(over_time)}"
-            )
+            raise VariableError(no_variable(name, over_time, "over time "))
     yield "time [s]", recording.time
     names = {**recording.coordinates, "rope_point": _points(recording)}
     for name in variables or [one for one in over_time if one != "rope_point"]:

@@ -386,9 +386,12 @@ def _simulated_mass(rig: Rig, load: Load) -> float:
 def stop_if(subject: Subject) -> list[str]:
     """When to stop the lift: the usual bounds, or the lift's own where it has some."""
     limits = subject.rig.limits
-    cell = "the mean of a load cell over some waves" if subject.rig.is_in_waves else "a load cell"
+    has_winches = any(drum.ropes for drum in subject.rig.drums)
+    # As their tables call what is read.
+    read = "gauge" if has_winches and not subject.rig.hooks else "load cell"
+    cell = f"the mean of a {read} over some waves" if subject.rig.is_in_waves else f"a {read}"
     # Ropes of `mechanics` without a drum have their tensions in curves alone.
-    jacks = _OF_WINCHES if any(drum.ropes for drum in subject.rig.drums) else _IN_CURVES
+    jacks = _OF_WINCHES if has_winches else _IN_CURVES
     reading = "its reading in the table “Hooks”" if subject.rig.hooks else jacks
     # What a hinge bears changes as its load turns, which readings at shares of the weight do not tell.
     turned = [hinge.load for hinge in subject.rig.hinges if subject.rig.hooks]

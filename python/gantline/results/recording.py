@@ -7,7 +7,7 @@ lists its variables with their dimensions and units.
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
@@ -112,10 +112,7 @@ class Recording:
         try:
             return self._variables[name]
         except KeyError:
-            known = ", ".join(self._variables)
-            near = difflib.get_close_matches(str(name), self._variables, n=1)
-            likely = f"did you mean {near[0]!r}? It has" if near else "it has"
-            raise KeyError(f"no variable {name!r} in this recording; {likely} {known}") from None
+            raise KeyError(no_variable(name, self._variables)) from None
 
     def __contains__(self, name: object) -> bool:
         return name in self._variables
@@ -277,6 +274,19 @@ class Recording:
             right = "gantline.export.write_csv and write_parquet write tables of its variables"
             raise ValueError(f"{file}: a recording is a NetCDF4 file, {file.stem}.nc; {right}")
         return save_recording(self, file)
+
+
+def no_variable(name: object, known: Collection[str], which: str = "") -> str:
+    """What to say of a variable that is not there: the one that is written most like it, and all of them.
+
+    Args:
+        name: What was asked for.
+        known: Variables that could have been.
+        which: Of what they are, such as `"over time "`.
+    """
+    near = difflib.get_close_matches(str(name), known, n=1)
+    likely = f"did you mean {near[0]!r}? It has" if near else "it has"
+    return f"no variable {name!r} {which}in this recording; {likely} {', '.join(known)}"
 
 
 def recorded(value: Recording) -> Recording:

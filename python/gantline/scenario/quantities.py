@@ -55,6 +55,7 @@ SMALLEST: Final = 1e-9
 
 _NUMBER: Final = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
 NAME_PATTERN: Final = r"[A-Za-z0-9_.\-]+"
+_BETWEEN_NAMES: Final = re.compile(r"\s*[,;&+]\s*|\s+and\s+")
 _LONGEST_NAME: Final = 64
 _LONGEST_JOINED: Final = 4 * _LONGEST_NAME
 _LONGEST_TEXT: Final = 2000
@@ -292,7 +293,7 @@ class ListOf(Reader):
         """The values."""
         needed = f"a list of {self.count}" if self.count is not None else "a list"
         if self.scalar and isinstance(value, str):
-            value = [value]
+            return (self._alone(value),)
         if not isinstance(value, list):
             raise refuse(f"found {found(value)}; {needed} is needed, such as {self._example(value)}")
         if self.count is not None and len(value) != self.count:
@@ -309,6 +310,22 @@ class ListOf(Reader):
             except PydanticCustomError as error:
                 raise refuse(f"item {place}: {error.message()}") from None
         return tuple(items)
+
+    def _alone(self, value: str) -> Any:
+        """The one item that stands without brackets; of several in one text it says how a list is written."""
+        try:
+            return self.item.read(value)
+        except PydanticCustomError as error:
+            right = f"found {found(value)}; several go into a list, {self._example(value)}"
+            raise (refuse(right) if self._parted(value) else error) from None
+
+    def _parted(self, value: object) -> list[str]:
+        """Names or words that stand in one text, with commas between them; none of any other text."""
+        if not isinstance(value, str) or not isinstance(self.item, (NameText, Word)):
+            return []
+        parts = _BETWEEN_NAMES.split(value.strip(" []"))
+        is_right = len(parts) == self.count if self.count is not None else len(parts) >= max(self.least, 2)
+        return parts if is_right and all(map(self._is_item, parts)) else []
 
     def _with_points(self, items: list[Any]) -> str | None:
         """What is right where commas within numbers parted items: `[0,5 m, 2 m]` is a list of three."""
@@ -328,6 +345,8 @@ class ListOf(Reader):
         return isinstance(given, str)
 
     def _example(self, given: object = None) -> str:
+        if parts := self._parted(given):
+            return f"[{', '.join(parts)}]"
         if self.right is not None:
             return self.right
         if isinstance(self.item, Quantity) and self._is_item(given):

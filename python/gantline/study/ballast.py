@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from gantline.arguments import told
 from gantline.assembly.afloat.hulls import afloat_path
 from gantline.hydro.tank import Tank, free_surface_correction
 from gantline.scenario import Scenario, ScenarioError, load_scenario
@@ -184,7 +185,7 @@ def solve_ballast(
     chosen = tanks_that_may_change(scenario, name, tanks)
     if draft is not None:
         refuse_draft(scenario, name, draft)
-    tell = on_progress or (lambda _: None)
+    tell = told(on_progress) or (lambda _: None)
     wanted = {"heel": heel, "trim": trim} | ({} if draft is None else {"draft": draft})
 
     def moment(question: Statics) -> float:

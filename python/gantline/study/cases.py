@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.arguments import told
 from gantline.results import series
 from gantline.results.file.saved import digest_of
 from gantline.scenario import Scenario, ScenarioError, StartError, load_scenario
@@ -154,7 +155,7 @@ def run_cases(
     Raises:
         ScenarioError: If the lift file is not right, or a case asks for what cannot be.
     """
-    tell = on_progress or (lambda _: None)
+    tell = told(on_progress) or (lambda _: None)
     scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
     base = without_cases(scenario)
     pending: list[tuple[str, _Pending]] = []

@@ -9,11 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from gantline.arguments import needed
 from gantline.checks import NO_WARNINGS, Check, Verdict, check_recording
 from gantline.results import series
 from gantline.results.comparison import Comparison, compare
 from gantline.results.loads.lift_off import lift_off_time
-from gantline.results.recording import Recording
+from gantline.results.recording import Recording, recorded
 from gantline.results.refinement import Apart, Figure, Refinement
 from gantline.simulation import Simulation
 
@@ -31,7 +32,12 @@ def finer_simulation(simulation: Simulation, recording: Recording) -> Simulation
     Args:
         simulation: The lift.
         recording: What it recorded, for the tolerances that it used.
+
+    Raises:
+        TypeError: If one of them is something else.
     """
+    needed(simulation, Simulation, "a simulation", "gantline.Simulation makes one of a lift")
+    recorded(recording)
     used: dict[str, Any] = dict(simulation.settings["integrator"])
     kind = used.pop("type")
     for name, share in _SHARES.items():
@@ -52,9 +58,10 @@ def refined(recording: Recording, finer: Recording) -> Recording:
 
     Raises:
         ValueError: If one of the runs did not get to its end, or they are not of one lift and duration.
+        TypeError: If one of them is no recording.
     """
     for one in (recording, finer):
-        status = one.attributes["status"]
+        status = recorded(one).attributes["status"]
         if status != "done":
             raise ValueError(f"a run shows its error at its end, and its status is {status!r}")
     lasts, other = (one.attributes["settings"]["duration"] for one in (recording, finer))

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from gantline.arguments import told
 from gantline.assembly.afloat.steepness import highest_sea
 from gantline.checks import Check, Outcome, check_recording, failed_names, governing, outcome_of, verdict_of
 from gantline.results.afloat.sea_grid import SeaGrid
@@ -291,7 +292,7 @@ def run_seas(
         NoSeaError: If the lift has no such waves, nothing that differs from record to record, or a value is
             none that waves can have; a ValueError.
     """
-    tell = on_progress or (lambda _: None)
+    tell = told(on_progress) or (lambda _: None)
     scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
     name = _name_of(scenario, waves)
     train = (scenario.waves or {})[name]

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from gantline.arguments import needed
 from gantline.checks import (
     LOAD_LIFTED,
     Check,
@@ -229,16 +230,20 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
     worst. `rope_tension` is that of all other ropes, over sheaves with losses of the tightest segment.
     `sheave_travel` is down positive, the gas of compensators no rope. What a case cuts, and what is not on,
     is left out.
+
+    Raises:
+        TypeError: If it is no state.
     """
-    if state.rest is None:
+    rest = _state(state).rest
+    if rest is None:
         return {quantity: {} for quantity in QUANTITIES}
-    recording, rig = state.rest.recording, state.rest.recording.rig
+    recording, rig = rest.recording, rest.recording.rig
 
     def last(name: str, elements: Iterable[str]) -> dict[str, float]:
         return {element: float(recording.column(name, element)[-1]) for element in elements}
 
     on = series.slings_on(recording)
-    slings = {one.name: state.rest.tension(one.rope) for one in on if one.name not in state.cut}
+    slings = {one.name: rest.tension(one.rope) for one in on if one.name not in state.cut}
     of_slings = {one.rope for one in rig.slings} | set(state.cut)
     of_slings |= {one.gas for one in rig.compensators}
     others = [rope for rope in recording.coordinates.get("rope", ()) if rope not in of_slings]
@@ -276,10 +281,13 @@ def worst_of(states: Sequence[State]) -> list[Worst]:
 
     Worst is the largest value, of `smallest_sling_tension` the smallest, of `sheave_travel` the farthest from
     the start; where several are alike, the first.
+
+    Raises:
+        TypeError: If one of them is no state.
     """
     found: dict[tuple[str, str], Worst] = {}
     # States without a case are the lift as it is given; they come first, too.
-    for state in sorted(states, key=lambda one: bool(one.case)):
+    for state in sorted(states, key=lambda one: bool(_state(one).case)):
         for quantity, values in values_of(state).items():
             for element, value in values.items():
                 known = found.get((quantity, element))
@@ -289,6 +297,10 @@ def worst_of(states: Sequence[State]) -> list[Worst]:
                 found[quantity, element] = Worst(quantity, element, of if state.case else value, value, state)
     order = list(QUANTITIES)
     return sorted(found.values(), key=lambda one: order.index(one.quantity))
+
+
+def _state(value: State) -> State:
+    return needed(value, State, "a state of a lift", "gantline.study.run_cases(...).states has some")
 
 
 def _is_worse(quantity: str, value: float, than: float) -> bool:

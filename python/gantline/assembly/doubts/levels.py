@@ -16,7 +16,7 @@ from gantline.scenario.findings import Path
 from gantline.scenario.plan.steps import HoistStep, HoldStep
 from gantline.units import format_quantity
 
-__all__ = ["doubtful_levels"]
+__all__ = ["doubtful_levels", "extent_of"]
 
 #: Heel pins of crawler cranes are 2 m to 8 m over the ground, a thirtieth to a tenth of their boom; of cranes
 #: afloat on deck, or on a pedestal, up to a third of it over the deck [1].
@@ -124,13 +124,13 @@ def _gaps(parts: Parts, scenario: Scenario, under: Sequence[UnderLoad]) -> dict[
         if len(own) != 1:
             continue
         other = next(shape for shape in shapes if shape is not own[0])
-        (low, high), (bottom, top) = _extent(parts, own[0]), _extent(parts, other)
+        (low, high), (bottom, top) = extent_of(parts, own[0]), extent_of(parts, other)
         if (low[:2] < top[:2]).all() and (bottom[:2] < high[:2]).all():
             found[f"'{other['body'] or 'the ground'}'"] = float(low[2] - top[2])
     return found
 
 
-def _extent(parts: Parts, shape: Json) -> tuple[Array, Array]:
+def extent_of(parts: Parts, shape: Json) -> tuple[Array, Array]:
     """Least and largest x, y, z of a shape, world axes (3,) each [m]."""
     signs = np.array(np.meshgrid(*[(-0.5, 0.5)] * 3)).reshape(3, -1).T
     corners = []

@@ -16,6 +16,7 @@ from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Path
 from gantline.scenario.gear import Shackle
 from gantline.scenario.loads.lug import Lug
+from gantline.scenario.mechanics import RopeEnd
 from gantline.units import format_by_size
 
 __all__ = ["doubtful_ratings"]
@@ -40,10 +41,11 @@ _SLIPPED = "a unit or digit has slipped"
 
 
 def doubtful_ratings(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
-    """Each hook, equalizer, spreader, lug and shackle rated for more than what bears it."""
+    """Each hook, drum, equalizer, spreader, lug and shackle rated for more than what bears it."""
     if scenario.simulation.gravity == 0.0:
         return  # nothing weighs anything, and no rating is a force
     yield from _hooks(scenario)
+    yield from _drums(scenario)
     yield from _equalizers(scenario, rigging)
     yield from _spreaders(scenario)
     yield from _shackles(scenario)
@@ -65,6 +67,28 @@ def _hooks(scenario: Scenario) -> Iterator[Doubt]:
             falls = f"its {parts} parts of {one.reeving.rope} break at {_mass(breaks)}"
             usual = f"3 times as much is usual at least, and {_SLIPPED}"
             yield Doubt(path, f"{one.name} may carry {_mass(rated)}, and {falls}; {usual}")
+
+
+def _drums(scenario: Scenario) -> Iterator[Doubt]:
+    """Winches and strand jacks of `mechanics` that may carry what the rope on them breaks at, or nearly."""
+    drums = (scenario.mechanics and scenario.mechanics.drums) or {}
+    ropes = (scenario.mechanics and scenario.mechanics.ropes) or {}
+    wound = {
+        end.drum: rope.rope
+        for rope in ropes.values()
+        for end in rope.route
+        if isinstance(end, RopeEnd) and end.drum is not None
+    }
+    for drum, rope in wound.items():
+        rated, force = drums[drum].rated_capacity, (scenario.ropes or {})[rope].breaking_force
+        if rated is None or rated > STRONGEST or force is None:
+            continue
+        breaks = force / scenario.simulation.gravity
+        if breaks < _LEAST_FACTOR * rated:
+            holds = f"{rope}, the rope on it, breaks at {_mass(breaks)}"
+            usual = f"2 to 3 times as much is usual, and {_SLIPPED}"
+            sentence = f"{drum} may carry {_mass(rated)}, and {holds}; {usual}"
+            yield Doubt(("mechanics", "drums", drum, "rated_capacity"), sentence)
 
 
 def _equalizers(scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:

@@ -54,7 +54,7 @@ class LooseTilt:
     def __str__(self) -> str:
         # What is left of rounding has no sign.
         x, y = (round(part, 2) + 0.0 for part in self.line or (0.0, 0.0))
-        about = "" if self.line is None else f" about ({x:.2f}, {y:.2f}, 0)"
+        about = "" if self.line is None else f" about ({x:.2f}, {y:.2f}, 0.00)"
         names = ", ".join(self.equalizers)
         slings = f"the slings of {names}"
         if self.since is not None:

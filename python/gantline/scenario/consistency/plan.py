@@ -128,6 +128,14 @@ def _of_sling(scenario: Scenario, step: MovingStep, text: str) -> str | None:
     return f"'{text}' is a sling; 'haul' shortens it by its chain hoist, and 'veer' lengthens it"
 
 
+def _of_drum(scenario: Scenario, step: MovingStep, text: str) -> str | None:
+    """What is to be said of a drum of `mechanics` that is moved as a hook or line; None of anything else."""
+    mechanics = scenario.mechanics
+    if step.kind not in ("hook", "line") or text not in ((mechanics and mechanics.drums) or {}):
+        return None
+    return f"'{text}' is a drum of 'mechanics'; 'haul_in' winds its rope up, and 'pay_out' lets it out"
+
+
 def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
     """Each step moves what there is, once, and not faster than its hoist or drive can."""
     what, can, drive = _WORDS[step.kind]
@@ -148,7 +156,8 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
                 sentence += "; 'haul' and 'veer' of mooring lines take its vessel along"
             if step.kind in ("hook", "drum") and full_name(text, movers(findings.scenario, "line")):
                 sentence += "; 'haul' shortens a line by its winch, and 'veer' lets it out"
-            findings.add(("plan", place, step.verb), _of_sling(findings.scenario, step, text) or sentence)
+            of_other = _of_sling(findings.scenario, step, text) or _of_drum(findings.scenario, step, text)
+            findings.add(("plan", place, step.verb), of_other or sentence)
             continue
         one = known[name]
         moved.append(name if one is None else one.name)

@@ -16,6 +16,8 @@ from gantline.scenario.file.shipped import shipped
 from gantline.scenario.file.tree import parse_text, read_text
 from gantline.scenario.file.tree_path import PathError, node_of
 from gantline.scenario.file.variants import check_cases
+from gantline.scenario.gear import SlingDefaults
+from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.model import Scenario
 
 __all__ = ["FILE_NAME", "load_scenario", "parse_scenario"]
@@ -48,7 +50,7 @@ def load_scenario(path: str | Path) -> Scenario:
     file = Path(path)
     if str(path) in shipped() and not file.exists():
         file = shipped()[str(path)]
-    likely = closest(str(path), shipped()) if _is_name(file) else None
+    likely = _likely_lift(file)
     if likely is not None:
         sentence = f"is no file or folder; did you mean '{likely}', a lift that comes with gantline?"
         raise ScenarioError(str(file), [Problem(None, "", sentence)])
@@ -105,7 +107,9 @@ def _parsed(text: str, source: str) -> Scenario:
 
 
 def _checked(text: str, source: str) -> Scenario:
-    scenario = from_tree(parse_text(text, source), source, text)
+    # Those that no mapping directly below one has, too.
+    sections = {*Scenario.keys()}.difference(Mechanics.keys(), SlingDefaults.keys())
+    scenario = from_tree(parse_text(text, source, sections), source, text)
     check_cases(scenario)
     return scenario
 
@@ -118,12 +122,20 @@ def _written(values: Mapping[str, Any], source: str) -> str:
         raise ScenarioError(source, [Problem(None, "", str(error))]) from None
 
 
-def _is_name(path: Path) -> bool:
-    """Whether a path looks like the name of a lift: nothing is there, and it has no folder and no ending."""
+def _likely_lift(path: Path) -> str | None:
+    """The lift that comes with gantline and may be meant by a path where nothing is; None for none.
+
+    What has no folder and no ending looks like a name; in the sources of gantline each has its own folder.
+    """
     try:
-        return len(path.parts) == 1 and not path.suffix and not path.exists()
+        if path.exists():
+            return None
     except (OSError, ValueError):
-        return False
+        return None
+    if len(path.parts) == 1 and not path.suffix:
+        return closest(path.name, shipped())
+    folder = path.parent if path.name == FILE_NAME else path
+    return folder.name if folder.name in shipped() else None
 
 
 def _is_folder(path: Path) -> bool:

@@ -26,6 +26,7 @@ _MEANT = {
     "active_heave_compensation": ("heave_compensation",),
     "acceptance": ("limits",),
     "ahc": ("heave_compensation", "compensate_heave"),
+    "bend_diameter": ("bends_about",),
     "buoyancy": ("displaced_volume",),
     "ca": ("added_mass",),
     "chain_fall": ("chain_hoist",),
@@ -54,6 +55,7 @@ _MEANT = {
     "hooks": ("cranes",),
     "hydraulic_cylinder": ("chain_hoist",),
     "inclination": ("load_tilt",),
+    "jacks": ("drums",),
     "keel_blocks": ("supports",),
     "leveller": ("chain_hoist",),
     "lifting": ("hoist",),
@@ -67,6 +69,7 @@ _MEANT = {
     "operations": ("plan",),
     "position": ("at",),
     "pitch": ("load_tilt", "trim"),
+    "pin_diameter": ("bends_about",),
     "put_on": ("attach",),
     "radius": ("diameter", "pitch_diameter", "sheave_diameter"),
     "schedule": ("plan",),
@@ -77,6 +80,7 @@ _MEANT = {
     "slack": ("slings",),
     "slamming": ("slamming_coefficient",),
     "steps": ("plan",),
+    "strand_jacks": ("drums",),
     "stiffness": ("axial_stiffness", "stops"),
     "stiffness_curve": ("curve",),
     "take_off": ("detach",),
@@ -88,6 +92,8 @@ _MEANT = {
     "volume": ("displaced_volume",),
     "weight": ("mass",),
     "winch": ("chain_hoist",),
+    "winches": ("drums",),
+    "working_load_limit": ("rated_capacity", "capacity"),
     "wll": ("working_load_limit", "rated_capacity", "capacity"),
     # <!-- words: off -->
     "barge": ("vessels",),
@@ -96,9 +102,12 @@ _MEANT = {
     "cables": ("ropes",),
     "chain_block": ("chain_hoist",),
     "elongation": ("curve",),
+    "fixed_pulleys": ("fixed_sheaves",),
     "mbl": ("minimum_breaking_force",),
+    "moving_pulleys": ("moving_sheaves",),
     "pad_eyes": ("lugs",),
     "padeyes": ("lugs",),
+    "pulleys": ("sheaves",),
     "ship": ("vessels",),
     "ships": ("vessels",),
     "swl": ("working_load_limit", "rated_capacity", "capacity"),
@@ -145,6 +154,7 @@ _OF_ITS_SHEAVES = (
     "sheave_losses",
 )
 _MECHANICS = "it stands under 'mechanics'"
+_BY_ROPE = "a drum has no place to go to; 'by' says how much rope it takes up or lets out"
 _UPEND = "a load is upended by one hook that hoists or lowers, 'until: {load_tilt: {above: 80 deg}}'"
 #: Sailors and forecasts say where it comes from.
 _COMES_FROM = ("coming_from", "from", "from_direction")
@@ -180,7 +190,12 @@ _INSTEAD = {
     ),
     "a hoist step": dict.fromkeys(("upend", "upending"), _UPEND),
     "a lower step": dict.fromkeys(("upend", "upending"), _UPEND),
-    "a lift file": dict.fromkeys(("bodies", "body_contacts", "contacts", "drums"), _MECHANICS),
+    "a haul_in step": {"to": _BY_ROPE},
+    "a pay_out step": {"to": _BY_ROPE},
+    "a lift file": {
+        **dict.fromkeys(("bodies", "body_contacts", "contacts", "drums"), _MECHANICS),
+        **dict.fromkeys(("jacks", "strand_jacks", "winches"), "they are 'drums' under 'mechanics'"),
+    },
     "an equalizer": dict.fromkeys(_OF_ITS_SHEAVES, _SHEAVES),
     "an equalizer type": dict.fromkeys(_OF_ITS_SHEAVES, _SHEAVES),
     "a vessel": dict.fromkeys(
@@ -245,12 +260,38 @@ _BESIDE = {"radius": ", twice as much"}
 
 def translate(errors: Sequence[ErrorDetails], tree: MapNode) -> list[Problem]:
     """Problems for validation errors, with the lines of the tree that was validated."""
-    nameless = _nameless(errors, tree)
-    depths = {len(path) for path in nameless}
-    told = [
-        error for error in errors if not any(_locate(error["loc"], tree)[0][:d] in nameless for d in depths)
-    ]
-    return [*nameless.values(), *(_problem(error, tree) for error in told)]
+    whole = {**_nameless(errors, tree), **_sections_within(errors, tree)}
+    depths = {len(path) for path in whole}
+    told = [error for error in errors if not any(_locate(error["loc"], tree)[0][:d] in whole for d in depths)]
+    misspelt = _misspelt(told, tree)
+    return [*whole.values(), *(_problem(one, tree) for one in told if _place(one, tree) not in misspelt)]
+
+
+def _place(error: ErrorDetails, tree: MapNode) -> tuple[PathPart, ...] | None:
+    """Path of a key that is missing; None of any other error."""
+    return (*_locate(error["loc"], tree)[0], error["loc"][-1]) if error["type"] == "missing" else None
+
+
+def _misspelt(errors: Sequence[ErrorDetails], tree: MapNode) -> set[tuple[PathPart, ...] | None]:
+    """Paths of the keys that unknown ones are told to be meant for: what is misspelt is not missing, too."""
+    unknown = [_locate(error["loc"], tree) for error in errors if error["type"] == "extra_forbidden"]
+    meant = ((path[:-1], _meant(str(path[-1]), around)) for path, _, around in unknown if around)
+    return {(*path, key) for path, key in meant if key is not None}
+
+
+def _sections_within(errors: Sequence[ErrorDetails], tree: MapNode) -> dict[tuple[PathPart, ...], Problem]:
+    """Sections of a lift file that stand among the names of another one, and what to say of each."""
+    told: dict[tuple[PathPart, ...], Problem] = {}
+    for error in errors:
+        path, _, around = _locate(error["loc"], tree)
+        if len(path) < 2 or path[:2] in told or not isinstance(path[1], str):
+            continue
+        section, (names, given) = path[1], (around[1], around[1][path[1]])
+        is_own = isinstance(given, MapNode) and any(key in given.allowed for key in given)
+        if section in tree.allowed and section not in tree and not names.allowed and not is_own:
+            wrong = f"'{section}' is not a name in '{path[0]}', but a section of {tree.what}"
+            told[path[:2]] = problem_at(tree, path[:2], f"{wrong}: it stands too far in")
+    return told
 
 
 def _nameless(errors: Sequence[ErrorDetails], tree: MapNode) -> dict[tuple[PathPart, ...], Problem]:
@@ -344,11 +385,9 @@ def _missing(key: str, node: Any) -> str:
         return f"'{key}' is missing"
     if key == "format":
         return f"'{key}' is missing; a lift file begins with 'format: 1'"
-    misspelt = closest(key, [name for name in node if name not in node.allowed])
-    hint = f" (is '{shorten(misspelt)}' a misspelt '{key}'?)" if misspelt is not None else ""
     what = node.what or "this mapping"
     need = "need" if is_or_are(what) == "are" else "needs"
-    return f"'{key}' is missing; {what} {need} it{hint or _explained(key, node)}"
+    return f"'{key}' is missing; {what} {need} it{_explained(key, node)}"
 
 
 def _explained(key: str, node: MapNode) -> str:
@@ -376,7 +415,8 @@ def _at_other_level(key: str, around: Sequence[Any]) -> str | None:
     return None
 
 
-def _unknown_key(key: str, around: Sequence[Any]) -> str:
+def _elsewhere(key: str, around: Sequence[Any]) -> str | None:
+    """What to say of an unknown key in whose place there is something else; None of any other."""
     shown, parent = shorten(key), around[-1] if around else None
     if key in _ELSEWHERE:
         return f"'{shown}' has another place: {_ELSEWHERE[key]}"
@@ -385,21 +425,35 @@ def _unknown_key(key: str, around: Sequence[Any]) -> str:
     instead = _INSTEAD.get(parent.what or "", {}).get(key.lower())
     if instead is not None:
         return f"'{shown}' is not a key of {parent.what}: {instead}"
-    elsewhere = _at_other_level(key, around)
-    if elsewhere is not None:
-        return elsewhere
+    return _at_other_level(key, around)
+
+
+def _meant(key: str, around: Sequence[Any]) -> str | None:
+    """The key of its mapping that an unknown one is told to be meant for, which is not given there."""
+    if _elsewhere(key, around) is not None:
+        return None
+    parent = around[-1]
     unused = [name for name in parent.allowed if name not in parent] or list(parent.allowed)
     other_words = [name for name in _MEANT.get(key.lower(), ()) if name in parent.allowed]
-    meant = next((name for name in other_words if name in unused), None)
-    if meant is not None:
-        return (
-            f"'{shown}' is not a key of {parent.what}; did you mean '{meant}'{_BESIDE.get(key.lower(), '')}?"
-        )
     # Of all: beside `cranes`, `crane` is that, and not what is left and written most alike, `cases`.
+    is_used = not other_words and closest(key, parent.allowed) not in (None, *unused)
+    by_words = (name for name in other_words if name in unused)
+    return next(by_words, None if is_used else closest(key, unused))
+
+
+def _unknown_key(key: str, around: Sequence[Any]) -> str:
+    elsewhere = _elsewhere(key, around)
+    if elsewhere is not None:
+        return elsewhere
+    parent, meant = around[-1], _meant(key, around)
+    wrong = f"'{shorten(key)}' is not a key of {parent.what}"
+    if meant is not None:
+        beside = _BESIDE.get(key.lower(), "") if meant in _MEANT.get(key.lower(), ()) else ""
+        return f"{wrong}; did you mean '{meant}'{beside}?"
     likely = closest(key, parent.allowed)
-    is_used = likely not in unused and likely is not None and not other_words
-    answer = f"did you mean '{likely}', which is there already?" if is_used else nearest(key, unused)
-    return f"'{shown}' is not a key of {parent.what}; {answer}"
+    if likely is not None:
+        return f"{wrong}; did you mean '{likely}', which is there already?"
+    return f"{wrong}; {nearest(key, [name for name in parent.allowed if name not in parent])}"
 
 
 def _kind_of_thing(context: Mapping[str, Any], node: Any) -> str:

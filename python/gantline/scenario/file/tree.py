@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import stat
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 from typing import Any, Final
 
@@ -150,15 +150,20 @@ def read_text(path: Path, source: str) -> str:
         raise ScenarioError(source, [_not_utf_8(content, error.start)]) from None
 
 
-def parse_text(text: str, source: str) -> MapNode:
+def parse_text(text: str, source: str, sections: Collection[str] = ()) -> MapNode:
     """Tree of a YAML text.
+
+    Args:
+        text: the text.
+        source: the file that messages name.
+        sections: keys of the whole mapping, of which it is told where they stand too far in with nothing.
 
     Raises:
         ScenarioError: if it is not YAML, is not a mapping, or uses what lift files do not have: aliases,
             tags, several documents, duplicate keys.
     """
     found = _by_libyaml(text, source)
-    return _in_python(text, source) if found is None else found
+    return _in_python(text, source, sections) if found is None else found
 
 
 def _by_libyaml(text: str, source: str) -> MapNode | None:
@@ -178,9 +183,9 @@ def _by_libyaml(text: str, source: str) -> MapNode | None:
         return None
 
 
-def _in_python(text: str, source: str) -> MapNode:
+def _in_python(text: str, source: str, sections: Collection[str]) -> MapNode:
     """The tree of whatever text, by ruamel.yaml, and what is wrong with it."""
-    builder = _Builder(source, text)
+    builder = _Builder(source, text, sections)
     try:
         for event in YAML(typ="safe", pure=True).parse(text):
             builder.take(event)
@@ -253,9 +258,10 @@ def _whole(source: str, sentence: str) -> ScenarioError:
 class _Builder:
     """Builds the tree from events; keeps open collections on a stack of its own."""
 
-    def __init__(self, source: str, text: str) -> None:
+    def __init__(self, source: str, text: str, sections: Collection[str] = ()) -> None:
         self.source = source
         self.text = text
+        self.sections = sections
         self.root: Node | None = None
         self.stack: list[MapNode | ListNode] = []
         self.keys: list[TextNode | None] = []  # the key that waits for its value, for each open collection
@@ -353,7 +359,9 @@ class _Builder:
         key = self.keys[-1]
         if key is not None:
             sentence = "nothing is given here; write a value or leave the key out"
-            if ":" in key:
+            if len(self.stack) == 2 and key in self.sections:
+                sentence += f" (is '{key}' a section of the file? then it stands too far in)"
+            elif ":" in key:
                 sentence += " (a ':' needs a blank behind it)"
             elif _THOUSANDS.match(key):  # so is `{mass: 26,000 kg}`
                 whole = self._before_the_comma(key)

@@ -25,6 +25,7 @@ __all__ = [
     "Pose",
     "Way",
     "gone_along",
+    "led_hook",
     "led_hooks",
     "movers_of_lead",
     "pose_before",
@@ -260,11 +261,18 @@ def gone_along(scenario: Scenario, step: LeadStep, before: Places) -> Iterator[G
 
 def led_hooks(scenario: Scenario, step: LeadStep) -> list[LedHook]:
     """The hooks that lead in a step, without any that none can: `check_lead` says of those what is wrong."""
-    found = (_led_hook(scenario, step, text) for text in step.lead)
+    found = (led_hook(scenario, text, step.travelling) for text in step.lead)
     return [led for led in found if led is not None]
 
 
-def _led_hook(scenario: Scenario, step: LeadStep, text: str) -> LedHook | None:
+def led_hook(scenario: Scenario, text: str, travelling: Sequence[str] = ()) -> LedHook | None:
+    """A hook by its name, with the crane that takes it along; None of a crane that does not slew.
+
+    Args:
+        scenario: the lift.
+        text: name of the hook, as written.
+        travelling: cranes that travel in place of luffing.
+    """
     name = full_name(text, scenario.hooks)
     hook = None if name is None else scenario.hooks[name]
     placed = None if hook is None else scenario.booms.get(hook.crane)
@@ -283,7 +291,7 @@ def _led_hook(scenario: Scenario, step: LeadStep, text: str) -> LedHook | None:
         heel=(placed.heel[0], placed.heel[2]),
         pin=(along, above),
         aside=placed.heel[1] + across,
-        travels=hook.crane in full_names(step.travelling, scenario.cranes or {}),
+        travels=hook.crane in full_names(travelling, scenario.cranes or {}),
         boom=mover(scenario, "boom", hook.crane) or unmoved,
         upper=upper,
         hoist=hoist,
