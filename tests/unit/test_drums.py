@@ -108,7 +108,7 @@ def test_a_motion_given_in_advance() -> None:
         ),
         ("haul_in: winch", "haul_in: [winch, winch]", "names a drum twice; each drum stands once"),
         ("haul_in: winch", "haul_in: wench", "'wench' is not a drum; did you mean 'winch'?"),
-        ("haul_in: winch", "hoist: winch", "'winch' is not a hook; there is none"),
+        ("haul_in: winch", "hoist: winch", "'winch' is a drum of 'mechanics'; 'haul_in' winds its rope up"),
         ("by: 1 m", "until: {supports: clear}", "this waits for a load to leave the ground"),
         ("body: world, at: [1.5", "body: nowhere, at: [1.5", "'nowhere' is not a body"),
         (
