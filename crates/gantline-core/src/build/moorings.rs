@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{BuildError, at_least_zero, error, finite, positive};
 use crate::force::AnyForce;
-use crate::force::mooring::catenary::Catenary;
+use crate::force::mooring::catenary::{Catenary, Hanging};
 use crate::force::mooring::{Mooring, Winch};
 use crate::spec::{ForceSpec, MooringSpec, SystemSpec};
 use crate::tree::joint::Joint;
@@ -160,7 +160,7 @@ fn length_for(
     let reach = aside.max(1e-6 * chord);
     // Tension less what is wanted, and how it grows with the length.
     let pull = |length: f64| {
-        let hanging = line.hang(reach, height, length);
+        let hanging: Hanging = line.hang(reach, height, length);
         let (h, v) = (hanging.horizontal, hanging.vertical);
         let tension = h.hypot(v);
         let [over_h, over_v] = [0, 1].map(|row| hanging.energy.second[row][2]);

@@ -127,9 +127,14 @@ impl Facing {
 
     /// C_j^0 − C_j^1 at a world point of the entry of a degree of freedom.
     fn column(&self, tree: &Tree, kinematics: &Kinematics, entry: usize, point: DVec3) -> DVec3 {
+        self.apart(entry, kinematics.point_column(tree, self.dofs[entry], point))
+    }
+
+    /// The same from C_j.
+    fn apart(&self, entry: usize, column: DVec3) -> DVec3 {
         match self.moves[entry] {
-            [true, false] => kinematics.point_column(tree, self.dofs[entry], point),
-            [false, true] => -kinematics.point_column(tree, self.dofs[entry], point),
+            [true, false] => column,
+            [false, true] => -column,
             // What moves both moves neither against the other.
             _ => DVec3::ZERO,
         }
@@ -220,7 +225,7 @@ impl Facing {
             if self.moves[entry][body] { kinematics.columns[self.dofs[entry]].angular } else { DVec3::ZERO }
         };
         for k in 0..size {
-            let apart_k = self.column(tree, kinematics, k, point) * sign;
+            let apart_k = self.apart(k, columns[k]) * sign;
             // How x moves along the body with the point, and how d turns.
             let turns = [with_point, with_plane].map(|body| turn(k, body));
             let (moves, turned) = match (lowest, located.crossed) {
@@ -239,7 +244,7 @@ impl Facing {
                 };
                 let mut change = (change(0) - change(1)) * sign;
                 change += turn(j, with_point).cross(moves) - turn(j, with_plane).cross(apart_k + moves);
-                let apart_j = self.column(tree, kinematics, j, point) * sign;
+                let apart_j = self.apart(j, columns[j]) * sign;
                 block[j * size + k] = direction.dot(change) + turned.dot(apart_j);
             }
         }

@@ -159,6 +159,11 @@ pub trait Force {
         0.0
     }
 
+    /// Wrench and force on the flow, for one to which both are one.
+    fn push(&self, at: &At) -> (Wrench, f64) {
+        (self.wrench(at), self.feed(at))
+    }
+
     /// Derivatives that the flow adds.
     fn feeding(&self, _at: &At) -> Option<Feeding> {
         None

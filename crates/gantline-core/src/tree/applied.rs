@@ -20,7 +20,7 @@ impl NewtonEuler {
         for (index, force) in tree.forces.iter().enumerate() {
             let body = force.body();
             let at = self.at(tree, kinematics, body);
-            let (wrench, feed) = (force.wrench(&at), force.feed(&at));
+            let (wrench, feed) = force.push(&at);
             self.wrenches[body].force -= wrench.force;
             self.wrenches[body].moment -= wrench.moment;
             self.feeds[index] = feed;

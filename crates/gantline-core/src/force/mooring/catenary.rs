@@ -44,9 +44,10 @@ pub struct Catenary {
     pub on_bed: bool,
 }
 
-/// How it hangs, with derivatives over the two distances [m] of its ends and its unstretched length.
+/// How it hangs, with derivatives over the two distances [m] of its ends and its unstretched length; without second ones
+/// where N is 0, else 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hanging {
+pub struct Hanging<const N: usize = 3> {
     /// H, the horizontal force [N].
     pub horizontal: f64,
     /// V, what the upper end carries [N].
@@ -56,9 +57,9 @@ pub struct Hanging {
     /// Unstretched length that lies on the bed [m].
     pub grounded: f64,
     /// U [J]; its first derivatives are H, V and ∂U/∂L.
-    pub energy: Jet,
+    pub energy: Jet<N>,
     /// Mean strain along the line.
-    pub strain: Jet,
+    pub strain: Jet<N>,
 }
 
 /// X, Z, ∫ T du [N m] and the tension at the lower end, over (H, V, L); without second derivatives where N is 0.
@@ -78,7 +79,7 @@ const FOUND: f64 = 1e-13;
 impl Catenary {
     /// How the line hangs where its upper end is `reach` > 0 [m] aside of and `rise` [m] above the lower end, with the
     /// unstretched `length` > 0 [m]. On a bed `rise` must be more than zero.
-    pub fn hang(&self, reach: f64, rise: f64, length: f64) -> Hanging {
+    pub fn hang<const N: usize>(&self, reach: f64, rise: f64, length: f64) -> Hanging<N> {
         if self.on_bed {
             // V with H = 0: V/w (1 + V/2EA) = Z.
             let whole = 2.0 * self.weight * rise;
@@ -88,7 +89,7 @@ impl Catenary {
             }
         }
         let [h, v] = self.forces(reach, rise, length);
-        let spans = self.spans::<3>([h, v], length);
+        let spans = self.spans::<N>([h, v], length);
         let inverse = 1.0 / self.stiffness;
         // (H, V) over (X, Z, L): J y′ = (X, Z, 0)′ − ∂(X, Z)/∂L.
         let rows = [&spans.reach, &spans.rise];
@@ -102,11 +103,11 @@ impl Catenary {
         };
         // All three variables of the jets over (X, Z, L).
         let chain = [first[0], first[1], [0.0, 0.0, 1.0]];
-        let along = |jet: &Jet, p: usize, q: usize| -> f64 {
+        let along = |jet: &Jet<N>, p: usize, q: usize| -> f64 {
             let terms = (0..9).map(|k| jet.second[k / 3][k % 3] * chain[k / 3][p] * chain[k % 3][q]);
             terms.sum()
         };
-        let over = |jet: &Jet| -> Jet {
+        let over = |jet: &Jet<N>| -> Jet<N> {
             let slope = |p: usize| (0..3).map(|k| jet.first[k] * chain[k][p]).sum::<f64>();
             let bend = |p: usize, q: usize| {
                 let right = rows.map(|row| -along(row, p, q));
@@ -128,22 +129,22 @@ impl Catenary {
         let value =
             h * spans.reach.value + v * spans.rise.value - spans.tension.value - 0.5 * squares * inverse;
         let last = lower.first.map(|slope| -slope);
-        let energy = Jet {
-            value,
-            first: [h, v, -lower.value],
-            second: [[first[0][0], first[0][1], last[0]], [first[1][0], first[1][1], last[1]], last],
-        };
+        let second = [[first[0][0], first[0][1], last[0]], [first[1][0], first[1][1], last[1]], last];
+        let energy =
+            Jet { value, first: [h, v, -lower.value], second: std::array::from_fn(|row| second[row]) };
         let strain = over(&(spans.tension * inverse / Jet::variable(length, 2)));
         Hanging { horizontal: h, vertical: v, reach, grounded: spans.grounded.value, energy, strain }
     }
 
     /// Hanging down to the bed, with the vertical force `v` [N] above.
-    fn heaped(&self, v: f64, [reach, rise]: [f64; 2], length: f64) -> Hanging {
+    fn heaped<const N: usize>(&self, v: f64, [reach, rise]: [f64; 2], length: f64) -> Hanging<N> {
         let (w, inverse) = (self.weight, 1.0 / self.stiffness);
         let slope = w / (1.0 + v * inverse);
         let mut energy = Jet::constant(v * rise - v * v / (2.0 * w) - v * v * v * inverse / (6.0 * w));
         energy.first[1] = v;
-        energy.second[1][1] = slope;
+        if let Some(row) = energy.second.get_mut(1) {
+            row[1] = slope;
+        }
         // ∫ T du = V²/2w, V over Z.
         let force = Jet::variable(rise, 1).of([v, slope, -slope * slope * inverse / (1.0 + v * inverse)]);
         let strain = force * force * (0.5 * inverse / w) / Jet::variable(length, 2);
@@ -246,7 +247,7 @@ impl Catenary {
 
     /// A place along the line, at a share of its unstretched length from its lower end (0) to its upper (1): aside of and
     /// above the lower end [m], for the forces of [`Catenary::hang`].
-    pub fn place(&self, hanging: &Hanging, length: f64, share: f64) -> [f64; 2] {
+    pub fn place<const N: usize>(&self, hanging: &Hanging<N>, length: f64, share: f64) -> [f64; 2] {
         let Hanging { horizontal: h, vertical: v, reach, grounded, .. } = *hanging;
         let along = share * length;
         // Heaps are drawn as a line that lies straight.
@@ -318,7 +319,7 @@ mod tests {
             let chord = reach.hypot(rise);
             // Between a strain of some 2 % and a length twice the chord.
             let length = if slack < -1.0 { chord * (1.0 + 0.02 * (slack + 1.0) / 5.0) } else { chord * (1.0 + 10f64.powf(slack)) };
-            let hanging = line.hang(reach, rise, length);
+            let hanging: Hanging = line.hang(reach, rise, length);
             let Hanging { horizontal: h, vertical: v, .. } = hanging;
             prop_assert!(h.is_finite() && v.is_finite() && h >= 0.0, "{hanging:?}");
             let [x, z] = line.place(&hanging, length, 1.0);
@@ -341,7 +342,7 @@ mod tests {
             (on_bed, weight, stiffness) in (any::<bool>(), 0.5..20.0_f64, 1.0..1e3_f64),
         ) {
             let line = Catenary { weight, stiffness, on_bed };
-            let hang = |at: [f64; 3]| line.hang(at[0], at[1], at[2]);
+            let hang = |at: [f64; 3]| -> Hanging { line.hang(at[0], at[1], at[2]) };
             let at = [reach, rise, length];
             let here = hang(at);
             // Where the line first comes down to the bed, or heaps up, second derivatives have a corner.
@@ -368,7 +369,7 @@ mod tests {
     #[test]
     fn heaps_hang_plumb() {
         let line = Catenary { weight: 100.0, stiffness: 1e9, on_bed: true };
-        let hanging = line.hang(3.0, 10.0, 20.0);
+        let hanging: Hanging = line.hang(3.0, 10.0, 20.0);
         assert_eq!(hanging.horizontal, 0.0);
         // Z = V/w + V²/2wEA
         let v = hanging.vertical;
@@ -378,7 +379,7 @@ mod tests {
         let [x, z] = line.place(&hanging, 20.0, 0.25);
         assert!((x - 3.0 * 5.0 / hanging.grounded).abs() < 1e-12 && z == 0.0);
         // The force is continuous where the heap is used up.
-        let straight = line.hang(hanging.grounded + 1e-6, 10.0, 20.0);
+        let straight: Hanging = line.hang(hanging.grounded + 1e-6, 10.0, 20.0);
         assert!(straight.horizontal < 1e-3 && (straight.vertical - v).abs() < 1e-3, "{straight:?}");
     }
 
@@ -389,7 +390,7 @@ mod tests {
         let (w, stiffness, v) = (100.0, 1e4, 1e3);
         let rise = v / w * (1.0 + v / (2.0 * stiffness));
         let line = Catenary { weight: w, stiffness, on_bed: true };
-        let hanging = line.hang(3.0, rise, 20.0);
+        let hanging: Hanging = line.hang(3.0, rise, 20.0);
         assert!((hanging.vertical - v).abs() < 1e-9);
         let energy = v * v / (2.0 * w) + v * v * v / (3.0 * w * stiffness);
         assert!((hanging.energy.value - energy).abs() < 1e-9 * energy, "{hanging:?}");

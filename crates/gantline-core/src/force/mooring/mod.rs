@@ -82,12 +82,17 @@ pub struct Mooring {
     pub mark: usize,
 }
 
-/// Value and derivatives over place and length of a line.
+/// Value and first derivatives over place and length of a line.
 #[derive(Debug, Clone, Copy)]
 struct Slopes {
     value: f64,
     place: DVec3,
     length: f64,
+}
+
+/// Second derivatives.
+#[derive(Debug, Clone, Copy)]
+struct Bends {
     place_place: DMat3,
     place_length: DVec3,
     length_length: f64,
@@ -157,22 +162,26 @@ impl Mooring {
     }
 
     /// How it hangs with its upper end at `place` from its lower one, with the length `length` [m].
-    fn hanging(&self, place: DVec3, up: DVec3, length: f64) -> Hanging {
+    fn hanging<const N: usize>(&self, place: DVec3, up: DVec3, length: f64) -> Hanging<N> {
         let (_, reach, [rise, ..]) = self.distances(place, up);
         self.line.hang(reach, rise, length)
     }
 
     /// A function of X, Z and L over place and length.
-    fn slopes(&self, place: DVec3, up: DVec3, jet: &Jet) -> Slopes {
+    fn slopes<const N: usize>(&self, place: DVec3, up: DVec3, jet: &Jet<N>) -> Slopes {
+        let (aside, reach, [_, climb, _]) = self.distances(place, up);
+        let [over_x, over_z, over_l] = jet.first;
+        Slopes { value: jet.value, place: aside / reach * over_x + up * (over_z * climb), length: over_l }
+    }
+
+    /// The same of its derivatives.
+    fn bends(&self, place: DVec3, up: DVec3, jet: &Jet) -> Bends {
         let (aside, reach, [_, climb, bend]) = self.distances(place, up);
         let out = aside / reach;
         let level = DMat3::IDENTITY - outer(up, up);
-        let [over_x, over_z, over_l] = jet.first;
+        let [over_x, over_z, _] = jet.first;
         let second = &jet.second;
-        Slopes {
-            value: jet.value,
-            place: out * over_x + up * (over_z * climb),
-            length: over_l,
+        Bends {
             place_place: outer(out, out) * second[0][0]
                 + (level - outer(out, out)) * (over_x / reach)
                 + (outer(out, up) + outer(up, out)) * (second[0][1] * climb)
@@ -182,30 +191,57 @@ impl Mooring {
         }
     }
 
-    /// What it holds, and its mean strain.
-    fn held(&self, place: DVec3, up: DVec3, length: f64) -> [Slopes; 2] {
-        let hanging = self.hanging(place, up, length);
+    /// What it holds, and its mean strain, hanging as it does.
+    fn held<const N: usize>(
+        &self,
+        place: DVec3,
+        up: DVec3,
+        length: f64,
+        hanging: &Hanging<N>,
+    ) -> [Slopes; 2] {
         let (paid, held) = (length - self.length, self.winch.map_or(0.0, |winch| winch.held));
         let mut energy = self.slopes(place, up, &hanging.energy);
         let weight = up * self.line.weight;
         energy.value -= weight.dot(place) * paid + held * paid + self.lowest;
         energy.place -= weight * paid;
         energy.length -= weight.dot(place) + held;
-        energy.place_length -= weight;
         [energy, self.slopes(place, up, &hanging.strain)]
     }
 
+    /// The same of their derivatives.
+    fn held_bends(&self, place: DVec3, up: DVec3, hanging: &Hanging) -> [Bends; 2] {
+        let mut energy = self.bends(place, up, &hanging.energy);
+        energy.place_length -= up * self.line.weight;
+        [energy, self.bends(place, up, &hanging.strain)]
+    }
+
+    /// Where it is and how it moves.
     fn reach(&self, at: &At) -> Reach {
+        self.reach_hanging::<0>(at).0
+    }
+
+    /// The same and how it hangs.
+    fn reach_hanging<const N: usize>(&self, at: &At) -> (Reach, Hanging<N>) {
         let up = -at.gravity / at.gravity.length();
         let arm = at.pose.rotation * self.at;
         let length = self.length_at(at.q);
         let velocity = at.twist.at(arm);
         let paying = self.winch.map_or(0.0, |winch| winch.unstretched * at.v[winch.dof]);
-        let [energy, strain] = self.held(at.pose.position + arm - self.to, up, length);
+        let place = at.pose.position + arm - self.to;
+        let hanging = self.hanging(place, up, length);
+        let [energy, strain] = self.held(place, up, length, &hanging);
         let rate = strain.place.dot(velocity) + strain.length * paying;
         let damper = self.damping_time * self.line.stiffness * length * rate;
         let paid_out = up * (self.line.weight * (length - self.length));
-        Reach { arm, velocity, length, energy, strain, rate, damper, paid_out }
+        (Reach { arm, velocity, length, energy, strain, rate, damper, paid_out }, hanging)
+    }
+
+    /// Where it is and how it moves, and second derivatives of energy and strain.
+    fn reach_with_bends(&self, at: &At) -> (Reach, [Bends; 2]) {
+        let (reach, hanging) = self.reach_hanging(at);
+        let up = -at.gravity / at.gravity.length();
+        let bends = self.held_bends(at.pose.position + reach.arm - self.to, up, &hanging);
+        (reach, bends)
     }
 
     /// Tension at its upper end [N].
@@ -242,11 +278,12 @@ impl Mooring {
         if !self.is_whole(at.q) {
             return [0.0; 2];
         }
-        let Reach { velocity, energy, strain, damper, paid_out, .. } = self.reach(&at);
+        let (Reach { velocity, energy, strain, damper, paid_out, .. }, [bends, _]) =
+            self.reach_with_bends(&at);
         let paying = self.winch.map_or(0.0, |winch| winch.unstretched * v[winch.dof]);
         let way = (energy.place + paid_out).normalize_or_zero();
         let up = -at.gravity / at.gravity.length();
-        let change = energy.place_place * velocity + (energy.place_length + up * self.line.weight) * paying;
+        let change = bends.place_place * velocity + (bends.place_length + up * self.line.weight) * paying;
         [way.dot(change), way.dot(strain.place) * damper]
     }
 
@@ -259,7 +296,7 @@ impl Mooring {
         }
         let (up, length) = (-gravity / gravity.length(), self.length_at(q));
         let from = top - self.to;
-        let hanging = self.hanging(from, up, length);
+        let hanging = self.hanging::<0>(from, up, length);
         let (aside, reach, _) = self.distances(from, up);
         for chord in 0..=CHORDS {
             let share = 1.0 - chord as f64 / CHORDS as f64;
@@ -275,7 +312,8 @@ impl Mooring {
             return DMat3::ZERO;
         }
         let up = -gravity / gravity.length();
-        self.held(pose.point(self.at) - self.to, up, self.length_at(q))[0].place_place
+        let place = pose.point(self.at) - self.to;
+        self.held_bends(place, up, &self.hanging(place, up, self.length_at(q)))[0].place_place
     }
 
     /// Takes this place of its body for the start: what lies on its winch has the strain that its upper end has here, and
@@ -283,7 +321,7 @@ impl Mooring {
     pub fn start(&mut self, pose: &Pose, gravity: DVec3) -> (f64, f64) {
         let Catenary { weight, stiffness, on_bed } = self.line;
         let up = -gravity / gravity.length();
-        let hanging = self.hanging(pose.point(self.at) - self.to, up, self.length);
+        let hanging = self.hanging::<0>(pose.point(self.at) - self.to, up, self.length);
         let tension = hanging.horizontal.hypot(hanging.vertical);
         let strain = tension / stiffness;
         if let Some(winch) = &mut self.winch {
@@ -296,27 +334,27 @@ impl Mooring {
         (tension, hanging.strain.value)
     }
 
-    fn derivatives(&self, at: &At, reach: &Reach) -> Derivatives {
-        let Reach { velocity, length, energy, strain, rate, damper, .. } = reach;
+    fn derivatives(&self, at: &At, reach: &Reach, [energy, mean]: &[Bends; 2]) -> Derivatives {
+        let Reach { velocity, length, strain, rate, damper, .. } = reach;
         let unstretched = self.winch.map_or(0.0, |winch| winch.unstretched);
         let paying = self.winch.map_or(0.0, |winch| unstretched * at.v[winch.dof]);
         let viscosity = self.damping_time * self.line.stiffness;
         // ∂ė over place and length.
-        let turned = strain.place_place * *velocity + strain.place_length * paying;
-        let fed = strain.place_length.dot(*velocity) + strain.length_length * paying;
+        let turned = mean.place_place * *velocity + mean.place_length * paying;
+        let fed = mean.place_length.dot(*velocity) + mean.length_length * paying;
         let factor = viscosity * length;
         let by_place = turned * factor;
         let by_length = factor * fed + viscosity * rate;
-        let cross = energy.place_length + strain.place_length * *damper;
+        let cross = energy.place_length + mean.place_length * *damper;
         Derivatives {
-            force_place: -energy.place_place - strain.place_place * *damper - outer(strain.place, by_place),
+            force_place: -energy.place_place - mean.place_place * *damper - outer(strain.place, by_place),
             force_rate: outer(strain.place, strain.place) * -factor,
             cross_place: [
                 -(cross + strain.place * by_length) * unstretched,
                 -(cross + by_place * strain.length) * unstretched,
             ],
             cross_rate: strain.place * (-factor * strain.length * unstretched),
-            flow_place: -(energy.length_length + strain.length_length * damper + strain.length * by_length)
+            flow_place: -(energy.length_length + mean.length_length * damper + strain.length * by_length)
                 * unstretched
                 * unstretched,
             flow_rate: -factor * strain.length * strain.length * unstretched * unstretched,
@@ -334,21 +372,16 @@ impl Force for Mooring {
     }
 
     fn wrench(&self, at: &At) -> Wrench {
-        if !self.is_whole(at.q) {
-            return Wrench::default();
-        }
-        let reach = self.reach(at);
-        let (force, _) = reach.force();
-        Wrench { force, moment: reach.arm.cross(force) }
+        self.push(at).0
     }
 
     fn tangent(&self, at: &At) -> Tangent {
         if !self.is_whole(at.q) {
             return Tangent::NONE;
         }
-        let reach = self.reach(at);
+        let (reach, bends) = self.reach_with_bends(at);
         let (force, _) = reach.force();
-        let derivatives = self.derivatives(at, &reach);
+        let derivatives = self.derivatives(at, &reach, &bends);
         let (arm, by_place, by_rate) = (skew(reach.arm), derivatives.force_place, derivatives.force_rate);
         // A turn moves the upper end, turns the velocity that it has along, and leaves the force where it was.
         let turn = -(by_place * arm) - by_rate * skew(reach.velocity) + skew(force);
@@ -362,7 +395,8 @@ impl Force for Mooring {
             return 0.0;
         }
         let up = -gravity / gravity.length();
-        self.held(pose.point(self.at) - self.to, up, self.length_at(q))[0].value
+        let (place, length) = (pose.point(self.at) - self.to, self.length_at(q));
+        self.held(place, up, length, &self.hanging::<0>(place, up, length))[0].value
     }
 
     fn energy_rate(&self, at: &At) -> f64 {
@@ -387,19 +421,26 @@ impl Force for Mooring {
     }
 
     fn feed(&self, at: &At) -> f64 {
-        match self.winch {
-            Some(winch) if self.is_whole(at.q) => winch.unstretched * self.reach(at).force().1,
-            _ => 0.0,
+        self.push(at).1
+    }
+
+    fn push(&self, at: &At) -> (Wrench, f64) {
+        if !self.is_whole(at.q) {
+            return (Wrench::default(), 0.0);
         }
+        let reach = self.reach(at);
+        let (force, on_length) = reach.force();
+        let feed = self.winch.map_or(0.0, |winch| winch.unstretched * on_length);
+        (Wrench { force, moment: reach.arm.cross(force) }, feed)
     }
 
     fn feeding(&self, at: &At) -> Option<Feeding> {
         if self.winch.is_none() || !self.is_whole(at.q) {
             return None;
         }
-        let reach = self.reach(at);
+        let (reach, bends) = self.reach_with_bends(at);
         let Derivatives { cross_place: [over_flow, over_place], cross_rate, flow_place, flow_rate, .. } =
-            self.derivatives(at, &reach);
+            self.derivatives(at, &reach, &bends);
         let on_body = |force: DVec3| Wrench { force, moment: reach.arm.cross(force) };
         let mut place = on_body(over_place);
         place.moment += reach.velocity.cross(cross_rate);
