@@ -60,9 +60,8 @@ _USUAL_TILT = float(np.deg2rad(1.0))
 _BLANK = "not in the lift file; from the crane's manual: ______ m/s"
 _OF_NO_CRANE = "wind exceeds the limit of what lifts (not in the lift file; from its manual: ______ m/s)"
 
-#: What a load cell in a rope has to show.
+#: What a load cell in a rope has to show, which no table has.
 _IN_CURVES = "the tension of its rope under “Tensions and travel”"
-_OF_WINCHES = "its reading in the table “Winches and jacks”"
 
 
 class FirstPage(Section):
@@ -386,13 +385,12 @@ def _simulated_mass(rig: Rig, load: Load) -> float:
 def stop_if(subject: Subject) -> list[str]:
     """When to stop the lift: the usual bounds, or the lift's own where it has some."""
     limits = subject.rig.limits
-    has_winches = any(drum.ropes for drum in subject.rig.drums)
-    # As their tables call what is read.
-    read = "gauge" if has_winches and not subject.rig.hooks else "load cell"
+    # As their tables call what is read; ropes of `mechanics` without a drum are in curves alone.
+    tables = {"load cell": "“Hooks”"} if subject.rig.hooks else {}
+    tables |= {"gauge": "“Winches and jacks”"} if winch_gauges(subject)[0] else {}
+    read = " or ".join(tables) or "load cell"
     cell = f"the mean of a {read} over some waves" if subject.rig.is_in_waves else f"a {read}"
-    # Ropes of `mechanics` without a drum have their tensions in curves alone.
-    jacks = _OF_WINCHES if has_winches else _IN_CURVES
-    reading = "its reading in the table “Hooks”" if subject.rig.hooks else jacks
+    reading = f"its reading in the table {' or '.join(tables.values())}" if tables else _IN_CURVES
     # What a hinge bears changes as its load turns, which readings at shares of the weight do not tell.
     turned = [hinge.load for hinge in subject.rig.hinges if subject.rig.hooks]
     if turned and next(hold_points(subject.recording), None) is not None:
@@ -420,7 +418,7 @@ def _in_water(subject: Subject) -> str:
         return ""
     last = rig.time_to_average or READ_OVER
     cells = [recording.column("hoist_load", hook.name) for hook in rig.hooks]
-    cells = cells or [gauge.reads for gauge in winch_gauges(subject)[0]]
+    cells += [gauge.reads for gauge in winch_gauges(subject)[0]]
     found = []
     for point in (one for one in hold_points(recording) if one.step.kind == "hold") if cells else ():
         begin, end = spans(recording)[point.step.step]
