@@ -60,6 +60,9 @@ _USUAL_TILT = float(np.deg2rad(1.0))
 _BLANK = "not in the lift file; from the crane's manual: ______ m/s"
 _OF_NO_CRANE = "wind exceeds the limit of what lifts (not in the lift file; from its manual: ______ m/s)"
 
+#: A dynamic factor that is so much more than another one is shown as more [1].
+_MORE = 0.005
+
 #: What a load cell in a rope has to show, which no table has.
 _IN_CURVES = "the tension of its rope under “Tensions and travel”"
 
@@ -342,6 +345,10 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
     if factor is not None and force.rule is not None:
         text = f"× dynamic amplification factor of the rule {factor.value:.2f}"
         rows.append((text, show(force.rule / rig.gravity, "t", 1)))
+        simulated = force.peak_at_design / force.static if force.static else 0.0
+        if simulated >= factor.value + _MORE:
+            text = f"× factor simulated, more than that of the rule: {simulated:.2f}"
+            rows.append((text, show(force.peak_at_design / rig.gravity, "t", 1)))
     if len(hooks) == 1:
         largest, _ = hook_peak(subject.recording, hooks[0], "hoist_load", subject.counts)
     else:
