@@ -10,7 +10,7 @@ from __future__ import annotations
 import pytest
 
 from gantline.checks import Verdict, check_recording
-from gantline.report.first_page import stop_if
+from gantline.report.first_page import FirstPage, stop_if
 from gantline.report.subject import Subject
 from gantline.report.winches import winch_rows
 from gantline.results import Recording
@@ -76,6 +76,13 @@ def test_gauges_of_jacks_have_readings(unrated: Recording) -> None:
     assert [(row["name"], left_out) for row in rows] == [("j1", 0), ("j2", 0)]
     for row in rows:
         assert float(row["static"]) == pytest.approx(LOAD / 4 + BUNDLE, abs=0.051)
+
+
+def test_weights_are_no_sum(unrated: Recording) -> None:
+    """`= static hook load 200.0 t` stood below a design weight of 400 t."""
+    rows = dict(FirstPage().content(Subject(unrated))["weights"])
+    assert rows["static hook load"] == f"{LOAD / 2:.1f} t"
+    assert "= static hook load" not in rows
 
 
 def test_jacks_without_a_rating_are_told(unrated: Recording) -> None:

@@ -60,6 +60,8 @@ _USUAL_TILT = float(np.deg2rad(1.0))
 _BLANK = "not in the lift file; from the crane's manual: ______ m/s"
 _OF_NO_CRANE = "wind exceeds the limit of what lifts (not in the lift file; from its manual: ______ m/s)"
 
+#: What a tenth of a tonne shows of a weight [kg].
+_SHOWN = 50.0
 #: A dynamic factor that is so much more than another one is shown as more [1].
 _MORE = 0.005
 
@@ -330,17 +332,13 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
         designed = liquid + sum(load.design_mass or _simulated_mass(rig, load) for load in rig.loads)
         # Contingency raises rigging too that hangs between a load and its slings: so the sum adds up.
         rigging = force.static / rig.gravity - designed
-        if rig.loads and rigging > 0.0 and not rig.hinges:
+        # What a hinge, jacks or other ropes bear is on no hook; a hinge may be pulled against. No sum then.
+        is_sum = not rig.hinges and not winch_gauges(subject)[0] and rigging > -_SHOWN
+        if rig.loads and rigging > 0.0 and is_sum:
             # A longer name takes two lines on paper, and a full first page the next sheet.
             name = "rigging and tag lines" if rig.tag_lines else "rigging below the hooks"
             rows.append((f"+ {name}", show(rigging, "t", 1)))
-        # A hinge bears a part, or is pulled against: no sum of weights then.
-        rows.append(
-            (
-                "static hook load" if rig.hinges else "= static hook load",
-                show(force.static / rig.gravity, "t", 1),
-            )
-        )
+        rows.append((f"{'= ' if is_sum else ''}static hook load", show(force.static / rig.gravity, "t", 1)))
     factor = rig.factors.get("dynamic_amplification_factor")
     if factor is not None and force.rule is not None:
         text = f"× dynamic amplification factor of the rule {factor.value:.2f}"
