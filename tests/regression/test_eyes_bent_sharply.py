@@ -43,6 +43,12 @@ def test_an_eye_about_less_than_its_rope_is_told() -> None:
     assert not _told(_with("bends_about: {top: 44 mm}, "))
 
 
+def test_a_bow_thinner_than_the_rope_is_told() -> None:
+    kind = "shackles: {thin: {working_load_limit: 20 t, bow_diameter: 40 mm}}\n"
+    [told] = _told(_with("shackles: {bottom: thin}, ", kind))
+    assert told.startswith("the bottom eye of A bends about 40 mm, less than the 44 mm of its rope: 47.6 % of")
+
+
 def test_eyes_alike_are_told_once() -> None:
     [told] = _told(_with("", "sling_defaults: {bends_about: {top: 10 mm}}\n"))
     assert told.startswith("the top eye of A (and 3 more) bends about 10 mm")
