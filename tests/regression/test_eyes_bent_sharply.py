@@ -46,7 +46,9 @@ def test_an_eye_about_less_than_its_rope_is_told() -> None:
 def test_a_bow_thinner_than_the_rope_is_told() -> None:
     kind = "shackles: {thin: {working_load_limit: 20 t, bow_diameter: 40 mm}}\n"
     [told] = _told(_with("shackles: {bottom: thin}, ", kind))
-    assert told.startswith("the bottom eye of A bends about 40 mm, less than the 44 mm of its rope: 47.6 % of")
+    assert told.startswith(
+        "the bottom eye of A bends about 40 mm, less than the 44 mm of its rope: 47.6 % of"
+    )
 
 
 def test_eyes_alike_are_told_once() -> None:

@@ -7,6 +7,8 @@ winch beside hooks was taken for a tugger, whatever it bore.
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from gantline.checks import Verdict, check_recording
@@ -88,6 +90,40 @@ def test_weights_are_no_sum(unrated: Recording) -> None:
 def test_jacks_without_a_rating_are_told(unrated: Recording) -> None:
     [check] = [one for one in check_recording(unrated) if one.name == "drum_load_of_rated_capacity"]
     assert (check.verdict, check.remark) == (Verdict.WARNING, "rated capacity not known: j1, j2")
+
+
+def _fall(y: float, bulge: int) -> str:
+    """A half turn of a rope at the load, whose weight is 16 m off its middle, or at the world above it."""
+    body, x, z = ("section", -18 - 16, 2) if bulge < 0 else ("world", -18, 40)
+    return (
+        f"{{type: half_turn, body: {body}, enter: [{x} m, {y} m, {z} m], leave: [{x} m, {y + 1} m, {z} m], "
+        f"bulge: [0, 0, {bulge}]}}"
+    )
+
+
+def test_parts_of_a_tackle_count_together() -> None:
+    """The weight 16 m off the middle leaves 22 t, 5.6 %, to a tackle of four parts: 1.4 % in its line."""
+    route = ", ".join(
+        (
+            "{type: end, body: world, at: [-18 m, -1.5 m, 40 m]}",
+            _fall(-1.5, -1),
+            _fall(-0.5, 1),
+            _fall(0.5, -1),
+            "{type: end, body: world, at: [-18 m, 1.5 m, 40 m], drum: j1}",
+        )
+    )
+    text = changed(
+        re.sub(r"(?s)    j2: .*?(?=  ropes:)|    b1: .*?(?=plan:)", "", _LIFT),
+        (
+            "  ropes:\nplan:",
+            f"  ropes:\n    b1: {{rope: bundle, length: as_routed, route: [{route}]}}\nplan:",
+        ),
+        ("centre_of_gravity: {at: [0 m,", "centre_of_gravity: {at: [16 m,"),
+        ("mass: 22.4 kg/m", "mass: none"),
+    )
+    rest = _at_rest(text)
+    [check] = [one for one in check_recording(rest) if one.name == "drum_load_of_rated_capacity"]
+    assert check.remark == "rated capacity not known: j1"
 
 
 def test_a_tugger_beside_a_hook_may_do_without() -> None:

@@ -49,7 +49,8 @@ def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[
 def lifts_loads(recording: Recording, rope: str) -> bool:
     """Whether a rope on a drum lifts: any where no hook does, else one that pulls more than a tag line may.
 
-    A tugger beside hooks steadies a load, as a tag line does, and pulls with little of its weight.
+    A tugger beside hooks steadies a load, as a tag line does, and pulls with little of its weight. All parts
+    of a tackle count together.
 
     Args:
         recording: Of any lift.
@@ -58,7 +59,21 @@ def lifts_loads(recording: Recording, rope: str) -> bool:
     rig = recording.rig
     if not rig.loads or not rig.hooks:
         return bool(rig.loads)
-    return series.rope_peak(recording, rope)[0] > BEARS * min(load.weight for load in rig.loads)
+    pull, time = series.rope_peak(recording, rope)
+    return _upright_parts(recording, rope, time) * pull > BEARS * min(load.weight for load in rig.loads)
+
+
+def _upright_parts(recording: Recording, rope: str, time: float) -> float:
+    """How often a rope goes all the way up or down at a time [s]; 1 of one that is level or is not drawn."""
+    drawn = recording.points_of_ropes.get(rope, ())
+    if len(drawn) < 2:
+        return 1.0
+    sample = min(int(np.searchsorted(recording.time, time)), len(recording.time) - 1)
+    steps = np.diff(recording["rope_point"].values[sample, drawn], axis=0)
+    heights = np.append(0.0, np.cumsum(steps[:, 2]))
+    up, along = np.abs(steps[:, 2]).sum(), np.linalg.norm(steps, axis=1).sum()
+    whole = np.ptp(heights) * along
+    return max(1.0, float(up * up / whole)) if whole > 0.0 else 1.0
 
 
 def turns_left(recording: Recording) -> list[Check]:
