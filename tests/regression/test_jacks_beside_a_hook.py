@@ -16,7 +16,7 @@ from gantline.report.first_page import FirstPage, stop_if
 from gantline.report.subject import Subject
 from gantline.report.winches import winch_rows
 from gantline.results import Recording
-from gantline.scenario import parse_scenario
+from gantline.scenario import ScenarioError, parse_scenario
 from gantline.statics import Statics
 from lift_text import changed
 
@@ -99,6 +99,16 @@ def _fall(y: float, bulge: int) -> str:
         f"{{type: half_turn, body: {body}, enter: [{x} m, {y} m, {z} m], leave: [{x} m, {y + 1} m, {z} m], "
         f"bulge: [0, 0, {bulge}]}}"
     )
+
+
+@pytest.mark.parametrize("verb", ["haul_in", "pay_out", "haul"])
+def test_a_hook_is_no_drum(verb: str) -> None:
+    """`'H' is not a drum; known here: 'j1', 'j2'` had no word of what moves it."""
+    step = f"  - {{step: up, {verb}: H, speed: 1 m/min, by: 0.1 m}}\n"
+    with pytest.raises(ScenarioError) as error:
+        parse_scenario(changed(_LIFT, ("plan:\n", f"plan:\n{step}")))
+    told = "'H' is a hook; 'hoist' raises it, and 'lower' lets it down"
+    assert error.value.problems[0].message.endswith(told)
 
 
 def test_parts_of_a_tackle_count_together() -> None:
