@@ -66,7 +66,7 @@ def lifts_loads(recording: Recording, rope: str) -> bool:
 def _upright_parts(recording: Recording, rope: str, time: float) -> float:
     """How often a rope goes all the way up or down at a time [s]; 1 of one that is level or is not drawn."""
     drawn = recording.points_of_ropes.get(rope, ())
-    if len(drawn) < 2:
+    if len(drawn) < 2 or not len(recording.time):
         return 1.0
     sample = min(int(np.searchsorted(recording.time, time)), len(recording.time) - 1)
     steps = np.diff(recording["rope_point"].values[sample, drawn], axis=0)
