@@ -1,8 +1,7 @@
 """A section of 800 t in four strand jacks was held against nothing, without a word, where none had a rating.
 
 And one that was forgotten beside three that were rated: 190 t on it were held against nothing either. A hook
-of which nothing says what it is rated for is told since long. A winch beside hooks, as a tugger, may do
-without, as long as no other has one.
+of which nothing says what it is rated for is told since long.
 """
 
 from __future__ import annotations
@@ -34,11 +33,3 @@ def test_one_that_was_forgotten_is_told() -> None:
     check = _check(TEXT.replace(RATED, "", 1))
     assert (check.verdict, check.element) == (Verdict.WARNING, "j3")
     assert "not checked, rated capacity not known: j1" in check.remark
-
-
-def test_a_winch_that_lifts_beside_hooks_may_do_without() -> None:
-    """The jacks carry all of it; a hook above them has nothing."""
-    hoist = "{speed: 1 m/min, acceleration: 1 mm/s^2}"
-    hook = f"cranes: {{h: {{type: fixed_hook, at: [0 m, 0 m, 50 m], hoist: {hoist}}}}}\n"
-    rest = Statics(parse_scenario(TEXT.replace(RATED, "") + hook)).equilibrium().recording
-    assert "drum_load_of_rated_capacity" not in {one.name for one in check_recording(rest)}

@@ -90,7 +90,7 @@ def test_one_hook_of_several_outside_of_the_chart_is_enough() -> None:
     found = check(recording([[14.0, 14.0], [14.0, 18.5]], [[50.0, 50.0]] * 2))
     assert (found.verdict, found.value) == (Verdict.FAILED, None)
     said = "radius of 18.50 m at 1.00 s is outside of the chart, 12.00 m to 18.00 m: no lift"
-    assert found.remark == f"{said}: crane c1; {said}: H1"
+    assert found.remark == f"{said}: crane c1, H1"
 
 
 def test_where_a_row_has_nothing_nothing_may_hang() -> None:

@@ -240,9 +240,11 @@ def _pair(name: str, group: str, shapes: tuple[str, str], law: Sequence[float]) 
 def _known(parts: Parts, scenario: Scenario, path: tuple[PathPart, ...], name: str) -> list[str]:
     found = members(parts.shapes, name)
     if not found:
-        parted = (shape.split(".") for shape in parts.shapes)
-        known = {".".join(words[:count]): None for words in parted for count in range(1, len(words) + 1)}
+        parted = [shape.split(".") for shape in parts.shapes]
+        # Not all have room in a sentence: what is whole comes first, parts of it last.
+        known = dict.fromkeys(words[0] for words in parted)
         known |= dict.fromkeys(scenario.hooks) if path[0] == "watch" else {}
+        known |= {".".join(words[:count]): None for words in parted for count in range(2, len(words) + 1)}
         right = nearest(name, known) if known else "give it one: 'shape: {box: [1 m, 1 m, 1 m]}'"
         sentence = f"'{name}' has no shape; {right}"
         raise scenario.error(path, sentence)

@@ -13,6 +13,7 @@ import numpy as np
 from gantline.checks.check import Check, Verdict
 from gantline.checks.force import over
 from gantline.checks.forces import at_upper_end, rope_force
+from gantline.checks.lugs import BEARS
 from gantline.checks.measure import Finding, Missing
 from gantline.results import series
 from gantline.results.alike import first_peak
@@ -20,14 +21,14 @@ from gantline.results.gear import Drum
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray
 
-__all__ = ["load_of_rated_capacity", "turns_left"]
+__all__ = ["lifts_loads", "load_of_rated_capacity", "turns_left"]
 
 
 def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Force of each rope on a winch or strand jack, static and dynamic, over what that is rated for.
 
     At its upper end, where the bundle of a jack hangs in it; a winch down on a deck has less. One of which
-    nothing says what it is rated for counts beside others that are, and where no hook lifts the loads.
+    nothing says what it is rated for counts beside others that are, and where it lifts as hooks do.
     """
     rig = recording.rig
     # Whichever way round and on whichever diameter of its shaft, and a rope with both ends there once.
@@ -36,14 +37,43 @@ def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[
         if drum.ropes:
             ropes.setdefault(drum.joint, set()).update(drum.ropes)
     rated = {drum.joint: drum.rated_capacity for drum in rig.drums if drum.rated_capacity}
-    lift_loads = bool(rig.loads) and not rig.hooks
     for name, on_it in ropes.items():
         if name in rated:
             for rope in sorted(on_it):
                 force = at_upper_end(recording, rope, rope_force(recording, rope, during), during)
                 yield from over(force, rated[name], name if len(on_it) == 1 else f"{name}/{rope}")
-        elif rated or lift_loads:
+        elif rated or any(lifts_loads(recording, rope) for rope in on_it):
             yield Missing(name, "rated capacity not known", is_strength=True)
+
+
+def lifts_loads(recording: Recording, rope: str) -> bool:
+    """Whether a rope on a drum lifts: any where no hook does, else one that pulls more than a tag line may.
+
+    A tugger beside hooks steadies a load, as a tag line does, and pulls with little of its weight. All parts
+    of a tackle count together.
+
+    Args:
+        recording: Of any lift.
+        rope: Name of a rope on a drum of `mechanics`.
+    """
+    rig = recording.rig
+    if not rig.loads or not rig.hooks:
+        return bool(rig.loads)
+    pull, time = series.rope_peak(recording, rope)
+    return _upright_parts(recording, rope, time) * pull > BEARS * min(load.weight for load in rig.loads)
+
+
+def _upright_parts(recording: Recording, rope: str, time: float) -> float:
+    """How often a rope goes all the way up or down at a time [s]; 1 of one that is level or is not drawn."""
+    drawn = recording.points_of_ropes.get(rope, ())
+    if len(drawn) < 2 or not len(recording.time):
+        return 1.0
+    sample = min(int(np.searchsorted(recording.time, time)), len(recording.time) - 1)
+    steps = np.diff(recording["rope_point"].values[sample, drawn], axis=0)
+    heights = np.append(0.0, np.cumsum(steps[:, 2]))
+    up, along = np.abs(steps[:, 2]).sum(), np.linalg.norm(steps, axis=1).sum()
+    whole = np.ptp(heights) * along
+    return max(1.0, float(up * up / whole)) if whole > 0.0 else 1.0
 
 
 def turns_left(recording: Recording) -> list[Check]:

@@ -205,10 +205,10 @@ def _worst(measure: Measure, values: Sequence[Found]) -> Found | None:
     return replace(first, value=pick(one.value for one in values))
 
 
-def _reasons(missing: Iterable[Missing]) -> str:
-    """Why elements could not be checked, each reason once with the elements that it is true of."""
+def _reasons(of: Iterable[Missing | Refused]) -> str:
+    """Why elements could not be checked or failed, each reason once with the elements that it is true of."""
     by_reason: dict[str, list[str]] = {}
-    for one in missing:
+    for one in of:
         by_reason.setdefault(one.reason, []).append(one.element)
     return "; ".join(f"{reason}: {named(elements)}" for reason, elements in by_reason.items())
 
@@ -326,8 +326,7 @@ def _refused(check: Check, refused: Sequence[Refused]) -> Check:
     """The check of elements to which something happens that is not allowed at all."""
     first = refused[0]
     check = replace(check, element=first.element) if first.found is None else _with_value(check, first.found)
-    reasons = "; ".join(f"{one.reason}: {one.element}" for one in refused)
-    return replace(check, verdict=Verdict.FAILED, remark=reasons)
+    return replace(check, verdict=Verdict.FAILED, remark=_reasons(refused))
 
 
 def _without_value(

@@ -60,9 +60,13 @@ _USUAL_TILT = float(np.deg2rad(1.0))
 _BLANK = "not in the lift file; from the crane's manual: ______ m/s"
 _OF_NO_CRANE = "wind exceeds the limit of what lifts (not in the lift file; from its manual: ______ m/s)"
 
-#: What a load cell in a rope has to show.
+#: What a tenth of a tonne shows of a weight [kg].
+_SHOWN = 50.0
+#: A dynamic factor that is so much more than another one is shown as more [1].
+_MORE = 0.005
+
+#: What a load cell in a rope has to show, which no table has.
 _IN_CURVES = "the tension of its rope under “Tensions and travel”"
-_OF_WINCHES = "its reading in the table “Winches and jacks”"
 
 
 class FirstPage(Section):
@@ -328,21 +332,21 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
         designed = liquid + sum(load.design_mass or _simulated_mass(rig, load) for load in rig.loads)
         # Contingency raises rigging too that hangs between a load and its slings: so the sum adds up.
         rigging = force.static / rig.gravity - designed
-        if rig.loads and rigging > 0.0 and not rig.hinges:
+        # What a hinge, jacks or other ropes bear is on no hook; a hinge may be pulled against. No sum then.
+        is_sum = not rig.hinges and not winch_gauges(subject)[0] and rigging > -_SHOWN
+        if rig.loads and rigging > 0.0 and is_sum:
             # A longer name takes two lines on paper, and a full first page the next sheet.
             name = "rigging and tag lines" if rig.tag_lines else "rigging below the hooks"
             rows.append((f"+ {name}", show(rigging, "t", 1)))
-        # A hinge bears a part, or is pulled against: no sum of weights then.
-        rows.append(
-            (
-                "static hook load" if rig.hinges else "= static hook load",
-                show(force.static / rig.gravity, "t", 1),
-            )
-        )
+        rows.append((f"{'= ' if is_sum else ''}static hook load", show(force.static / rig.gravity, "t", 1)))
     factor = rig.factors.get("dynamic_amplification_factor")
     if factor is not None and force.rule is not None:
         text = f"× dynamic amplification factor of the rule {factor.value:.2f}"
         rows.append((text, show(force.rule / rig.gravity, "t", 1)))
+        simulated = force.peak_at_design / force.static if force.static else 0.0
+        if simulated >= factor.value + _MORE:
+            text = f"× factor simulated, more than that of the rule: {simulated:.2f}"
+            rows.append((text, show(force.peak_at_design / rig.gravity, "t", 1)))
     if len(hooks) == 1:
         largest, _ = hook_peak(subject.recording, hooks[0], "hoist_load", subject.counts)
     else:
@@ -386,13 +390,12 @@ def _simulated_mass(rig: Rig, load: Load) -> float:
 def stop_if(subject: Subject) -> list[str]:
     """When to stop the lift: the usual bounds, or the lift's own where it has some."""
     limits = subject.rig.limits
-    has_winches = any(drum.ropes for drum in subject.rig.drums)
-    # As their tables call what is read.
-    read = "gauge" if has_winches and not subject.rig.hooks else "load cell"
+    # As their tables call what is read; ropes of `mechanics` without a drum are in curves alone.
+    tables = {"load cell": "“Hooks”"} if subject.rig.hooks else {}
+    tables |= {"gauge": "“Winches and jacks”"} if winch_gauges(subject)[0] else {}
+    read = " or ".join(tables) or "load cell"
     cell = f"the mean of a {read} over some waves" if subject.rig.is_in_waves else f"a {read}"
-    # Ropes of `mechanics` without a drum have their tensions in curves alone.
-    jacks = _OF_WINCHES if has_winches else _IN_CURVES
-    reading = "its reading in the table “Hooks”" if subject.rig.hooks else jacks
+    reading = f"its reading in the table {' or '.join(tables.values())}" if tables else _IN_CURVES
     # What a hinge bears changes as its load turns, which readings at shares of the weight do not tell.
     turned = [hinge.load for hinge in subject.rig.hinges if subject.rig.hooks]
     if turned and next(hold_points(subject.recording), None) is not None:
@@ -420,7 +423,7 @@ def _in_water(subject: Subject) -> str:
         return ""
     last = rig.time_to_average or READ_OVER
     cells = [recording.column("hoist_load", hook.name) for hook in rig.hooks]
-    cells = cells or [gauge.reads for gauge in winch_gauges(subject)[0]]
+    cells += [gauge.reads for gauge in winch_gauges(subject)[0]]
     found = []
     for point in (one for one in hold_points(recording) if one.step.kind == "hold") if cells else ():
         begin, end = spans(recording)[point.step.step]

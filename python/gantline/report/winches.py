@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from gantline.checks import values_of
+from gantline.checks.drums import lifts_loads
 from gantline.report.carried import load_cell, mass_of
 from gantline.report.subject import Subject, as_given, number
 from gantline.results import series
@@ -37,16 +38,16 @@ class Gauge:
 def winch_gauges(subject: Subject) -> tuple[list[Gauge], int]:
     """Gauges of winches and jacks that have room on a first page, and how many have none.
 
-    Of a lift that hangs in hooks those with a rated capacity, of any other all. Where there are too many,
-    those that pull most stand there, in the order of the lift file. A rope with both ends on one drum is read
-    once, at the end that pulls more.
+    Of a lift that hangs in hooks those with a rated capacity or that lift beside them, of any other all.
+    Where there are too many, those that pull most stand there, in the order of the lift file. A rope with
+    both ends on one drum is read once, at the end that pulls more.
     """
-    if not len(subject.recording.time) or not subject.is_lift:
+    if not subject.is_lift or not subject.rig.drums or not len(subject.recording.time):
         return [], 0
     wound: dict[tuple[str, str], tuple[Drum, list[str]]] = {}
     for drum in subject.rig.drums:
-        if drum.rated_capacity or not subject.rig.hooks:
-            for rope, end in zip(drum.ropes, drum.ends, strict=True):
+        for rope, end in zip(drum.ropes, drum.ends, strict=True):
+            if drum.rated_capacity or lifts_loads(subject.recording, rope):
                 wound.setdefault((drum.joint, rope), (drum, []))[1].append(end)
     by_pull = sorted(wound, key=lambda one: _peak(subject, one[1]), reverse=True)[:_MOST]
     gauges = []

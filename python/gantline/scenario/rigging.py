@@ -179,6 +179,7 @@ def resolve(scenario: Scenario) -> Rigging:
                 right += " over the whole plan; one that a step puts on may hang from a hook or spreader"
             findings.add(("slings", name, "from"), f"{sentence}; {right}")
         holders.setdefault(sling.upper_body, name)
+    _check_ends_that_say_nothing(findings)
     extensions = extensions_of(findings, scenario.slings or {}, slings)
     findings.raise_any()
     return Rigging(equalizers, slings, extensions)
@@ -363,6 +364,21 @@ def _bends(findings: Findings, given: Sling, found: SlingRigging) -> dict[str, f
         elif shackle is None and (end == "bottom" or given.over is None):
             lies[end] = diameter
     return lies
+
+
+def _check_ends_that_say_nothing(findings: Findings) -> None:
+    """Empty `shackles` and `bends_about`; a sling has such to be without what all slings have."""
+    scenario = findings.scenario
+    defaults = scenario.sling_defaults or SlingDefaults()
+    everywhere: list[tuple[Path, SlingDefaults]] = [(("sling_defaults",), defaults)]
+    everywhere += [(("slings", name), sling) for name, sling in (scenario.slings or {}).items()]
+    for key, such in (("shackles", "wb40"), ("bends_about", "300 mm")):
+        for path, given in everywhere:
+            ends, of_all = getattr(given, key), getattr(defaults, key)
+            is_empty = ends is not None and ends.top is None and ends.bottom is None
+            if is_empty and (given is defaults or of_all is None):
+                sentence = f"'{key}' has neither 'top' nor 'bottom' and says nothing"
+                findings.add((*path, key), f"{sentence}; such as {{top: {such}}} is right, or leave it out")
 
 
 def _sling_weight(findings: Findings, name: str, rope: str, kind: RopeMaterial | None) -> RopeWeight | None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from gantline.assembly.afloat.vessels import vessel_hull
 from gantline.assembly.doubts.levels import extent_of
 from gantline.assembly.parts import Parts
 from gantline.assembly.spatial import Array
@@ -39,8 +40,9 @@ _ROUNDING = 1e-6
 def doubtful_decks(parts: Parts, scenario: Scenario, rigging: Rigging) -> Iterator[Doubt]:
     """The first step that lets the load down onto or through the deck of a vessel that it cannot touch.
 
-    Asked of vessels whose hull is a box, as far as the plan says where hooks are: no farther than to a step
-    that hauls or veers, takes slings off or puts them on. A load with a hinge is held by that.
+    The deck is what of the hull is highest under the middle of the load. Asked as far as the plan says where
+    hooks are: no farther than to a step that hauls or veers, takes slings off or puts them on. A load with a
+    hinge is held by that.
 
     Args:
         parts: The system, with all its bodies, shapes and contacts.
@@ -51,9 +53,9 @@ def doubtful_decks(parts: Parts, scenario: Scenario, rigging: Rigging) -> Iterat
     if load is None or load.name not in parts.shapes or scenario.hinges:
         return
     decks = {
-        name: vessel.hull.extent
+        name: vessel_hull(scenario, name, vessel)
         for name, vessel in (scenario.vessels or {}).items()
-        if vessel.hull.extent is not None and not _touch(parts, load.name, name)
+        if not _touch(parts, load.name, name)
     }
     low, high = extent_of(parts, parts.shapes[load.name])
     middle = np.array([*(low[:2] + high[:2]) / 2, low[2]])
@@ -63,12 +65,14 @@ def doubtful_decks(parts: Parts, scenario: Scenario, rigging: Rigging) -> Iterat
         if aside is None:
             continue
         is_aside = float(np.hypot(*aside)) > _ASIDE
-        for name, (bottom, top) in decks.items():
+        for name, hull in decks.items():
             origin, turn = parts.pose(name)
             x, y, under = turn.T @ (middle + np.array([*aside, 0.0]) - origin)
-            is_over = bottom[0] < x < top[0] and bottom[1] < y < top[1]
-            over = float(under - top[2])
-            if not is_over or not (is_aside or (load.stands_on is None and over > -_ROUNDING)):
+            deck = hull.top_at(x, y)
+            if deck is None:
+                continue
+            over = float(under - deck)
+            if not (is_aside or (load.stands_on is None and over > -_ROUNDING)):
                 continue
             if _bears_higher(parts, scenario, np.array([*middle[:2] + aside, low[2] - over])):
                 continue

@@ -50,7 +50,7 @@ _ROUGHEST = 2.0
 
 def doubtful_gear(scenario: Scenario, rigging: Rigging) -> list[Doubt]:
     """Each thing that cannot well be meant of ropes, shackles, frames and friction."""
-    gear = [*_ropes(scenario), *_soft_slings(scenario), *_shackles(scenario)]
+    gear = [*_ropes(scenario), *_soft_slings(scenario), *_sharp_eyes(rigging), *_shackles(scenario)]
     spreaders = (scenario.spreaders or {}).items()
     light = [
         doubt
@@ -147,6 +147,29 @@ def _soft_slings(scenario: Scenario) -> Iterator[Doubt]:
                 f"rope {name} has {has}: its slings would stretch by "
                 f"{_short(100.0 * stretch)} % under their part of the load; a unit has slipped, kN for MN",
             )
+
+
+def _sharp_eyes(rigging: Rigging) -> Iterator[Doubt]:
+    """Of eyes that bend about less than the rope of their sling is thick, all that do so alike at once."""
+    alike: dict[tuple[str, float, float], list[tuple[str, str]]] = {}
+    for name, sling in rigging.slings.items():
+        for end, held in (("top", sling.top), ("bottom", sling.bottom)):
+            about = sling.bends_about.get(end) if held is None else held[1].bow_diameter
+            thick = sling.rope.diameter
+            if about is not None and thick is not None and about < thick:
+                by = "bends_about" if held is None else "shackles"
+                alike.setdefault((by, about, thick), []).append((name, end))
+    for (by, about, thick), eyes in alike.items():
+        name, end = eyes[0]
+        more = f" (and {len(eyes) - 1} more)" if len(eyes) > 1 else ""
+        # What is left by 0027/ND rev 11, 7.8.1.
+        share = max(0.0, 1.0 - 0.5 / math.sqrt(about / thick))
+        left = f"{_short(100.0 * share)} % of what it breaks at is left" if share else "no strength is left"
+        yield Doubt(
+            ("slings", name, by),
+            f"the {end} eye of {name}{more} bends about {_short(1e3 * about)} mm, less than the "
+            f"{_short(1e3 * thick)} mm of its rope: {left}; rules ask for the diameter of the rope at least",
+        )
 
 
 def _shackles(scenario: Scenario) -> Iterator[Doubt]:

@@ -136,6 +136,13 @@ def _of_drum(scenario: Scenario, step: MovingStep, text: str) -> str | None:
     return f"'{text}' is a drum of 'mechanics'; 'haul_in' winds its rope up, and 'pay_out' lets it out"
 
 
+def _of_hook(scenario: Scenario, step: MovingStep, text: str) -> str | None:
+    """What is to be said of a hook that is moved as a drum or line; None of anything else."""
+    if step.kind not in ("drum", "line") or full_name(text, scenario.hooks) is None:
+        return None
+    return f"'{text}' is a hook; 'hoist' raises it, and 'lower' lets it down"
+
+
 def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
     """Each step moves what there is, once, and not faster than its hoist or drive can."""
     what, can, drive = _WORDS[step.kind]
@@ -156,8 +163,8 @@ def _check_moved(findings: Findings, place: int, step: MovingStep) -> set[str]:
                 sentence += "; 'haul' and 'veer' of mooring lines take its vessel along"
             if step.kind in ("hook", "drum") and full_name(text, movers(findings.scenario, "line")):
                 sentence += "; 'haul' shortens a line by its winch, and 'veer' lets it out"
-            of_other = _of_sling(findings.scenario, step, text) or _of_drum(findings.scenario, step, text)
-            findings.add(("plan", place, step.verb), of_other or sentence)
+            of_others = (of(findings.scenario, step, text) for of in (_of_sling, _of_drum, _of_hook))
+            findings.add(("plan", place, step.verb), next(filter(None, of_others), sentence))
             continue
         one = known[name]
         moved.append(name if one is None else one.name)
