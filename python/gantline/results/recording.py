@@ -90,7 +90,7 @@ class Recording:
 
     @property
     def is_equilibrium(self) -> bool:
-        """Whether it is of a lift at rest: what counts is its last sample, and nothing is dynamic.
+        """Whether it is of a lift at rest, of which the last sample counts, and nothing is dynamic.
 
         Its status says so. One sample alone is at rest too, unless it is what a run has by then; a sample
         before the last is where the lift starts, from which travel is counted.
