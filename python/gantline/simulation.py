@@ -234,7 +234,7 @@ class Simulation:
         step that reaches the time. Ctrl-C raises KeyboardInterrupt between two steps.
 
         Args:
-            to: Simulated time [s]; beyond the end of the lift it is the end.
+            to: Simulated time [s]; beyond the end of the lift, or short of it by rounding, it is the end.
 
         Raises:
             ValueError: If it is no time, or is past.
@@ -244,7 +244,9 @@ class Simulation:
             raise ValueError(f"to: {to!r} is no time in seconds")
         if to < self.time * (1 - 1e-12):
             raise ValueError(f"to: {to:g} s is past, it is {self.time:g} s; `restore` goes back to a state")
-        self._go(None, to, exact=True)
+        # A sum of 0.1 s that misses the end by rounding ends the run, and `time` would stay before it for good.
+        is_end = to >= self.duration * (1 - 1e-12) - 1e-12
+        self._go(None, self.duration if is_end else to, exact=True)
 
     def _go(self, goes_on: Callable[[float], bool] | None, until: float | None, **how: bool) -> None:
         started = time.perf_counter()

@@ -1,6 +1,6 @@
 """The reference of Python told of `Recording.is_equilibrium` "what counts is its last sample, and nothing is
-dynamic." with the type "Whether it is of a lift at rest": Sphinx takes what stands before a colon in the first
-line of a property's docstring for its type, and leaves it out of what the property is. So it did of
+dynamic." with the type "Whether it is of a lift at rest": Sphinx takes what stands before a colon in the
+first line of a property's docstring for its type, and leaves it out of what the property is. So it did of
 `Figure.moved` and of `Memory.residues`, which was "C exp(-at) (cos βt - (a/β) sin βt)".
 
 Of `Verdict` and `Outcome`, which programs ask for by name, it named no value.

@@ -242,13 +242,20 @@ class Recording:
 
         return metrics_of(self)
 
-    @cached_property
+    @property
     def dataset(self) -> xarray.Dataset:
         """The same as an `xarray.Dataset` (dictionaries among the attributes as they are, not as text).
+
+        Each time a new one, to which variables may be added and of which others may be put in their place;
+        values are those of the recording and cannot be written to.
 
         For pandas take a variable of it, `dataset["rope_tension"].to_pandas()`: `to_dataframe` of the whole
         has a row for each combination of all dimensions, and none at all where nothing has happened.
         """
+        return self._dataset.copy()
+
+    @cached_property
+    def _dataset(self) -> xarray.Dataset:
         from gantline.results.file.dataset import dataset_of
 
         return dataset_of(self)
