@@ -244,7 +244,7 @@ class Simulation:
             raise ValueError(f"to: {to!r} is no time in seconds")
         if to < self.time * (1 - 1e-12):
             raise ValueError(f"to: {to:g} s is past, it is {self.time:g} s; `restore` goes back to a state")
-        # A sum of 0.1 s that misses the end by rounding ends the run, and `time` would stay before it for good.
+        # A sum of 0.1 s that misses the end by rounding ends the run, and `time` would stay short of it.
         is_end = to >= self.duration * (1 - 1e-12) - 1e-12
         self._go(None, self.duration if is_end else to, exact=True)
 

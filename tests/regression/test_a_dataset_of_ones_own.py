@@ -1,6 +1,6 @@
-"""`recording.dataset` was one and the same each time: `dataset["rope_tension"] = dataset["rope_tension"] / 1e3`,
-run twice as cells of notebooks are, divided by a million, and all later users of the recording had kilonewtons
-under the unit N.
+"""`recording.dataset` was one and the same each time. `dataset["rope_tension"] = dataset["rope_tension"] /
+1e3`, run twice as cells of notebooks are, divided by a million, and whoever asked for the data set of the
+recording later had it so.
 """
 
 from __future__ import annotations

@@ -1,5 +1,7 @@
-"""`while run.time < 5.0: run.advance_to(run.time + 0.1)` never ended: the fiftieth sum is 4.999999999999998 s,
-at which the run had ended within rounding, so that no further call moved it. It ends at its duration now.
+"""`while run.time < 5.0: run.advance_to(run.time + 0.1)` never ended. The fiftieth sum is
+4.999999999999998 s, at which the run had ended within rounding, so that no further call moved it.
+
+It ends at its duration now.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
-"""What every verb refuses before it begins: an empty word where a file or folder is asked for."""
+"""What every verb refuses before it begins: empty words for files or folders, and words behind switches."""
 
 from __future__ import annotations
 
 import inspect
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, get_args, get_type_hints
 
@@ -29,7 +30,22 @@ class Verb(TyperCommand):
         """
         if any(not word.partition("=")[2 if "=" in word else 0].strip() for word in args):
             self._refuse_empty_paths(ctx, args)
+        self._refuse_words_behind_switches(ctx, args)
         return super().parse_args(ctx, args)
+
+    def _refuse_words_behind_switches(self, ctx: Any, args: list[str]) -> None:
+        """Say of a word that is too many that a switch takes none, where it stands behind one."""
+        flags = [one for one in self.params if getattr(one, "is_flag", False)]
+        switches = {name for one in flags for name in (*one.opts, *one.secondary_opts)}
+        if not switches & set(args):
+            return
+        _, left, _ = self.make_parser(ctx).parse_args(args=list(args))
+        folder = any("--output" in one.opts for one in self.params)
+        for switch, word in pairwise(args):
+            if switch in switches and word in left:
+                is_file = "/" in word or Path(word).suffix[1:].isalpha()
+                instead = "; --output says where it is written" if folder and is_file else ""
+                ctx.fail(f"{switch} is a switch and takes no value; '{word}' stands behind it{instead}")
 
     def _refuse_empty_paths(self, ctx: Any, args: list[str]) -> None:
         assert self.callback is not None  # every verb does something
