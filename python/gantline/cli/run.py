@@ -64,6 +64,14 @@ def run(
             "else a ten-thousandth of the mean load of a rope]",
         ),
     ] = None,
+    position_tolerance: Annotated[
+        str | None,
+        typer.Option(
+            metavar="LENGTH",
+            help="Error of positions in a step of adaptive, such as '0.01 mm'.  [default: that of the lift "
+            "file, else 0.1 mm]",
+        ),
+    ] = None,
     sample_interval: Annotated[
         str | None,
         typer.Option(
@@ -109,6 +117,7 @@ def run(
     quantities = {
         "step": (step, "time"),
         "tension_tolerance": (tension_tolerance, "force"),
+        "position_tolerance": (position_tolerance, "length"),
         "sample_interval": (sample_interval, "time"),
         "duration": (duration, "time"),
     }

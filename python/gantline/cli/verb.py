@@ -1,4 +1,4 @@
-"""What every verb refuses before it begins: empty words for files or folders, and words behind switches."""
+"""What every verb refuses before it begins: empty words for files, and words where others belong."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any, get_args, get_type_hints
 
+import typer
 from typer.core import TyperCommand
 
 from gantline.cli.messages import stop
@@ -30,8 +31,27 @@ class Verb(TyperCommand):
         """
         if any(not word.partition("=")[2 if "=" in word else 0].strip() for word in args):
             self._refuse_empty_paths(ctx, args)
-        self._refuse_words_behind_switches(ctx, args)
-        return super().parse_args(ctx, args)
+        typed = list(args)  # what click takes it from as it reads
+        self._refuse_words_behind_switches(ctx, typed)
+        try:
+            return super().parse_args(ctx, args)
+        except typer.BadParameter as problem:
+            if not problem.message:  # of what is missing click itself makes one
+                self._tell_what_took_it(ctx, typed, problem.param)
+            raise
+
+    def _tell_what_took_it(self, ctx: Any, args: list[str], missing: Any) -> None:
+        """Say of the lift or recording that is missing that an option has taken the word for its value."""
+        if missing is not next(one for one in self.params if one.param_type_name == "argument"):
+            return
+        options = [one for one in self.params if one.param_type_name == "option" and not one.is_flag]
+        takers = {name: one for one in options for name in one.opts}
+        for option, word in reversed(list(pairwise(args))):
+            if option in takers:
+                kind = takers[option].metavar or takers[option].type.name.upper()
+                ctx.fail(
+                    f"Missing argument '{missing.metavar}'; '{word}' was taken for the {kind} of {option}"
+                )
 
     def _refuse_words_behind_switches(self, ctx: Any, args: list[str]) -> None:
         """Say of a word that is too many that a switch takes none, where it stands behind one."""
