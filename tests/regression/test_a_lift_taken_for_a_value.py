@@ -38,8 +38,8 @@ def test_help_is_given_without_a_lift() -> None:
 
 
 def test_positions_have_a_tolerance_as_tensions_have(tmp_path: Path) -> None:
-    common = f"run pulleys -o {tmp_path} --no-plots --no-report --integrator adaptive --duration 0.2s"
-    result = CliRunner().invoke(app, f"{common} --position-tolerance 0.02mm")
+    common = f"-o {tmp_path} --no-plots --no-report --integrator adaptive --duration 0.2s"
+    result = CliRunner().invoke(app, ["run", "pulleys", *f"{common} --position-tolerance 0.02mm".split()])
     assert result.exit_code in (0, 4), result.stderr
     settings = gantline.open_recording(tmp_path / "recording.nc").attributes["settings"]
     assert settings["integrator"]["position_tolerance"] == pytest.approx(2e-5)  # 0.02 mm [m]
