@@ -22,6 +22,8 @@ def test_what_is_missing_is_told(stage: str, tmp_path: Path, monkeypatch: pytest
     words = ["run", "pulleys", "-o", str(tmp_path), "--duration", "0.2 s", *plots]
     result = CliRunner().invoke(app, words)
     assert result.exit_code == 130
-    assert f"interrupted before all was drawn; 'gantline report {tmp_path}' writes the report" in result.stderr
+    assert (
+        f"interrupted before all was drawn; 'gantline report {tmp_path}' writes the report" in result.stderr
+    )
     assert (tmp_path / "recording.nc").exists()
     assert not (tmp_path / "report.html").exists()
