@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
+from gantline.arguments import needed
 from gantline.results.kinds import EVENT_KINDS
 from gantline.results.rig import Rig
 from gantline.results.status import INCOMPLETE, READY
@@ -27,6 +28,8 @@ _Kept = TypeVar("_Kept")
 
 #: Endings of files by which programs know tables, texts and pages, which a recording is none of.
 _OTHER_KINDS = frozenset({".csv", ".html", ".json", ".ods", ".parquet", ".txt", ".xls", ".xlsx"})
+#: Where a variable comes from.
+_MADE = "gantline.results.Variable(('time', 'rope'), values, 'N', 'tension') makes one of an array"
 #: Most names that a message lists.
 _MOST_NAMED = 12
 
@@ -43,6 +46,7 @@ class Recording:
             finer method too `refinement`, see `gantline.results.refinement`.
 
     Raises:
+        TypeError: If a variable is none, such as an array.
         ValueError: If lengths along a dimension do not agree.
     """
 
@@ -332,6 +336,7 @@ def open_recording(path: str | Path) -> Recording:
 def _sizes(variables: Mapping[str, Variable], coordinates: Mapping[str, Sequence[str]]) -> dict[str, int]:
     sizes: dict[str, int] = {}
     for name, variable in variables.items():
+        needed(variable, Variable, f"{name}: a variable", _MADE)
         for dim, size in zip(variable.dims, variable.values.shape, strict=True):
             if sizes.setdefault(dim, size) != size:
                 raise ValueError(f"{name} is {size} long in {dim}, other variables {sizes[dim]}")
