@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from numbers import Real
-from typing import Any, TypeVar
+from typing import Any, TypeGuard, TypeVar
 
-__all__ = ["needed", "number", "told"]
+__all__ = ["is_number", "needed", "number", "told"]
 
 T = TypeVar("T")
 _Told = TypeVar("_Told", bound=Callable[..., Any])
@@ -30,6 +30,11 @@ def needed(value: object, kind: type[T], what: str, right: str) -> T:
     return value
 
 
+def is_number(value: object) -> TypeGuard[float]:
+    """Whether it is a number, those of NumPy among them; truth values are none."""
+    return isinstance(value, Real) and not isinstance(value, bool)
+
+
 def number(value: object, name: str, unit: str) -> float:
     """A number as a float.
 
@@ -41,7 +46,7 @@ def number(value: object, name: str, unit: str) -> float:
     Raises:
         TypeError: If it is none, such as a text with a unit, or not finite.
     """
-    if not isinstance(value, Real) or isinstance(value, bool) or not math.isfinite(value):
+    if not (is_number(value) and math.isfinite(value)):
         raise TypeError(f"{name}: {value!r} is no number of {unit}")
     return float(value)
 

@@ -11,14 +11,14 @@ from pathlib import Path
 from typing import Any
 
 from gantline import _core
-from gantline.arguments import needed, told
+from gantline.arguments import is_number, needed, told
 from gantline.assembly import assemble
 from gantline.assembly.afloat.side_by_side import shared_files
 from gantline.assembly.afloat.vessels import adrift, misplaced, off_their_decks, vessel_hulls
 from gantline.assembly.origin import refused
 from gantline.assembly.plan.commands import CommandError, command_of, commanded
 from gantline.interrupt import noted_interrupt
-from gantline.overrides import is_number, overridden, with_adjusting_factor, with_locked_equalizers
+from gantline.overrides import overridden, with_adjusting_factor, with_locked_equalizers
 from gantline.results.afloat.grounding import grounding_warnings
 from gantline.results.afloat.immersion import (
     askew_in_water,

@@ -60,7 +60,7 @@ def test_what_is_no_value_is_told() -> None:
 
 
 def test_numbers_of_numpy_are_numbers() -> None:
-    answer = study.adjust_lengths(LIFT, slopes=tuple(np.zeros(2)), time=30.0)
+    answer = study.adjust_lengths(LIFT, slopes=(np.float64(0.0), np.float64(0.0)), time=30.0)
     assert answer.residual < 1e-6
 
 

@@ -44,7 +44,8 @@ class Verb(TyperCommand):
         """Say of the lift or recording that is missing that an option has taken the word for its value."""
         if missing is not next(one for one in self.params if one.param_type_name == "argument"):
             return
-        options = [one for one in self.params if one.param_type_name == "option" and not one.is_flag]
+        parameters: list[Any] = list(self.params)  # of which click's own base has no types of values
+        options = [one for one in parameters if one.param_type_name == "option" and not one.is_flag]
         takers = {name: one for one in options for name in one.opts}
         for option, word in reversed(list(pairwise(args))):
             if option in takers:

@@ -15,12 +15,11 @@ from typing import Any, Concatenate, Literal, ParamSpec, TypeVar
 import numpy as np
 
 from gantline import _core
-from gantline.arguments import needed, number
+from gantline.arguments import is_number, needed, number
 from gantline.assembly import Assembly, assemble
 from gantline.assembly.afloat.vessels import drifted
 from gantline.assembly.origin import FALLS, refused, with_advice
 from gantline.assembly.parts import axial_stiffness
-from gantline.overrides import is_number
 from gantline.results.afloat.immersion import dry_hulls, loads_in_bed
 from gantline.results.afloat.pressed import pressed_through
 from gantline.results.derive import recording_of

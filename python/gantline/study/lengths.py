@@ -123,10 +123,10 @@ def adjust_lengths(
         raise ValueError("nothing is wanted of the load: slopes, a heading or shares are")
     if slopes is not None and np.shape(slopes) != (2,):
         raise TypeError(f"slopes: {slopes!r} are no two angles in radians, such as (0.0, 0.0)")
-    wanted_angles = [] if slopes is None else [("slopes", angle) for angle in slopes]
-    wanted_angles += [] if heading is None else [("heading", heading)]
-    for argument, angle in wanted_angles:
-        number(angle, argument, "radians")
+    for angle in () if slopes is None else slopes:
+        number(angle, "slopes", "radians")
+    if heading is not None:
+        number(heading, "heading", "radians")
     limit = {name: _MOST * known[name] if most is None else most for name in chosen}
     unknowns = [
         Unknown(f"slings.{name}.length", ("length", f"sling.{name}"), known[name], limit[name])
