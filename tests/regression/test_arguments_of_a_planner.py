@@ -32,7 +32,7 @@ TOLD: dict[str, Callable[[], object]] = {
     "a scenario is needed, not Statics": lambda: study.margins_of(STATICS, TEXT),
     "a lift to ask for equilibria is needed, not Scenario": lambda: list(study.run_steps(LIFT)),
     "for equilibria is needed, not str": lambda: study.tilting_of(TEXT, TEXT, []),
-    "more of block: '1 t' is no number of kilograms": lambda: STATICS.heavier({"block": TEXT}),
+    "more of [a-z]+: '1 t' is no number of kilograms": lambda: STATICS.heavier({"block": TEXT}),
     "a saved state is needed, not str": lambda: STATICS.equilibrium_of(TEXT),
     "box: a side: '1 t' is no number of metres": lambda: hydro.box_hull((TEXT, TEXT, TEXT)),
     "an attitude is needed, not float": lambda: hydro.hydrostatics(BOX, NUMBER),
