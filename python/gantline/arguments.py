@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
-from typing import Any, TypeVar
+from numbers import Real
+from typing import Any, TypeGuard, TypeVar
 
-__all__ = ["needed", "told"]
+__all__ = ["is_number", "needed", "number", "told"]
 
 T = TypeVar("T")
 _Told = TypeVar("_Told", bound=Callable[..., Any])
@@ -26,6 +28,27 @@ def needed(value: object, kind: type[T], what: str, right: str) -> T:
     if not isinstance(value, kind):
         raise TypeError(f"{what} is needed, not {type(value).__name__}; {right}")
     return value
+
+
+def is_number(value: object) -> TypeGuard[float]:
+    """Whether it is a number, those of NumPy among them; truth values are none."""
+    return isinstance(value, Real) and not isinstance(value, bool)
+
+
+def number(value: object, name: str, unit: str) -> float:
+    """A number as a float.
+
+    Args:
+        value: What was handed in, one of NumPy too.
+        name: The argument.
+        unit: What it is counted in, such as "radians".
+
+    Raises:
+        TypeError: If it is none, such as a text with a unit, or not finite.
+    """
+    if not (is_number(value) and math.isfinite(value)):
+        raise TypeError(f"{name}: {value!r} is no number of {unit}")
+    return float(value)
 
 
 def told(on_progress: _Told | None) -> _Told | None:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from numbers import Real
 from typing import Any, TypeGuard
 
 import numpy as np
 
+from gantline.arguments import is_number
 from gantline.assembly import integrator_settings
 from gantline.assembly.afloat.recorded_motion import ends_too_early
 from gantline.scenario import Scenario, resolve
@@ -17,7 +17,7 @@ from gantline.scenario.ground import INTEGRATOR_KEYS
 from gantline.scenario.plan.times import wrong_times
 from gantline.scenario.quantities import SMALLEST
 
-__all__ = ["SettingError", "is_number", "overridden", "with_adjusting_factor", "with_locked_equalizers"]
+__all__ = ["SettingError", "overridden", "with_adjusting_factor", "with_locked_equalizers"]
 
 #: Settings of the run; the other settings are those of an integrator.
 _OF_RUN = ("duration", "sample_interval")
@@ -144,11 +144,6 @@ def overridden(
     if too_early := ends_too_early(scenario, merged["duration"]):
         raise SettingError(["duration"], too_early)
     return merged
-
-
-def is_number(value: object) -> TypeGuard[float]:
-    """Whether it is a number, those of NumPy among them; truth values are none."""
-    return isinstance(value, Real) and not isinstance(value, bool)
 
 
 def _not_of(integrator: Mapping[str, Any], name: str) -> str:

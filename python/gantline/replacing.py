@@ -33,7 +33,9 @@ def replaced(path: Path) -> Iterator[Path]:
         yield target
         return
     if not target.parent.is_dir():
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target.parent))
+        # Of a file in place of the folder "no such file" would not be true.
+        kind = errno.ENOTDIR if target.parent.exists() else errno.ENOENT
+        raise OSError(kind, os.strerror(kind), str(target.parent))
     handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".part", dir=target.parent)
     os.close(handle)
     trial = Path(name)

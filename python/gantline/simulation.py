@@ -11,14 +11,14 @@ from pathlib import Path
 from typing import Any
 
 from gantline import _core
-from gantline.arguments import needed, told
+from gantline.arguments import is_number, needed, told
 from gantline.assembly import assemble
 from gantline.assembly.afloat.side_by_side import shared_files
 from gantline.assembly.afloat.vessels import adrift, misplaced, off_their_decks, vessel_hulls
 from gantline.assembly.origin import refused
 from gantline.assembly.plan.commands import CommandError, command_of, commanded
 from gantline.interrupt import noted_interrupt
-from gantline.overrides import is_number, overridden, with_adjusting_factor, with_locked_equalizers
+from gantline.overrides import overridden, with_adjusting_factor, with_locked_equalizers
 from gantline.results.afloat.grounding import grounding_warnings
 from gantline.results.afloat.immersion import (
     askew_in_water,
@@ -234,7 +234,7 @@ class Simulation:
         step that reaches the time. Ctrl-C raises KeyboardInterrupt between two steps.
 
         Args:
-            to: Simulated time [s]; beyond the end of the lift it is the end.
+            to: Simulated time [s]; beyond the end of the lift, or short of it by rounding, it is the end.
 
         Raises:
             ValueError: If it is no time, or is past.
@@ -244,7 +244,9 @@ class Simulation:
             raise ValueError(f"to: {to!r} is no time in seconds")
         if to < self.time * (1 - 1e-12):
             raise ValueError(f"to: {to:g} s is past, it is {self.time:g} s; `restore` goes back to a state")
-        self._go(None, to, exact=True)
+        # A sum of 0.1 s that misses the end by rounding ends the run, and `time` would stay short of it.
+        is_end = to >= self.duration * (1 - 1e-12) - 1e-12
+        self._go(None, self.duration if is_end else to, exact=True)
 
     def _go(self, goes_on: Callable[[float], bool] | None, until: float | None, **how: bool) -> None:
         started = time.perf_counter()

@@ -47,7 +47,7 @@ _MOST_NAMED = 3
 
 
 class Verdict(StrEnum):
-    """Outcome of a check."""
+    """Outcome of a check: `OK`, `WARNING`, `FAILED` or `NOT_CHECKED`; each is its text, such as `"ok"`."""
 
     OK = "ok"
     WARNING = "warning"
@@ -56,7 +56,10 @@ class Verdict(StrEnum):
 
 
 class Outcome(StrEnum):
-    """What all checks together say of a lift."""
+    """What all checks together say of a lift: `GO`, `GO_WITH_WARNINGS`, `NO_GO` or `NO_VERDICT`.
+
+    Each is its text, such as `"GO WITH WARNINGS"`.
+    """
 
     GO = "GO"
     GO_WITH_WARNINGS = "GO WITH WARNINGS"

@@ -11,7 +11,7 @@ from gantline.checks.force import NO_DYNAMIC, NO_STATIC
 from gantline.checks.lugs import LugForce, consequence_of, lug_forces, pull_at_lug
 from gantline.results import series
 from gantline.results.file.form import Vector
-from gantline.results.recording import Recording
+from gantline.results.recording import Recording, recorded
 from gantline.results.rotation import axes
 from gantline.results.variable import FloatArray
 
@@ -67,7 +67,7 @@ def lug_figures(recording: Recording) -> list[LugFigures]:
     Args:
         recording: Of a run, or of an equilibrium, of which the last sample counts.
     """
-    return [_figures(recording, one) for one in lug_forces(recording, series.everywhere(recording))]
+    return [_figures(recording, one) for one in lug_forces(recorded(recording), series.everywhere(recording))]
 
 
 def _figures(recording: Recording, one: LugForce) -> LugFigures:

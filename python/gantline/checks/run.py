@@ -133,7 +133,7 @@ def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> d
     measure = LIMITS[name]
     pick = min if measure.at_least else max
     values: dict[str, float] = {}
-    during = series.everywhere(recording) if at is None else at
+    during = series.everywhere(recorded(recording)) if at is None else np.asarray(at, dtype=np.bool_)
     for found in _findings(measure, recording, during):
         if isinstance(found, Found):
             values[found.element] = pick(found.value, values.get(found.element, found.value))

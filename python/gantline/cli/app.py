@@ -28,9 +28,26 @@ from gantline.cli.statics import statics
 from gantline.cli.verb import Verb
 from gantline.cli.view import view
 
+#: What there is here, and what other programs call it.
+_CALLED = (
+    ("'gantline run LIFT' simulates a lift", "simulate solve"),
+    ("'gantline statics LIFT' finds how it hangs and its natural motions", "equilibrium modal modes static"),
+    ("'gantline statics LIFT --sweep PATH=FROM..TO/N' varies a quantity", "sweep"),
+    ("'gantline check LIFT' looks a lift file over", "validate verify"),
+    ("'gantline cad FILE' reads CAD files", "import"),
+    ("'gantline view RECORDING' shows a result", "open play show"),
+    ("'gantline export RECORDING FILE' writes pictures, films and tables", "animate convert film plot"),
+    ("'gantline new FOLDER' starts a lift file", "create init"),
+    ("'gantline new -h' names the lifts that come with gantline", "examples list scenarios"),
+    ("'gantline -h' names the verbs, 'gantline run -h' tells of one", "help"),
+    ("'gantline --version' shows it", "version"),
+)
+#: What is told of a verb of other programs.
+OTHER_WORDS = {word: told for told, words in _CALLED for word in words.split()}
+
 
 class _Verbs(TyperGroup):
-    """Tells who gives a lift and no verb what there is to be done with it."""
+    """Tells who gives a lift and no verb, or a verb of another program, what there is to be done with it."""
 
     # typer has a copy of click inside, so the context's type has no public name.
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
@@ -38,6 +55,8 @@ class _Verbs(TyperGroup):
         if lift not in self.commands and Path(lift).exists():
             both = f"'gantline run {lift}' simulates it, 'gantline check {lift}' looks it over"
             ctx.fail(f"'{lift}' is no verb; {both}")
+        if lift in OTHER_WORDS and lift not in self.commands:
+            ctx.fail(f"'{lift}' is no verb; {OTHER_WORDS[lift]}")
         return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: Any) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import time
 from contextlib import nullcontext
 from pathlib import Path
@@ -64,6 +65,14 @@ def run(
             "else a ten-thousandth of the mean load of a rope]",
         ),
     ] = None,
+    position_tolerance: Annotated[
+        str | None,
+        typer.Option(
+            metavar="LENGTH",
+            help="Error of positions in a step of adaptive, such as '0.01 mm'.  [default: that of the lift "
+            "file, else 0.1 mm]",
+        ),
+    ] = None,
     sample_interval: Annotated[
         str | None,
         typer.Option(
@@ -109,6 +118,7 @@ def run(
     quantities = {
         "step": (step, "time"),
         "tension_tolerance": (tension_tolerance, "force"),
+        "position_tolerance": (position_tolerance, "length"),
         "sample_interval": (sample_interval, "time"),
         "duration": (duration, "time"),
     }
@@ -138,12 +148,17 @@ def run(
         code = _told(recording, simulation, as_json=as_json)
         clock.lap("table")
         typer.echo(f"Recording   {written}", err=as_json)
-        if plots:
-            _draw(recording, folder, aside=as_json)
-            clock.lap("pictures")
-        if report:
-            write_beside(recording, folder / REPORT, aside=as_json)
-            clock.lap("report")
+        try:
+            if plots:
+                _draw(recording, folder, aside=as_json)
+                clock.lap("pictures")
+            if report:
+                write_beside(recording, folder / REPORT, aside=as_json)
+                clock.lap("report")
+        except KeyboardInterrupt:
+            again = f"; 'gantline report {shlex.quote(str(folder))}' writes the report" if report else ""
+            warn(f"interrupted before all was drawn{again}")
+            raise typer.Exit(INTERRUPTED) from None
         if profile:
             _print_profile(clock, simulation.stages(), recording, aside=as_json)
     if problem is not None:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from gantline.checks.lug_figures import LugFigures, lug_figures
-from gantline.export.tables import TableError, kept_as_text
+from gantline.export.tables import TableError, csv_file, kept_as_text
 from gantline.replacing import replaced
 from gantline.results.recording import Recording
 
@@ -24,7 +24,7 @@ _HEAD = (
 )  # fmt: skip
 
 
-def write_lugs(recording: Recording, path: str | Path) -> None:
+def write_lugs(recording: Recording, path: str | Path) -> Path:
     """Write a row for each lug as CSV, in kN and t: `gantline.checks.lug_figures` says what stands in it.
 
     Places are from the centre of gravity of load or spreader, and components of the force along its axes,
@@ -32,19 +32,24 @@ def write_lugs(recording: Recording, path: str | Path) -> None:
 
     Args:
         recording: Of a run, or of an equilibrium.
-        path: File to write.
+        path: File to write, such as `lugs.csv`.
+
+    Returns:
+        The path written.
 
     Raises:
-        TableError: If no sling is made fast to a lug.
+        TableError: If no sling is made fast to a lug, or the name is that of another kind of file.
         OSError: If it cannot be written there.
     """
     found = lug_figures(recording)
     if not found:
         raise TableError("no sling of this recording is made fast to a lug")
-    with replaced(Path(path)) as trial, trial.open("w", encoding="utf-8", newline="") as file:
+    target = csv_file(path)
+    with replaced(target) as trial, trial.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(_HEAD)
         writer.writerows([kept_as_text(cell) for cell in _row(one)] for one in found)
+    return target
 
 
 def _row(one: LugFigures) -> Iterator[str]:

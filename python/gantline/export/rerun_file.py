@@ -34,12 +34,15 @@ class RerunMissing(ValueError):
     """The package is not installed; the message is a plain sentence."""
 
 
-def write_rerun(recording: Recording, path: str | Path) -> None:
+def write_rerun(recording: Recording, path: str | Path) -> Path:
     """Write a recording for the Rerun viewer.
 
     Args:
         recording: A recording with at least one sample.
         path: File to write.
+
+    Returns:
+        The path written.
 
     Raises:
         RerunMissing: If the package is not installed.
@@ -59,6 +62,7 @@ def write_rerun(recording: Recording, path: str | Path) -> None:
     # The package only warns where a file cannot be written.
     with replaced(Path(path)) as trial:
         _write(rerun, recording, trial)
+    return Path(path)
 
 
 def _write(rerun: Any, recording: Recording, path: Path) -> None:

@@ -12,6 +12,9 @@ from gantline.replacing import replaced
 from gantline.results.recording import Recording, no_variable, recorded
 from gantline.results.variable import FloatArray
 
+#: Endings by which programs know other kinds of file, under which a table would not open.
+_NO_CSV = frozenset({".html", ".json", ".nc", ".ods", ".parquet", ".xls", ".xlsx"})
+
 
 class TableError(ValueError):
     """A table that cannot be made; the message is a plain sentence."""
@@ -82,29 +85,48 @@ def kept_as_text(cell: str) -> str:
     return cell
 
 
-def write_csv(recording: Recording, path: str | Path, variables: Sequence[str] = ()) -> None:
+def csv_file(path: str | Path) -> Path:
+    """The name of a table.
+
+    Raises:
+        TableError: If it ends as that of a file of another kind.
+    """
+    file = Path(path)
+    if file.suffix.lower() in _NO_CSV:
+        raise TableError(f"{file}: a table in CSV is {file.stem}.csv, which spreadsheets open")
+    return file
+
+
+def write_csv(recording: Recording, path: str | Path, variables: Sequence[str] = ()) -> Path:
     """Write a table as CSV; numbers read back to the last digit.
 
     Names that a spreadsheet could take for a formula get an apostrophe before them.
 
     Args:
         recording: Any recording.
-        path: File to write.
+        path: File to write, such as `lift.csv`.
         variables: Which, such as `["hook_load"]`; all over time, but for `rope_point`, where none is named.
 
+    Returns:
+        The path written.
+
     Raises:
-        TableError: If a variable is not there, or not over time.
+        TableError: If a variable is not there, or not over time, or the name is that of another kind of file.
         OSError: If it cannot be written there.
     """
-    found = list(columns(recording, variables))
-    with replaced(Path(path)) as trial, trial.open("w", encoding="utf-8", newline="") as file:
+    found, target = list(columns(recording, variables)), csv_file(path)
+    with replaced(target) as trial, trial.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow([kept_as_text(name) for name, _ in found])
         writer.writerows(zip(*(map(repr, map(float, values)) for _, values in found), strict=True))
+    return target
 
 
-def write_parquet(recording: Recording, path: str | Path, variables: Sequence[str] = ()) -> None:
+def write_parquet(recording: Recording, path: str | Path, variables: Sequence[str] = ()) -> Path:
     """Write a table as Parquet, by pyarrow; for its arguments see `write_csv`.
+
+    Returns:
+        The path written.
 
     Raises:
         TableError: If a variable is not there, or pyarrow is not installed.
@@ -121,3 +143,4 @@ def write_parquet(recording: Recording, path: str | Path, variables: Sequence[st
     # Files of Python say what is wrong with a disk in words of the system, those of the package in its own.
     with replaced(Path(path)) as trial, trial.open("wb") as file:
         parquet.write_table(found, file)
+    return Path(path)

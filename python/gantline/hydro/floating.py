@@ -19,6 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from gantline.arguments import number
 from gantline.hydro.attitude import Attitude
 from gantline.hydro.hull import Hull
 from gantline.hydro.hydrostatics import SEA_WATER, Hydrostatics, hydrostatics
@@ -104,6 +105,18 @@ def energy_at(hull: Hull, volume: float, centre: Array, state: Array) -> Energy:
     return Energy(float(value), slope, curvature)
 
 
+def point(given: npt.ArrayLike) -> npt.NDArray[np.float64]:
+    """A centre of gravity (3,) [m].
+
+    Raises:
+        ValueError: if it is none.
+    """
+    centre = np.asarray(given, dtype=np.float64)
+    if centre.shape != (3,):
+        raise ValueError(f"centre_of_gravity: {given!r} is no point; x, y and z [m] are needed")
+    return centre
+
+
 def settle(
     hull: Hull,
     volume: float,
@@ -177,14 +190,17 @@ def float_free(
 
     Raises:
         CannotFloatError: if it weighs more than all its volume displaces.
+        TypeError: if the mass is no number.
+        ValueError: if the centre of gravity is no point.
     """
+    number(mass, "mass", "kilograms")
     volume, whole = mass / density, hull.closure.volume
     if not 0 < volume < whole:
         raise CannotFloatError(
             f"{hull.name}: {mass / 1e3:g} t displace {volume:.6g} m³ of water, "
             f"and all of the hull has {whole:.6g} m³"
         )
-    centre = np.asarray(centre_of_gravity, dtype=float)
+    centre = point(centre_of_gravity)
     low, high = hull.box
     middle = float(low[0] + high[0]) / 2
     if start is None:

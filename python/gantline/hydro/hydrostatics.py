@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from gantline.arguments import needed
 from gantline.hydro.attitude import Attitude
 from gantline.hydro.hull import Hull
 
@@ -139,7 +140,12 @@ class Hydrostatics:
 
 
 def hydrostatics(hull: Hull, attitude: Attitude, density: float = SEA_WATER) -> Hydrostatics:
-    """Hydrostatics of a hull in an attitude; the density of the water in [kg/m^3]."""
+    """Hydrostatics of a hull in an attitude; the density of the water in [kg/m^3].
+
+    Raises:
+        TypeError: If it is no attitude, such as a draft alone.
+    """
+    needed(attitude, Attitude, "an attitude", "gantline.hydro.Attitude(4.0) has a draft of 4 m")
     normal, height = attitude.normal, attitude.height
     below, skin = hull.below(normal, height), hull.surface(normal, height)
     volume, area = below["volume"], below["area"]

@@ -115,7 +115,7 @@ class Memory:
 
     @property
     def residues(self) -> npt.NDArray[np.complex128]:
-        """R_j (n, 6, 6) of K(t) = Re Σ R_j exp(p_j t): C exp(-at) (cos βt - (a/β) sin βt)."""
+        """R_j (n, 6, 6) of K(t) = Re Σ R_j exp(p_j t), each term C exp(-at) (cos βt - (a/β) sin βt)."""
         turn = 1 + 1j * self.ratios / np.sqrt(1 - self.ratios**2)
         residues: npt.NDArray[np.complex128] = self.strengths * turn[:, None, None]
         return residues

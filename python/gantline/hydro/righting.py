@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from gantline.arguments import number
 from gantline.hydro.attitude import Attitude
-from gantline.hydro.floating import CannotFloatError, energy_at, settle
+from gantline.hydro.floating import CannotFloatError, energy_at, point, settle
 from gantline.hydro.hull import Hull
 from gantline.hydro.hydrostatics import SEA_WATER
 
@@ -126,16 +127,19 @@ def righting_arms(
         hull: The hull.
         mass: of everything [kg].
         centre_of_gravity: of everything, vessel axes (3,) [m].
-        heel: angles, positive to starboard [rad].
+        heel: angles, one or several, positive to starboard [rad].
         density: of the water [kg/m^3].
         correction: of free surfaces, which raises the centre of gravity [m].
 
     Raises:
         CannotFloatError: if it weighs more than all its volume displaces.
+        TypeError: if the mass is no number.
+        ValueError: if the centre of gravity is no point.
     """
-    centre = np.asarray(centre_of_gravity, dtype=float) + np.array([0.0, 0.0, correction])
+    number(mass, "mass", "kilograms")
+    centre = point(centre_of_gravity) + np.array([0.0, 0.0, correction])
     righting = Righting(hull, mass, centre, density=density)
-    angles = np.asarray(heel, dtype=float)
+    angles = np.atleast_1d(np.asarray(heel, dtype=float))
     arm, trim = np.zeros_like(angles), np.zeros_like(angles)
     for index in np.argsort(np.abs(angles), kind="stable"):
         there = righting.at(float(angles[index]))

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
+from gantline.arguments import number
 from gantline.hydro.hull import Hull
 
 __all__ = ["box_hull", "raked_barge", "wigley_hull"]
@@ -81,6 +82,8 @@ def wigley_hull(
 
 
 def _sides(name: str, size: Sequence[float]) -> tuple[float, float, float]:
+    for side in size:
+        number(side, f"{name}: a side", "metres")
     if len(size) != 3 or not all(np.isfinite(side) and side > 0 for side in size):
         raise ValueError(
             f"{name}: its sides are {', '.join(f'{side:g}' for side in size)} m; three above zero are needed"

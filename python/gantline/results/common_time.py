@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
+import numpy.typing as npt
 
 from gantline.results.alike import ROUNDING
 from gantline.results.rotation import angle_between
@@ -49,13 +50,17 @@ class CommonTime:
     times_b: FloatArray
 
     @classmethod
-    def of(cls, times_a: FloatArray, times_b: FloatArray) -> Self | None:
-        """The common time of two recordings; None if they have no time in common.
+    def of(cls, times_a: npt.ArrayLike, times_b: npt.ArrayLike) -> Self | None:
+        """The common time of two recordings or programs; None if they have no time in common.
 
         Args:
-            times_a: Sample times of A [s], increasing.
-            times_b: Sample times of B [s], increasing.
+            times_a: Sample times of A [s], increasing, shape (time,).
+            times_b: Sample times of B [s], increasing, shape (time,).
+
+        Raises:
+            ValueError: If times are no such row.
         """
+        times_a, times_b = _rising(times_a, "times_a"), _rising(times_b, "times_b")
         if not times_a.size or not times_b.size:
             return None
         first, last = max(times_a[0], times_b[0]), min(times_a[-1], times_b[-1])
@@ -68,20 +73,28 @@ class CommonTime:
             return None
         return cls(times, times_a, times_b)
 
-    def a(self, values: FloatArray) -> FloatArray:
-        """A series of A at the common times; shapes (time, ...) and (common, ...)."""
+    def a(self, values: npt.ArrayLike) -> FloatArray:
+        """A series of A at the common times; shapes (time, ...) and (common, ...).
+
+        Raises:
+            ValueError: If it has not a value for each time of A.
+        """
         return _at(self.times, self.times_a, values)
 
-    def b(self, values: FloatArray) -> FloatArray:
-        """A series of B at the common times; shapes (time, ...) and (common, ...)."""
+    def b(self, values: npt.ArrayLike) -> FloatArray:
+        """A series of B at the common times; shapes (time, ...) and (common, ...).
+
+        Raises:
+            ValueError: If it has not a value for each time of B.
+        """
         return _at(self.times, self.times_b, values)
 
-    def difference(self, values_a: FloatArray, values_b: FloatArray) -> FloatArray:
+    def difference(self, values_a: npt.ArrayLike, values_b: npt.ArrayLike) -> FloatArray:
         """B - A of two series, shape (common, ...)."""
         difference: FloatArray = self.b(values_b) - self.a(values_a)
         return difference
 
-    def distance(self, places_a: FloatArray, places_b: FloatArray) -> FloatArray:
+    def distance(self, places_a: npt.ArrayLike, places_b: npt.ArrayLike) -> FloatArray:
         """Distance of two places [m], each of shape (time, 3); shape (common,)."""
         distance: FloatArray = np.linalg.norm(self.difference(places_a, places_b), axis=1)
         return distance
@@ -121,7 +134,18 @@ class CommonTime:
         return float(np.sqrt(np.sum((squares[1:] + squares[:-1]) / 2.0 * np.diff(self.times)) / span))
 
 
-def _at(times: FloatArray, sampled: FloatArray, values: FloatArray) -> FloatArray:
+def _rising(times: npt.ArrayLike, which: str) -> FloatArray:
+    row = np.asarray(times, dtype=np.float64)
+    # Also false where a time is no number.
+    if row.ndim != 1 or not bool(np.all(np.diff(row) >= 0.0)):
+        raise ValueError(f"{which}: is no row of times [s] that rise")
+    return row
+
+
+def _at(times: FloatArray, sampled: FloatArray, given: npt.ArrayLike) -> FloatArray:
+    values = np.asarray(given, dtype=np.float64)
+    if len(np.atleast_1d(values)) != len(sampled):
+        raise ValueError(f"a series of shape {values.shape} has no value for each of {len(sampled)} times")
     if np.array_equal(times, sampled):
         return values
     columns = values.reshape(len(sampled), -1).T

@@ -18,7 +18,9 @@ import numpy as np
 from gantline.results import series
 from gantline.results.alike import first_largest, first_peak
 from gantline.results.common_time import CommonTime, Deviation
+from gantline.results.file.form import FormError
 from gantline.results.file.gaps import without_gaps
+from gantline.results.file.validity import hold_recording
 from gantline.results.loads.hinge_peaks import hinge_peak
 from gantline.results.loads.hinges import hinge_force
 from gantline.results.loads.hook_peaks import hook_peak
@@ -188,12 +190,13 @@ def compare(
     Raises:
         FileNotFoundError: If there is no such file.
         TypeError: If `names` are not two texts.
-        ValueError: If a file is not a recording of gantline.
+        ValueError: If a file is not a recording of gantline, or a recording that a program has put together
+            lacks what recordings of lifts have.
     """
     are_two = isinstance(names, tuple | list) and len(names) == 2
     if names is not None and not (are_two and all(isinstance(name, str) for name in names)):
         raise TypeError(f"names: {names!r} are not two texts, such as ('before', 'after')")
-    a, b = (open_recording(one) if isinstance(one, str | Path) else recorded(one) for one in (a, b))
+    a, b = (_whole(one, which) for one, which in ((a, "A"), (b, "B")))
     common = _common_time(a, b)
     rig_a, rig_b = a.rig, b.rig
     loads = _pairs((load.name for load in rig_a.loads), (load.name for load in rig_b.loads), lone=True)
@@ -218,6 +221,18 @@ def compare(
         stability=(stability_of(a), stability_of(b)),
         parted=(partings(a), partings(b)),
     )
+
+
+def _whole(given: Recording | str | Path, which: str) -> Recording:
+    """A recording that has what is compared; one of a file has been held against that as it was read."""
+    if isinstance(given, str | Path):
+        return open_recording(given)
+    try:
+        hold_recording(recorded(given))
+    except FormError as problem:
+        right = "CommonTime of gantline.results.common_time compares series of any program"
+        raise ValueError(f"{which} is no whole recording of a lift: {problem}; {right}") from None
+    return given
 
 
 def _common_time(a: Recording, b: Recording) -> CommonTime | None:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
+from gantline.arguments import needed
 from gantline.results.kinds import EVENT_KINDS
 from gantline.results.rig import Rig
 from gantline.results.status import INCOMPLETE, READY
@@ -27,6 +28,8 @@ _Kept = TypeVar("_Kept")
 
 #: Endings of files by which programs know tables, texts and pages, which a recording is none of.
 _OTHER_KINDS = frozenset({".csv", ".html", ".json", ".ods", ".parquet", ".txt", ".xls", ".xlsx"})
+#: Where a variable comes from.
+_MADE = "gantline.results.Variable(('time', 'rope'), values, 'N', 'tension') makes one of an array"
 #: Most names that a message lists.
 _MOST_NAMED = 12
 
@@ -43,6 +46,7 @@ class Recording:
             finer method too `refinement`, see `gantline.results.refinement`.
 
     Raises:
+        TypeError: If a variable is none, such as an array.
         ValueError: If lengths along a dimension do not agree.
     """
 
@@ -90,7 +94,7 @@ class Recording:
 
     @property
     def is_equilibrium(self) -> bool:
-        """Whether it is of a lift at rest: what counts is its last sample, and nothing is dynamic.
+        """Whether it is of a lift at rest, of which the last sample counts, and nothing is dynamic.
 
         Its status says so. One sample alone is at rest too, unless it is what a run has by then; a sample
         before the last is where the lift starts, from which travel is counted.
@@ -242,13 +246,20 @@ class Recording:
 
         return metrics_of(self)
 
-    @cached_property
+    @property
     def dataset(self) -> xarray.Dataset:
         """The same as an `xarray.Dataset` (dictionaries among the attributes as they are, not as text).
+
+        Each time a new one, to which variables may be added and of which others may be put in their place;
+        values are those of the recording and cannot be written to.
 
         For pandas take a variable of it, `dataset["rope_tension"].to_pandas()`: `to_dataframe` of the whole
         has a row for each combination of all dimensions, and none at all where nothing has happened.
         """
+        return self._dataset.copy()
+
+    @cached_property
+    def _dataset(self) -> xarray.Dataset:
         from gantline.results.file.dataset import dataset_of
 
         return dataset_of(self)
@@ -325,6 +336,7 @@ def open_recording(path: str | Path) -> Recording:
 def _sizes(variables: Mapping[str, Variable], coordinates: Mapping[str, Sequence[str]]) -> dict[str, int]:
     sizes: dict[str, int] = {}
     for name, variable in variables.items():
+        needed(variable, Variable, f"{name}: a variable", _MADE)
         for dim, size in zip(variable.dims, variable.values.shape, strict=True):
             if sizes.setdefault(dim, size) != size:
                 raise ValueError(f"{name} is {size} long in {dim}, other variables {sizes[dim]}")

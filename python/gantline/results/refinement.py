@@ -52,7 +52,7 @@ class Figure:
 
     @property
     def moved(self) -> float:
-        """By how much it moved: what it uses of its limit, or itself where it has none, of the larger [1]."""
+        """By how much its share of the limit moved, or its value where it has no limit, of the larger [1]."""
         apart = abs(self.finer - self.value)
         if not float(self.shown(apart).split()[0]):
             return 0.0

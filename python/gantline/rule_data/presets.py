@@ -12,6 +12,8 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Final
 
+from gantline.arguments import needed
+
 __all__ = [
     "FACTORS",
     "FOUR_SLINGS",
@@ -125,7 +127,11 @@ def dynamic_factor(preset: Preset, mass: float | None) -> Sourced | None:
 
     Returns:
         The factor; None if the rule has none, or needs a weight that is not there.
+
+    Raises:
+        TypeError: If it is no preset, such as the name of one.
     """
+    needed(preset, Preset, "a preset", "gantline.rule_data.PRESETS has them by the names of rules")
     if "dynamic_amplification_factor" in preset.factors:
         return preset.factors["dynamic_amplification_factor"]
     if mass is None or not preset.dynamic:
@@ -153,7 +159,12 @@ def several_cranes(rule: str, cranes: int) -> Sourced | None:
     Args:
         rule: A name of `SEVERAL_CRANES`.
         cranes: How many lift one load.
+
+    Raises:
+        KeyError: If there is no such rule.
     """
+    if rule not in SEVERAL_CRANES:
+        raise KeyError(f"no rule for several cranes is {rule!r}; there are {', '.join(SEVERAL_CRANES)}")
     rows = SEVERAL_CRANES[rule]
     return rows[min(cranes, max(rows))] if cranes > 1 else None
 

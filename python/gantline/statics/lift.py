@@ -15,11 +15,11 @@ from typing import Any, Concatenate, Literal, ParamSpec, TypeVar
 import numpy as np
 
 from gantline import _core
+from gantline.arguments import is_number, needed, number
 from gantline.assembly import Assembly, assemble
 from gantline.assembly.afloat.vessels import drifted
 from gantline.assembly.origin import FALLS, refused, with_advice
 from gantline.assembly.parts import axial_stiffness
-from gantline.overrides import is_number
 from gantline.results.afloat.immersion import dry_hulls, loads_in_bed
 from gantline.results.afloat.pressed import pressed_through
 from gantline.results.derive import recording_of
@@ -186,9 +186,11 @@ class Statics:
 
         Raises:
             NoEquilibriumError: If there is none.
+            TypeError: If it is no bytes at all.
             ValueError: If it is no state of this lift.
         """
         self._last = None
+        needed(state, bytes, "a saved state", "`save` of a simulation gives one, in bytes")
         try:
             found = self._core.settle_saved(state, losses)
         except RuntimeError as problem:
@@ -290,11 +292,13 @@ class Statics:
 
         Raises:
             NoEquilibriumError: If there is none, or none with that weight.
+            TypeError: If a weight is no number.
         """
+        added = [(body, number(mass, f"more of {body}", "kilograms")) for body, mass in more.items()]
         losses = self._of_last()
         other = copy(self)
         try:
-            other._core, other._lock = self._core.heavier(list(more.items()), losses), RLock()
+            other._core, other._lock = self._core.heavier(added, losses), RLock()
         except RuntimeError as problem:
             raise NoEquilibriumError(self._core.time(), *problem.args) from None
         return other, other._recording("at rest with more weight")
@@ -487,9 +491,11 @@ class Statics:
 
         Raises:
             NoEquilibriumError: If there is none on the way.
-            ValueError: If the plan has no such step.
+            ValueError: If the plan has no such step, or the moment is neither.
         """
         self._refuse_unknown(step)
+        if moment not in ("begins", "ends"):
+            raise ValueError(f"moment: {moment!r} is none; a step 'begins' or 'ends'")
         self._last = None
         try:
             return self._core.when(step, moment == "ends", self.scenario.duration, self._goes_on)

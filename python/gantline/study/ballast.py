@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from gantline.arguments import told
+from gantline.arguments import number, told
 from gantline.assembly.afloat.hulls import afloat_path
 from gantline.hydro.tank import Tank, free_surface_correction
 from gantline.scenario import Scenario, ScenarioError, load_scenario
@@ -177,13 +177,14 @@ def solve_ballast(
     """
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
     for argument, angle in (("heel", heel), ("trim", trim)):
-        if abs(angle) >= math.pi / 4:
+        if abs(number(angle, argument, "radians")) >= math.pi / 4:
             raise QuestionError(
                 argument, f"{math.degrees(angle):g} deg is too steep; less than 45 deg is right"
             )
     name = vessel_of(scenario, vessel)
     chosen = tanks_that_may_change(scenario, name, tanks)
     if draft is not None:
+        number(draft, "draft", "metres")
         refuse_draft(scenario, name, draft)
     tell = told(on_progress) or (lambda _: None)
     wanted = {"heel": heel, "trim": trim} | ({} if draft is None else {"draft": draft})

@@ -38,7 +38,12 @@ class Gumbel:
 
         Args:
             values: Two or more.
+
+        Raises:
+            ValueError: If there are fewer.
         """
+        if len(values) < 2:
+            raise ValueError(f"values: of {len(values)} there is no spread; two or more are needed")
         ordered = np.sort(np.asarray(values, dtype=np.float64))
         count = len(ordered)
         mean = float(ordered.mean())

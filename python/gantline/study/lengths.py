@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from gantline.arguments import number
 from gantline.results import series
 from gantline.results.rotation import axes
 from gantline.scenario import Scenario, load_scenario
@@ -110,6 +111,7 @@ def adjust_lengths(
         CannotBeError: If it cannot be had, with the reason.
         NoEquilibriumError: If the lift as it is given has no equilibrium.
         ScenarioError: If the lift file is not right.
+        TypeError: If an angle or a share is no number, such as a text with a unit.
         ValueError: If nothing is wanted, or a sling is asked for that there is not.
     """
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
@@ -119,6 +121,12 @@ def adjust_lengths(
     _refuse(chosen, shares or {}, known)
     if slopes is None and heading is None and not shares:
         raise ValueError("nothing is wanted of the load: slopes, a heading or shares are")
+    if slopes is not None and np.shape(slopes) != (2,):
+        raise TypeError(f"slopes: {slopes!r} are no two angles in radians, such as (0.0, 0.0)")
+    for angle in () if slopes is None else slopes:
+        number(angle, "slopes", "radians")
+    if heading is not None:
+        number(heading, "heading", "radians")
     limit = {name: _MOST * known[name] if most is None else most for name in chosen}
     unknowns = [
         Unknown(f"slings.{name}.length", ("length", f"sling.{name}"), known[name], limit[name])
@@ -180,7 +188,7 @@ def _refuse(chosen: Sequence[str], shares: Mapping[str, float], known: Collectio
             if name not in known:
                 raise error(f"'{name}' is not a sling; {nearest(name, known)}")
     for name, share in shares.items():
-        if not 0.0 <= share <= 1.0:
+        if not 0.0 <= number(share, f"shares: {name}", "parts of one") <= 1.0:
             sentence = f"{name}: {100.0 * share:g} % is no share of what all slings carry"
             raise ValueError(f"{sentence}; one is written like '30 %' or '0.3'")
 

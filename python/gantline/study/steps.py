@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from gantline.arguments import needed
 from gantline.scenario.plan.steps import PumpStep
 from gantline.statics import Losses, Statics
 from gantline.statics.inclining import MetacentricHeights, metacentric_heights
@@ -75,7 +76,11 @@ def run_steps(question: Statics, losses: Losses = "none", *, pumping: bool = Fal
     Yields:
         The lift at each of these moments, in order, as soon as it is found; of one that has no equilibrium
         at its end, those of the steps that have ended before.
+
+    Raises:
+        TypeError: If it is asked of a lift file; `Statics` is made of one.
     """
+    needed(question, Statics, "a lift to ask for equilibria", "gantline.Statics(lift) is one")
     asked = State("", "", losses, 0.0)
     settled(question, None, asked)
     duration = question.scenario.duration

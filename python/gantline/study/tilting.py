@@ -10,6 +10,7 @@ from functools import partial
 import numpy as np
 import numpy.typing as npt
 
+from gantline.arguments import needed
 from gantline.assembly.afloat.water import frozen
 from gantline.assembly.spatial import inertia_matrix
 from gantline.cad.mass_properties import point_inertia
@@ -137,7 +138,11 @@ def tilting_of(question: Statics, rest: Equilibrium, modes: Sequence[Mode]) -> l
         question: The lift.
         rest: Its equilibrium found last.
         modes: Its slowest natural motions; where these do not tell how a load tilts, more are found.
+
+    Raises:
+        TypeError: If it is asked of a lift file; `Statics` is made of one.
     """
+    needed(question, Statics, "a lift to ask for equilibria", "gantline.Statics(lift) is one")
     found = (_tilting(question, rest, modes, load) for load in _hanging_clear(rest))
     return [one for one in found if one is not None]
 
@@ -286,9 +291,10 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
         farthest: Where the search ends [m].
 
     Raises:
+        TypeError: If it is no scenario, such as a `Statics`, whose `scenario` is one.
         ValueError: If the lift has no load, or one whose centre of gravity is that of its CAD file.
     """
-    load = scenario.load
+    load = needed(scenario, Scenario, "a scenario", "'scenario' of a Statics is one").load
     if load is None:
         raise ValueError("the lift has no load")
     at = load.centre_of_gravity.at
