@@ -24,7 +24,7 @@ G = 9.81
 
 @pytest.mark.parametrize("heading", [0.0, 37.0, 90.0, -90.0])
 def test_heave_roll_and_pitch_have_their_names_at_any_heading(tmp_path: Path, heading: float) -> None:
-    """(WA6) without added mass: rho g A / m, and g GM / r^2 with GM = KB + I/V - KG, r 11 and 27 m."""
+    """(WA7) without added mass: rho g A / m, and g GM / r^2 with GM = KB + I/V - KG, r 11 and 27 m."""
     given = lift_of(barge(heading=f"{heading} deg"), simulation={"gravity": f"{G} m/s^2"})
     statics = Statics(load_scenario(written(tmp_path, given)))
     statics.equilibrium(0.0)

@@ -16,7 +16,7 @@
 //! ```
 //!
 //! To small angles that is the free-surface correction, ρ g i δθ with i the second moment of S about its own axis. The
-//! liquid follows at once: there is no sloshing.
+//! liquid follows at once: there is no sloshing. How the level is found: (WA6).
 //!
 //! The content m = ρ v of a tank that is pumped is a coordinate that a drive moves. Then nothing of the liquid is the
 //! body's: all of its weight acts here, at b itself, and all of its inertia, that of the liquid frozen upright, A(m) over
