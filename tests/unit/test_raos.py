@@ -54,14 +54,14 @@ def test_semicolons_and_decimal_commas(tmp_path: Path) -> None:
 
 
 @given(
-    st.lists(st.floats(2.0, 40.0), min_size=1, max_size=5, unique=True),
+    st.lists(st.floats(2.0, 40.0), min_size=1, max_size=5, unique_by="{:.10g}".format),
     st.lists(st.integers(0, 359), min_size=1, max_size=5, unique=True),
     st.randoms(use_true_random=False),
 )
 def test_what_is_written_is_read(
     tmp_path_factory: pytest.TempPathFactory, periods: list[float], directions: list[int], lots: Random
 ) -> None:
-    """Twelve digits of each number are written."""
+    """Twelve digits of each number are written: periods that differ by less are one."""
     frequencies = 2 * math.pi / np.array(sorted(periods, reverse=True))
     shape = (len(periods), len(directions), 6)
     parts = np.array([lots.uniform(-2.0, 2.0) for _ in range(2 * math.prod(shape))]).reshape(2, *shape)
