@@ -422,16 +422,19 @@ def _in_water(subject: Subject) -> str:
     if all(load.in_water is None for load in rig.loads) or not (wet := series.is_wet(recording)).any():
         return ""
     last = rig.time_to_average or READ_OVER
-    cells = [recording.column("hoist_load", hook.name) for hook in rig.hooks]
-    cells += [gauge.reads for gauge in winch_gauges(subject)[0]]
+    cells = [(hook.name, recording.column("hoist_load", hook.name)) for hook in rig.hooks]
+    cells += [(gauge.drum.joint, gauge.reads) for gauge in winch_gauges(subject)[0]]
     found = []
     for point in (one for one in hold_points(recording) if one.step.kind == "hold") if cells else ():
         begin, end = spans(recording)[point.step.step]
         late = (recording.time >= max(begin, end - last)) & (recording.time <= end)
         if not late.any() or not wet[late].all():
             continue
-        loads = [series.mean_over(recording.time[late], load[late]) for load in cells]
-        means = [number(load / rig.gravity, "t", 1) for load in loads]
+        loads = [(name, series.mean_over(recording.time[late], load[late])) for name, load in cells]
+        means = [
+            (f"{name} " if len(cells) > 1 else "") + number(load / rig.gravity, "t", 1)
+            for name, load in loads
+        ]
         found.append(f"{' / '.join(means)} t in “{point.step.step}”")
     return f", which is that in air; in water from {', '.join(found) or 'what water leaves of it'}"
 
