@@ -12,7 +12,7 @@ from gantline.results.recording import Recording
 from gantline.results.ropes.upper_end import at_drum
 from gantline.results.variable import FloatArray
 
-__all__ = ["Gauge", "winch_gauges"]
+__all__ = ["Gauge", "lifting_beside_cranes", "winch_gauges"]
 
 
 @dataclass(frozen=True)
@@ -57,3 +57,14 @@ def winch_gauges(recording: Recording) -> list[Gauge]:
         )
         for (joint, rope), (drum, ends) in wound.items()
     ]
+
+
+def lifting_beside_cranes(recording: Recording) -> list[str]:
+    """Names of winches and jacks that bear a part of the load, and are no crane's.
+
+    None where ropes or bodies of `mechanics` lead to a crane: then a drum may be one of its own.
+    """
+    rig = recording.rig
+    if rig.lifting_by_mechanics or any(hook.bears_mechanics for hook in rig.hooks):
+        return []
+    return [one.name for one in winch_gauges(recording) if lifts_loads(recording, one.rope)]
