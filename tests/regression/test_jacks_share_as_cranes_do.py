@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import pytest
 
-from gantline.checks import Verdict
+from gantline.checks import Verdict, winch_gauges
 from gantline.checks.ratings import bears_alone, kept_back
 from gantline.results import Recording
 from gantline.scenario import parse_scenario
@@ -66,4 +66,19 @@ def test_what_steadies_the_load_shares_nothing() -> None:
         f"several_cranes_factor: {KEPT}",
         ("centre_of_gravity: {at: [0 m,", "centre_of_gravity: {at: [17.9 m,"),
     )
+    assert kept_back(rest, "H") == (1.0, [])
+
+
+def test_a_tugger_that_pulls_hard_shares_nothing() -> None:
+    """Two ropes 3 m too short pull a load aside that hangs 24 m below its hook: some 400 t x 3/24 = 50 t."""
+    rest = _at_rest(
+        f"several_cranes_factor: {KEPT}",
+        ("at: [18 m, 0 m, 30 m]", "at: [0 m, 0 m, 30 m]"),
+        ("at: [18 m, 0 m, 4 m]", "at: [0 m, 0 m, 4 m]"),
+        ("at: [-18 m, -5 m, 40 m]", "at: [-170 m, -5 m, 4 m]"),
+        ("at: [-18 m, 5 m, 40 m]", "at: [-170 m, 5 m, 4 m]"),
+        ("b1: {rope: bundle, length: as_routed", "b1: {rope: bundle, length: 149.1 m"),
+        ("b2: {rope: bundle, length: as_routed", "b2: {rope: bundle, length: 149.1 m"),
+    )
+    assert [gauge.name for gauge in winch_gauges(rest)] == ["j1", "j2"], "they pull with more than 5 %"
     assert kept_back(rest, "H") == (1.0, [])

@@ -6,13 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gantline.checks.drums import lifts_loads
+from gantline.checks.drums import lifts_loads, upright_share
 from gantline.results.gear import Drum
 from gantline.results.recording import Recording
 from gantline.results.ropes.upper_end import at_drum
 from gantline.results.variable import FloatArray
 
 __all__ = ["Gauge", "lifting_beside_cranes", "winch_gauges"]
+
+#: Share of its way that goes up or down, from which on a rope lifts and does not pull aside [1]: 45 deg.
+_STEEP = 0.7
 
 
 @dataclass(frozen=True)
@@ -62,9 +65,14 @@ def winch_gauges(recording: Recording) -> list[Gauge]:
 def lifting_beside_cranes(recording: Recording) -> list[str]:
     """Names of winches and jacks that bear a part of the load, and are no crane's.
 
+    A tugger that pulls aside bears nothing of it, however hard it pulls.
     None where ropes or bodies of `mechanics` lead to a crane: then a drum may be one of its own.
     """
     rig = recording.rig
     if rig.lifting_by_mechanics or any(hook.bears_mechanics for hook in rig.hooks):
         return []
-    return [one.name for one in winch_gauges(recording) if lifts_loads(recording, one.rope)]
+    return [
+        one.name
+        for one in winch_gauges(recording)
+        if lifts_loads(recording, one.rope) and upright_share(recording, one.rope) > _STEEP
+    ]
