@@ -2,7 +2,7 @@
 
 A section of 800 t that four strand jacks lower into the sea. The sentence had readings of hooks alone, of
 which there are none; and gauges read an eighth less in water than in the table, past the 10 % at which one
-stops.
+stops. Which of the jacks a number was of, its place among them had to tell.
 """
 
 from __future__ import annotations
@@ -50,6 +50,8 @@ def test_it_is_told_what_gauges_read_in_water() -> None:
     told = stop_if(Subject(simulate(parse_scenario(text))))[0]
     found = re.fullmatch(r".*“Winches and jacks”, which is that in air; in water from (.*) t in “wet”", told)
     assert found is not None
-    readings = [float(one) for one in found[1].split(" / ")]
+    names, numbers = zip(*(one.split() for one in found[1].split(" / ")), strict=True)
+    assert names == ("j1", "j2", "j3", "j4")
+    readings = [float(one) for one in numbers]
     hangs = [LOAD * lever / (NEAR + FAR) / 2 for lever in (NEAR, NEAR, FAR, FAR)]
     assert readings == pytest.approx([one + BUNDLE - DENSITY * DISPLACED / 4 for one in hangs], abs=0.5)

@@ -18,41 +18,8 @@ from gantline.report.winches import winch_rows
 from gantline.results import Recording
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.statics import Statics
+from jacks_and_hook import BUNDLE, LIFT, LOAD
 from lift_text import changed
-
-#: The load, and one bundle from jack to load [t].
-LOAD, BUNDLE = 400.0, 34.0 * 22.4e-3
-_LIFT = """\
-format: 1
-lift: {title: A section in two jacks and a hook}
-duration: 60 s
-start: rest
-ropes:
-  bundle: {axial_stiffness: 556 MN, minimum_breaking_force: 5301 kN, mass: 22.4 kg/m}
-  sling: {axial_stiffness: 200 MN, mass: none}
-load:
-  name: section
-  shape: {box: [40 m, 12 m, 4 m]}
-  position: [0 m, 0 m, 2 m]
-  weight: {calculated: 400 t}
-  centre_of_gravity: {at: [0 m, 0 m, 2 m]}
-  lugs: {L1: {at: [18 m, 0 m, 4 m], main_plate: xz}}
-cranes:
-  H: {type: fixed_hook, at: [18 m, 0 m, 30 m], hoist: {speed: 1 m/min, acceleration: 5 mm/s^2}}
-slings:
-  S: {from: H, to: section.L1, length: 23.9 m, rope: sling}
-mechanics:
-  drums:
-    j1: {diameter: 1 m, rotating_mass: 1 t, drive: {speed: 1 m/min, acceleration: 5 mm/s^2}}
-    j2: {diameter: 1 m, rotating_mass: 1 t, drive: {speed: 1 m/min, acceleration: 5 mm/s^2}}
-  ropes:
-    b1: {rope: bundle, length: as_routed, route: [{type: end, body: world, at: [-18 m, -5 m, 40 m], drum: j1},
-      {type: end, body: section, at: [-18 m, -5 m, 2 m]}]}
-    b2: {rope: bundle, length: as_routed, route: [{type: end, body: world, at: [-18 m, 5 m, 40 m], drum: j2},
-      {type: end, body: section, at: [-18 m, 5 m, 2 m]}]}
-plan:
-  - {step: hold, hold: until_end}
-"""
 
 
 def _at_rest(text: str) -> Recording:
@@ -62,7 +29,7 @@ def _at_rest(text: str) -> Recording:
 @pytest.fixture(scope="module")
 def unrated() -> Recording:
     """The section in two jacks of which nothing says what they are rated for, and a hook."""
-    return _at_rest(_LIFT)
+    return _at_rest(LIFT)
 
 
 def test_stop_if_names_both_tables(unrated: Recording) -> None:
@@ -106,7 +73,7 @@ def test_a_hook_is_no_drum(verb: str) -> None:
     """`'H' is not a drum; known here: 'j1', 'j2'` had no word of what moves it."""
     step = f"  - {{step: up, {verb}: H, speed: 1 m/min, by: 0.1 m}}\n"
     with pytest.raises(ScenarioError) as error:
-        parse_scenario(changed(_LIFT, ("plan:\n", f"plan:\n{step}")))
+        parse_scenario(changed(LIFT, ("plan:\n", f"plan:\n{step}")))
     told = "'H' is a hook; 'hoist' raises it, and 'lower' lets it down"
     assert error.value.problems[0].message.endswith(told)
 
@@ -123,7 +90,7 @@ def test_parts_of_a_tackle_count_together() -> None:
         )
     )
     text = changed(
-        re.sub(r"(?s)    j2: .*?(?=  ropes:)|    b1: .*?(?=plan:)", "", _LIFT),
+        re.sub(r"(?s)    j2: .*?(?=  ropes:)|    b1: .*?(?=plan:)", "", LIFT),
         (
             "  ropes:\nplan:",
             f"  ropes:\n    b1: {{rope: bundle, length: as_routed, route: [{route}]}}\nplan:",
@@ -139,7 +106,7 @@ def test_parts_of_a_tackle_count_together() -> None:
 def test_a_tugger_beside_a_hook_may_do_without() -> None:
     """A rope of 380 kg that hardly reaches from a winch 60 m away bears its own half and no more."""
     hung = changed(
-        _LIFT,
+        LIFT,
         ("at: [18 m, 0 m, 30 m]", "at: [0 m, 0 m, 30 m]"),
         ("at: [18 m, 0 m, 4 m]", "at: [0 m, 0 m, 4 m]"),
         ("at: [-18 m, -5 m, 40 m]", "at: [-60 m, -5 m, 4 m]"),

@@ -74,7 +74,13 @@ def test_a_step_that_does_nothing_is_told_what_there_is() -> None:
             "{top: wb40, bottom: wb40}",
             "wb40",
             "slings.S1.shackles: found 'wb40'; the shackles of a sling are a mapping with keys such as top, "
-            "bottom",
+            "bottom; write {top: wb40, bottom: wb40}",
+        ),
+        (
+            "shackles: {top: wb40, bottom: wb40}",
+            "bends_about: 300 mm",
+            "slings.S1.bends_about: found '300 mm'; what the eyes of a sling lie on are a mapping with keys "
+            "such as top, bottom; write {top: 300 mm}",
         ),
     ],
 )

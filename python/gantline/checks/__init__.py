@@ -15,6 +15,7 @@ from gantline.checks.check import (
 )
 from gantline.checks.crawlers import highest_pressure, highest_tipping
 from gantline.checks.ends import end_of_step
+from gantline.checks.gauges import Gauge, winch_gauges
 from gantline.checks.limits import LIMITS
 from gantline.checks.lug_figures import LugFigures, lug_figures
 from gantline.checks.ratings import shown_places
@@ -26,6 +27,7 @@ __all__ = [
     "LOAD_LIFTED",
     "NO_WARNINGS",
     "Check",
+    "Gauge",
     "HoldPoint",
     "HookReading",
     "LugFigures",
@@ -47,4 +49,5 @@ __all__ = [
     "shown_places",
     "values_of",
     "verdict_of",
+    "winch_gauges",
 ]

@@ -19,9 +19,9 @@ from gantline.results import series
 from gantline.results.alike import first_peak
 from gantline.results.gear import Drum
 from gantline.results.recording import Recording
-from gantline.results.variable import BoolArray
+from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["lifts_loads", "load_of_rated_capacity", "turns_left"]
+__all__ = ["lifts_loads", "load_of_rated_capacity", "turns_left", "upright_share"]
 
 
 def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -63,17 +63,30 @@ def lifts_loads(recording: Recording, rope: str) -> bool:
     return _upright_parts(recording, rope, time) * pull > BEARS * min(load.weight for load in rig.loads)
 
 
+def upright_share(recording: Recording, rope: str) -> float:
+    """How much of its way a rope goes up or down as it pulls most; 1 of one that is not drawn."""
+    steps = _drawn(recording, rope, series.rope_peak(recording, rope)[1])
+    along = np.linalg.norm(steps, axis=1).sum()
+    return float(np.abs(steps[:, 2]).sum() / along) if along > 0.0 else 1.0
+
+
 def _upright_parts(recording: Recording, rope: str, time: float) -> float:
     """How often a rope goes all the way up or down at a time [s]; 1 of one that is level or is not drawn."""
-    drawn = recording.points_of_ropes.get(rope, ())
-    if len(drawn) < 2 or not len(recording.time):
-        return 1.0
-    sample = min(int(np.searchsorted(recording.time, time)), len(recording.time) - 1)
-    steps = np.diff(recording["rope_point"].values[sample, drawn], axis=0)
+    steps = _drawn(recording, rope, time)
     heights = np.append(0.0, np.cumsum(steps[:, 2]))
     up, along = np.abs(steps[:, 2]).sum(), np.linalg.norm(steps, axis=1).sum()
     whole = np.ptp(heights) * along
     return max(1.0, float(up * up / whole)) if whole > 0.0 else 1.0
+
+
+def _drawn(recording: Recording, rope: str, time: float) -> FloatArray:
+    """From point to point of a rope at a time [s], shape (parts, 3) [m]; no part of one that is not drawn."""
+    drawn = recording.points_of_ropes.get(rope, ())
+    if len(drawn) < 2 or not len(recording.time):
+        return np.zeros((0, 3))
+    sample = min(int(np.searchsorted(recording.time, time)), len(recording.time) - 1)
+    steps: FloatArray = np.diff(recording["rope_point"].values[sample, drawn], axis=0)
+    return steps
 
 
 def turns_left(recording: Recording) -> list[Check]:

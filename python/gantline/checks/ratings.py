@@ -13,6 +13,7 @@ from gantline.checks.booms import lean_at_design
 from gantline.checks.design_weight import design_ratio
 from gantline.checks.force import UNRAISED, UNRAISED_IN_WATER, Force, kilonewton, to_design
 from gantline.checks.forces import factor, hook_force
+from gantline.checks.gauges import lifting_beside_cranes
 from gantline.checks.measure import Caution, Finding, Found, Missing, Refused, extreme
 from gantline.results import series
 from gantline.results.cranes.rating import (
@@ -60,15 +61,23 @@ def load_of_rating(recording: Recording, during: BoolArray) -> Iterator[Finding]
 
 
 def kept_back(recording: Recording, crane: str) -> tuple[float, list[Caution]]:
-    """The rule's factor on what hangs from a crane, 1 if it lifts alone; a caution if no rule has one."""
-    lifting = _lifting(recording)
-    if len(lifting) < 2 or crane not in lifting:
+    """The rule's factor on what hangs from a crane, 1 if it lifts alone; a caution if no rule has one.
+
+    Winches and jacks that bear a part of the load share it as a second crane does. The table of a rule knows
+    cranes alone.
+    """
+    lifting, beside = _lifting(recording), lifting_beside_cranes(recording)
+    if crane not in lifting or (len(lifting) < 2 and not beside):
         return 1.0, []
     kept = factor(recording, SEVERAL)
     if kept is None:
-        keys = "'several_cranes' or 'several_cranes_factor' of 'rules' does"
-        said = f"{len(lifting)} cranes lift together, and no rule keeps capacity back; {keys}"
-        return 1.0, [Caution(said)]
+        keys = "'several_cranes_factor' of 'rules' does"
+        who = f"{len(lifting)} cranes lift together"
+        if len(lifting) < 2:
+            who = f"{crane} lifts together with {', '.join(beside)}"
+        else:
+            keys = f"'several_cranes' or {keys}"
+        return 1.0, [Caution(f"{who}, and no rule keeps capacity back; {keys}")]
     return kept, []
 
 
@@ -96,9 +105,12 @@ def _alone(
 def bears_alone(recording: Recording, crane: str) -> BoolArray:
     """Samples at which a crane bears what hangs, and slings of no other one do, shape (time,).
 
-    None where ropes or bodies of `mechanics` lead to another: what they bear of the load is not known.
+    None where ropes or bodies of `mechanics` lead to another, or jacks bear a part: what these bear of the
+    load is not known here.
     """
     rig = recording.rig
+    if lifting_beside_cranes(recording):
+        return np.zeros(len(recording.time), dtype=np.bool_)
     by_mechanics = {crane_of(rig, hook.name) for hook in rig.hooks if hook.bears_mechanics}
     if (by_mechanics | {*rig.lifting_by_mechanics}) - {crane}:
         return np.zeros(len(recording.time), dtype=np.bool_)
@@ -325,7 +337,8 @@ def _hangs(recording: Recording, chart: RatingChart, hooks: tuple[str, ...]) -> 
     A hinge that holds the load bears a part of it, which changes as it turns.
     """
     others = (hook for hook in recording.rig.hooks if hook.name not in chart.hooks)
-    alone = _lifting(recording) == {chart.crane} and set(hooks) == set(chart.hooks)
+    alone = _lifting(recording) == {chart.crane} and not lifting_beside_cranes(recording)
+    alone = alone and set(hooks) == set(chart.hooks)
     if not alone or recording.is_equilibrium or any(hook.bears_mechanics for hook in others):
         return np.zeros(len(recording.time), dtype=np.bool_)
     hanging: BoolArray = series.is_clear(recording) & (chart_load(recording, chart, hooks) > 0)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gantline.checks.ends import end_of_step
+from gantline.checks.gauges import winch_gauges
 from gantline.checks.run import values_of
 from gantline.results.cranes.rating import RatedGroup, chart_load, rated_groups, rated_load
 from gantline.results.cranes.rating_chart import RatingChart
@@ -45,7 +46,8 @@ class HookReading:
     Attributes:
         name: Of the hook, or `crane` and the name of the crane.
         hook_load: As simulated [N].
-        share: Of the hook loads of all hooks together [1]; None if nothing hangs in any. A hook that hangs
+        share: Of the hook loads of all hooks together [1]; None if nothing hangs in any, and of one hook
+            beside winches or jacks that lift. A hook that hangs
             from its slings itself, since its falls have parted, carries none: the others have it.
         hoist_load: With hook block and hanging falls, as simulated [N].
         height: Of its bearing [m]; None of a crane of several hooks, and where nothing records it.
@@ -93,10 +95,11 @@ def hook_readings(recording: Recording, at: BoolArray) -> list[HookReading]:
 
     Returns:
         Hooks in the order of the rig, each crane of several hooks after its last one; none if there is but
-        one hook and no chart, of which hook loads tell all.
+        one hook, without a chart and without jacks beside it, of which hook loads tell all.
     """
     rig = recording.rig
-    if len(rig.hooks) < 2 and not rig.rating_charts:
+    is_beside_jacks = len(rig.hooks) == 1 and bool(winch_gauges(recording))
+    if len(rig.hooks) < 2 and not rig.rating_charts and not is_beside_jacks:
         return []
     used = values_of(recording, "hoist_load_of_rating", at)
     groups = {group.hooks: (chart, group) for chart in rig.rating_charts for group in rated_groups(chart)}
@@ -106,7 +109,8 @@ def hook_readings(recording: Recording, at: BoolArray) -> list[HookReading]:
         for hooks, found in groups.items():
             if len(hooks) > 1 and hooks[-1] == hook.name:
                 readings.append(_reading(recording, at, found[1].element, hooks, found, used))
-    return readings
+    # All of what hangs in hooks is a part of the load.
+    return [replace(one, share=None) for one in readings] if is_beside_jacks else readings
 
 
 def _reading(

@@ -7,6 +7,7 @@ from typing import Protocol
 
 import numpy as np
 
+from gantline.checks.gauges import Gauge, winch_gauges
 from gantline.checks.readings import OUTSIDE, HookReading, hook_readings
 from gantline.checks.readings import hold_points as held
 from gantline.checks.run import AS_IT_SWINGS
@@ -42,8 +43,9 @@ class _Named(Protocol):
 
 
 def hold_points(recording: Recording) -> list[str]:
-    """What is read off at the end of every step that holds or reports, and what hangs in hooks then."""
+    """What is read off at the end of every step that holds or reports, and what hooks and jacks pull."""
     lines: list[str] = []
+    gauges = winch_gauges(recording)
     by = recording.rig.growing
     is_more = False
     moment = f", as {' and '.join(by)} have it then" if by else ""
@@ -60,9 +62,10 @@ def hold_points(recording: Recording) -> list[str]:
             (measure.replace("_", " "), text or _nothing(recording, measure))
             for measure, text in measured.items()
         ]
-        if rows or readings or point.step.report:
+        if rows or readings or gauges or point.step.report:
             lines += pairs(f"At the end of '{point.step.step}', {show(point.time, 's', 2)}{moment}", rows)
             lines += _hooks(readings)
+            lines += _gauges(gauges, sample)
             is_more |= any(one.is_checked_for_more for one in readings)
     return [*lines, *(_CHECKED if is_more else ())]
 
@@ -88,6 +91,12 @@ def _hooks(readings: list[HookReading]) -> list[str]:
     rows = list(zip([one.name for one in readings], *(cells for _, cells in kept), strict=True))
     lines = table(("Hook", *(head for head, _ in kept)), rows, "l" + "r" * len(kept)) if rows else []
     return [f"  {line}" for line in lines]
+
+
+def _gauges(gauges: list[Gauge], sample: int) -> list[str]:
+    """A table of what winches and jacks pull at a sample."""
+    rows = [(one.name, show(float(one.reads[sample]), "kN", 1)) for one in gauges]
+    return [f"  {line}" for line in (table(("Winch or jack", "pull"), rows, "lr") if rows else ())]
 
 
 def _rated(reading: HookReading) -> str:

@@ -16,6 +16,7 @@ from gantline.checks import (
     hold_points,
     outcome_of,
     past_limits,
+    winch_gauges,
 )
 from gantline.checks.check import ALL_KNOWN, HANGS_STILL, LOAD_LIFTED, PLAN_FINISHED
 from gantline.checks.forces import hook_force
@@ -29,7 +30,7 @@ from gantline.report.sketch import sketches
 from gantline.report.steps import first_steps
 from gantline.report.subject import ABSENT, Subject, as_given, number, share, show, typeset
 from gantline.report.turning import turnings
-from gantline.report.winches import winch_gauges, winch_rows
+from gantline.report.winches import gauges_with_room, winch_rows
 from gantline.results import series
 from gantline.results.cranes.boom import Boom
 from gantline.results.cranes.crane import Crane
@@ -86,7 +87,7 @@ class FirstPage(Section):
         too_near = next((check.element for check in failed if _is_distance(check)), "")
         return {
             "rig": subject.rig,
-            "is_lift": subject.is_lift,
+            "is_lift": subject.rig.is_lift,
             "cranes": list(dict.fromkeys(hook.crane or hook.name for hook in subject.rig.hooks)),
             "version": str(subject.recording.attributes.get("gantline_version", "")),
             "fingerprint": fingerprint(subject),
@@ -333,7 +334,7 @@ def _weights(subject: Subject) -> list[tuple[str, str]]:
         # Contingency raises rigging too that hangs between a load and its slings: so the sum adds up.
         rigging = force.static / rig.gravity - designed
         # What a hinge, jacks or other ropes bear is on no hook; a hinge may be pulled against. No sum then.
-        is_sum = not rig.hinges and not winch_gauges(subject)[0] and rigging > -_SHOWN
+        is_sum = not rig.hinges and not winch_gauges(subject.recording) and rigging > -_SHOWN
         if rig.loads and rigging > 0.0 and is_sum:
             # A longer name takes two lines on paper, and a full first page the next sheet.
             name = "rigging and tag lines" if rig.tag_lines else "rigging below the hooks"
@@ -392,7 +393,7 @@ def stop_if(subject: Subject) -> list[str]:
     limits = subject.rig.limits
     # As their tables call what is read; ropes of `mechanics` without a drum are in curves alone.
     tables = {"load cell": "“Hooks”"} if subject.rig.hooks else {}
-    tables |= {"gauge": "“Winches and jacks”"} if winch_gauges(subject)[0] else {}
+    tables |= {"gauge": "“Winches and jacks”"} if winch_gauges(subject.recording) else {}
     read = " or ".join(tables) or "load cell"
     cell = f"the mean of a {read} over some waves" if subject.rig.is_in_waves else f"a {read}"
     reading = f"its reading in the table {' or '.join(tables.values())}" if tables else _IN_CURVES
@@ -422,16 +423,19 @@ def _in_water(subject: Subject) -> str:
     if all(load.in_water is None for load in rig.loads) or not (wet := series.is_wet(recording)).any():
         return ""
     last = rig.time_to_average or READ_OVER
-    cells = [recording.column("hoist_load", hook.name) for hook in rig.hooks]
-    cells += [gauge.reads for gauge in winch_gauges(subject)[0]]
+    cells = [(hook.name, recording.column("hoist_load", hook.name)) for hook in rig.hooks]
+    cells += [(gauge.name, gauge.reads) for gauge in gauges_with_room(subject)[0]]
     found = []
     for point in (one for one in hold_points(recording) if one.step.kind == "hold") if cells else ():
         begin, end = spans(recording)[point.step.step]
         late = (recording.time >= max(begin, end - last)) & (recording.time <= end)
         if not late.any() or not wet[late].all():
             continue
-        loads = [series.mean_over(recording.time[late], load[late]) for load in cells]
-        means = [number(load / rig.gravity, "t", 1) for load in loads]
+        loads = [(name, series.mean_over(recording.time[late], load[late])) for name, load in cells]
+        means = [
+            (f"{name} " if len(cells) > 1 else "") + number(load / rig.gravity, "t", 1)
+            for name, load in loads
+        ]
         found.append(f"{' / '.join(means)} t in “{point.step.step}”")
     return f", which is that in air; in water from {', '.join(found) or 'what water leaves of it'}"
 

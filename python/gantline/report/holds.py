@@ -1,10 +1,12 @@
-"""What hangs in several hooks, or from cranes with a rating chart, at each hold point."""
+"""What jacks pull at each hold point, and what hangs in several hooks or from cranes with a rating chart."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from gantline.checks import HookReading, hold_points, hook_readings
+import numpy as np
+
+from gantline.checks import HookReading, hold_points, hook_readings, winch_gauges
 from gantline.checks.readings import OUTSIDE
 from gantline.report.section import Section
 from gantline.report.subject import Subject, number, show
@@ -40,6 +42,24 @@ class HoldPoints(Section):
             "has_booms": bool(rig.booms),
             "has_charts": bool(rig.rating_charts),
         }
+
+
+class GaugesAtHoldPoints(Section):
+    """What winches and strand jacks pull at each hold point."""
+
+    anchor = "gauges-at-hold-points"
+    title = "Winches and jacks at hold points"
+    template = "gauge_holds.html"
+
+    def content(self, subject: Subject) -> dict[str, Any] | None:
+        """What the template is given."""
+        gauges = winch_gauges(subject.recording)
+        points = []
+        for point in hold_points(subject.recording) if gauges else ():
+            sample = int(np.argmax(point.at))
+            rows = [(one.name, number(one.reads[sample] / subject.rig.gravity, "t", 1)) for one in gauges]
+            points.append({"step": point.step.step, "time": show(point.time, "s", 1), "rows": rows})
+        return {"points": points, "by": " and ".join(subject.rig.growing)} if points else None
 
 
 def _row(reading: HookReading, gravity: float) -> dict[str, str]:

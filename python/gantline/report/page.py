@@ -16,7 +16,7 @@ from gantline.report.compensators import Compensators
 from gantline.report.events import Events
 from gantline.report.first_page import FirstPage
 from gantline.report.hinges import Hinges
-from gantline.report.holds import HoldPoints
+from gantline.report.holds import GaugesAtHoldPoints, HoldPoints
 from gantline.report.plots import Attitude, Clearances, HookLoads, Player, Tanks, Tensions, Vessels
 from gantline.report.rest import Cases, Modes, Rest
 from gantline.report.seas import Seas
@@ -42,6 +42,7 @@ SECTIONS: tuple[Section, ...] = (
     ChainHoists(),
     HookLoads(),
     HoldPoints(),
+    GaugesAtHoldPoints(),
     Attitude(),
     Vessels(),
     Tanks(),

@@ -41,12 +41,6 @@ class Subject:
         return self.recording.rig
 
     @property
-    def is_lift(self) -> bool:
-        """Whether something is lifted or floats: plain mechanics have no weights and no reasons to stop."""
-        rig = self.rig
-        return bool(rig.loads or rig.hooks or rig.slings or rig.vessels)
-
-    @property
     def has_motion(self) -> bool:
         """Whether there are curves to plot; between the start of a lift at rest and that nobody looked."""
         return len(self.recording.time) > 1 and not self.recording.is_equilibrium

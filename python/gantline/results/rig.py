@@ -396,6 +396,11 @@ class Rig(FromJson):
         return super().from_json({**document, **parts})
 
     @property
+    def is_lift(self) -> bool:
+        """Whether something is lifted or floats: plain mechanics have no weights and no reasons to stop."""
+        return bool(self.loads or self.hooks or self.slings or self.vessels)
+
+    @property
     def growing(self) -> dict[str, float]:
         """Waves, gusts and motions of vessels by records, by these words, and how long they grow [s].
 

@@ -22,6 +22,8 @@ class Element(BaseModel):
 
     #: How messages name this mapping, such as "a sling".
     what: ClassVar[str] = "this mapping"
+    #: Keys to which a value that stands in its place belongs.
+    lone: ClassVar[tuple[str, ...]] = ()
 
     @model_validator(mode="wrap")
     @classmethod
@@ -36,7 +38,12 @@ class Element(BaseModel):
             keys = sorted(cls.keys(), key=lambda key: key not in cls.needed_keys())
             of_it = f"{cls.what} {is_or_are(cls.what)} a mapping with keys such as {', '.join(keys[:6])}"
             key, _, value = str(data).strip().partition(" ")
-            right = f"; write {{{key}: {shorten(value)}}}" if value and key in keys else ""
+            if value and key in keys:
+                right = f"; write {{{key}: {shorten(value)}}}"
+            elif isinstance(data, str) and cls.lone:
+                right = f"; write {{{', '.join(f'{key}: {shorten(data)}' for key in cls.lone)}}}"
+            else:
+                right = ""
             raise refuse(f"found {found(data)}; {of_it}{right}", of=cls.what, keys=tuple(keys))
         return handler(data)
 

@@ -314,6 +314,7 @@ class SlingShackles(Element):
     """The shackles at the two ends of a sling."""
 
     what: ClassVar[str] = "the shackles of a sling"
+    lone: ClassVar[tuple[str, ...]] = ("top", "bottom")
 
     top: Name | None = Field(None, description="Shackle at the upper end, a name of 'shackles'.")
     bottom: Name | None = Field(None, description="Shackle at the lug, a name of 'shackles'.")
@@ -323,6 +324,7 @@ class SlingBends(Element):
     """What the eyes of a sling lie on where they have no shackle."""
 
     what: ClassVar[str] = "what the eyes of a sling lie on"
+    lone: ClassVar[tuple[str, ...]] = ("top",)
 
     top: PositiveLength | None = Field(
         None, description="Diameter of a hook's prong, pin or trunnion in its upper eye."
