@@ -32,6 +32,7 @@ _MEANT = {
     "chain_fall": ("chain_hoist",),
     "capacity": ("rated_capacity", "working_load_limit"),
     "cd": ("drag_coefficients",),
+    "class": ("construction",),
     "cog": ("centre_of_gravity",),
     "criteria": ("limits",),
     "cs": ("slamming_coefficient",),
