@@ -299,12 +299,10 @@ class Statics:
             TypeError: If a weight is no number, or they are not by names.
             ValueError: If the lift has no such body.
         """
-        needed(
-            more,
-            Mapping,
-            "a dictionary of masses by names of bodies",
-            f"such as {{{next(iter(self._bodies))!r}: 1e3}}",
-        )
+        if not isinstance(more, Mapping):
+            like = f"such as {{{next(iter(self._bodies))!r}: 1e3}}"
+            wrong = f"a dictionary of masses by names of bodies is needed, not {type(more).__name__}"
+            raise TypeError(f"{wrong}; {like}")
         for body in more:
             if body not in self._bodies:
                 raise ValueError(f"the lift has no body {body!r}; {nearest(str(body), self._bodies)}")
