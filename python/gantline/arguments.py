@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from numbers import Real
 from typing import Any, TypeGuard, TypeVar
 
-__all__ = ["is_number", "needed", "number", "told"]
+__all__ = ["direction", "is_number", "needed", "number", "told"]
 
 T = TypeVar("T")
 _Told = TypeVar("_Told", bound=Callable[..., Any])
@@ -49,6 +49,22 @@ def number(value: object, name: str, unit: str) -> float:
     if not (is_number(value) and math.isfinite(value)):
         raise TypeError(f"{name}: {value!r} is no number of {unit}")
     return float(value)
+
+
+def direction(value: object, name: str) -> list[float]:
+    """A direction of the world as its parts along x, y and z, of any length above zero.
+
+    Args:
+        value: What was handed in, an array too.
+        name: The argument.
+
+    Raises:
+        ValueError: If it is none, such as one in the plane alone.
+    """
+    parts = list(value) if isinstance(value, Iterable) and not isinstance(value, str) else []
+    if len(parts) != 3 or not all(is_number(one) and math.isfinite(one) for one in parts) or not any(parts):
+        raise ValueError(f"{name}: {value!r} is no direction; x, y and z of the world, such as [1, 0, 0]")
+    return [float(one) for one in parts]
 
 
 def told(on_progress: _Told | None) -> _Told | None:

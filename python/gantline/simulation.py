@@ -308,7 +308,7 @@ class Simulation:
         """
         return commanded(self.scenario, name, motion).state(self._core.drive)
 
-    def now(self, variable: str, name: str) -> FloatArray:
+    def now(self, variable: str, name: str | None = None) -> FloatArray:
         """A value of the present, without a recording.
 
         Args:
@@ -316,10 +316,12 @@ class Simulation:
                 `sheave_travel`, `vessel_heel`, `tank_content`; not those of cranes, such as `hook_height`:
                 where hooks are `drive_state` tells. What the core gives as it is, such as the first two,
                 costs least.
-            name: Name along it, such as `sling.S1`, as for `Recording.column`.
+            name: Name along it, such as `sling.S1`, as for `Recording.column`; None for all names, in their
+                order.
 
         Returns:
-            A number, or of a vector its components; shape () or (3,), in units of the recording.
+            A number, or of a vector its components, in units of the recording; shape () or (3,), of all names
+            (name,) or (name, 3).
 
         Raises:
             KeyError: If there is no such variable or name.
@@ -332,7 +334,7 @@ class Simulation:
             if variable in DIMS:
                 why = f"{variable!r} is worked out for recordings alone, see `recording`"
             raise KeyError(f"{why}; there are {', '.join(present)}")
-        value: FloatArray = present.column(variable, name)[0]
+        value: FloatArray = (present[variable].values if name is None else present.column(variable, name))[0]
         return value
 
     @cached_property

@@ -34,7 +34,7 @@ def test_level_and_back_into_the_lift_file(lift: Path, tmp_path: Path) -> None:
     """The case that is printed hangs level to what a tenth of a millimetre makes over 4 m: 0.002°."""
     result = statics(lift, "--level", "-o", tmp_path / "out")
     assert result.returncode == 0, result.stderr
-    assert re.search(r"S1 +12\.0000 m +11\.\d{4} m +−\d+\.\d mm", result.stdout)
+    assert re.search(r"S1 +12\.0000 m +11\.\d{4} m +-\d+\.\d mm", result.stdout)
     assert "tilt 2.289 deg, then 0.000 deg" in result.stdout
     case = re.search(r"lengths: \{set: .*\}", result.stdout)
     assert case is not None
@@ -60,7 +60,7 @@ def test_plumb(lift: Path) -> None:
     result = statics(lift, "--plumb")
     assert result.returncode == 0, result.stderr
     assert re.search(
-        r"A +-4\.\d{4} m +0\.\d{4} m +\+\d+\.\d mm +−\d+\.\d mm +16\.81 kN +0\.00 kN", result.stdout
+        r"A +-4\.\d{4} m +0\.\d{4} m +\+\d+\.\d mm +-\d+\.\d mm +16\.81 kN +0\.00 kN", result.stdout
     )
     assert "plumb: {set: {cranes.A.at.x: -4." in result.stdout
     one = statics(lift, "--plumb", "--adjust", "A")

@@ -20,6 +20,7 @@ from gantline.cli.app import app
 from gantline.results.file.form import FormError
 from gantline.results.file.gaps import gaps
 from gantline.results.file.layout import DIMS
+from gantline.results.file.netcdf import save_recording
 from gantline.results.file.validity import hold_recording
 from gantline.results.recording import Recording
 from gantline.results.variable import Variable
@@ -44,14 +45,20 @@ NAMES = list(sample().variables)
 COORDINATES = list(sample().coordinates)
 
 
+def _changed(path: Path, *parts: Any) -> Path:
+    """A file as another program leaves it: `Recording.save` writes none that could not be read again."""
+    return save_recording(Recording(*parts), path)
+
+
 def refusal(folder: Path, variables: Mapping[str, Variable] | None = None, **changed: Any) -> str:
     """What is said of the sample lift with other variables, names or attributes, without file and advice."""
     whole = sample()
-    file = Recording(
+    file = _changed(
+        folder / "changed.nc",
         whole.variables if variables is None else variables,
         changed.get("coordinates", whole.coordinates),
         changed.get("attributes", whole.attributes),
-    ).save(folder / "changed.nc")
+    )
     with pytest.raises(ValueError) as problem:
         gantline.open_recording(file)
     said = str(problem.value)
@@ -298,7 +305,7 @@ def test_what_xarray_has_saved_again_is_the_same(tmp_path: Path) -> None:
 )
 def test_every_verb_says_it_in_one_line(tmp_path: Path, words: tuple[str, ...]) -> None:
     others = {name: one for name, one in sample().variables.items() if name != "rope_tension"}
-    file = Recording(others, sample().coordinates, sample().attributes).save(tmp_path / "bad.nc")
+    file = _changed(tmp_path / "bad.nc", others, sample().coordinates, sample().attributes)
     result = CliRunner().invoke(app, [word.format(file) for word in words])
     assert result.exit_code == 2
     assert result.output == f"error: {file}: variable 'rope_tension' is missing{ADVICE}\n"

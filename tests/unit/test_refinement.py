@@ -12,6 +12,7 @@ from typer.testing import CliRunner
 import gantline
 from gantline.cli.app import app
 from gantline.cli.refinement import refinement_table
+from gantline.results.file.netcdf import save_recording
 from gantline.results.recording import Recording
 from gantline.results.refinement import Apart, Figure, Refinement, in_per_cent, refinement_of
 from gantline.study import refined
@@ -99,9 +100,8 @@ def test_a_recording_keeps_it(tmp_path: Path) -> None:
 def test_one_of_another_form_is_refused(tmp_path: Path) -> None:
     whole = ringing_lift()
     odd = {**asdict(FOUND), "figures": [{**asdict(LARGEST), "finer": "large"}]}
-    file = Recording(whole.variables, whole.coordinates, {**whole.attributes, "refinement": odd}).save(
-        tmp_path / "odd.nc"
-    )
+    other = Recording(whole.variables, whole.coordinates, {**whole.attributes, "refinement": odd})
+    file = save_recording(other, tmp_path / "odd.nc")
     with pytest.raises(ValueError, match=r"attribute refinement\.figures\[0\]\.finer is 'large'; expected a"):
         gantline.open_recording(file)
 

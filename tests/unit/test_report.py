@@ -22,7 +22,7 @@ from gantline.report.first_page import FirstPage, beyond, stop_if
 from gantline.report.sketch import sketches
 from gantline.report.sketch_paper import HEIGHT, PLATE, WIDTH
 from gantline.report.steps import StepsContinued, first_steps
-from gantline.report.subject import Subject, typeset
+from gantline.report.subject import ABSENT, Subject, typeset
 from gantline.report.tables import Energy, LiftFile
 from gantline.results import Recording
 from gantline.results.rig import Rig
@@ -131,6 +131,20 @@ def test_the_first_page_says_what_load_cells_read() -> None:
     before, after = 21.5 + 50 / 9.81, (3000e3 + 21.5e3 * 9.81 + 50e3) / 9.81 / 1e3
     # At t = 10 s the ringing has no part, and transferred goes from 0 to 1 in this sample.
     assert float(hooks[0]["readings"][1]) == pytest.approx((before + after) / 2, abs=0.06)
+
+
+def test_a_load_that_hangs_in_part_at_the_start_has_the_readings_to_come() -> None:
+    """44 % have come over as it begins: half and three quarters are still to come, a quarter is not."""
+    whole = ringing_lift()
+    transferred = np.linspace(0.44, 1.0, len(whole.time))[:, None]
+    one = whole["load_transferred"]
+    part = Variable(one.dims, transferred, one.unit, one.description)
+    variables = {**whole.variables, "load_transferred": part}
+    hooks = content(Recording(variables, whole.coordinates, whole.attributes))["hooks"]
+    assert isinstance(hooks, list)
+    quarter, half, three_quarters, _ = hooks[0]["readings"]
+    assert quarter == ABSENT
+    assert ABSENT not in (half, three_quarters)
 
 
 def test_the_first_page_counts_from_calculated_weight_to_hoist_load() -> None:

@@ -254,7 +254,8 @@ def test_a_failed_save_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> N
     recording = short_lift()
     path = recording.save(tmp_path / "lift.nc")
     before = path.read_bytes()
-    broken = Recording(recording.variables, recording.coordinates, {"settings": {"step": float("nan")}})
+    attributes = {**recording.attributes, "of_mine": {"step": float("nan")}}
+    broken = Recording(recording.variables, recording.coordinates, attributes)
     with pytest.raises(ValueError, match="JSON"):
         broken.save(path)
     assert path.read_bytes() == before

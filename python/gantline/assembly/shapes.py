@@ -204,6 +204,7 @@ def add_touching(parts: Parts, scenario: Scenario) -> None:
                 _pair(pair_name(load.name, shape), load.name, (load.name, shape), law) for shape in shapes
             ]
     contacts = scenario.mechanics.body_contacts if scenario.mechanics is not None else None
+    by_itself = {frozenset(pair["shapes"]) for pair in parts.pairs}
     for name, contact in (contacts or {}).items():
         path = ("mechanics", "body_contacts", name, "between")
         one, other = (_known(parts, scenario, path, word) for word in contact.between)
@@ -213,6 +214,11 @@ def add_touching(parts: Parts, scenario: Scenario) -> None:
         group, law = contact.group or carried(parts, scenario, bodies), _law(contact)
         for first in one:
             for second in other:
+                if frozenset((first, second)) in by_itself:
+                    # The contact would be there twice, of twice the stiffness.
+                    said = f"{first} and {second} touch by themselves, as the load does all 'structures'"
+                    right = "leave this out; a structure has 'stiffness', 'damping' and 'friction' of its own"
+                    raise scenario.error(path, f"{said}: {right}")
                 own = name if len(one) == len(other) == 1 else f"{name}.{first}.{second}"
                 parts.pairs.append(_pair(own, group, (first, second), law))
     if load is not None and len(parts.shapes[load.name]["parts"]) > 1:

@@ -31,6 +31,8 @@ _LEVELS = ("crane", "trolley", "hook")
 _ASLANT = 1.05
 #: Difference of two levels that nobody reads, who reads them in mm [m]: one that stays rings in its ropes.
 _LEVEL = 0.5e-3
+#: Levels that differ by less have a digit more than those which do by more [m], or they would look alike.
+_MILLIMETRES = 0.01
 _PARTED = "its falls have parted"
 
 
@@ -198,7 +200,11 @@ def level_difference(recording: Recording, during: BoolArray) -> Iterator[Findin
                 names: tuple[str, str] = (one, other),
                 rises: tuple[FloatArray, ...] = (first, second),
             ) -> str:
-                risen = [f"{name} {rise[at]:.3f} m" for name, rise in zip(names, rises, strict=True)]
+                digits = 3 if abs(rises[0][at] - rises[1][at]) >= _MILLIMETRES else 4
+                risen = [
+                    f"{name} {format_quantity(float(rise[at]), 'm', digits)}"
+                    for name, rise in zip(names, rises, strict=True)
+                ]
                 return f"{', '.join(risen)} up since it came clear"
 
             apart, names = np.abs(first - second), f"{one} to {other}"

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results import series
-from gantline.results.alike import first_peak
+from gantline.results.alike import ROUNDING, first_peak
 from gantline.results.recording import Recording
 from gantline.results.variable import BoolArray, FloatArray
 
@@ -160,7 +160,9 @@ def extreme(
     upwards = -values if smallest else values
     within = np.where(during, upwards, -np.inf)
     most = float(within.max())
-    at = int(np.argmax(within >= most - alike)) if alike else first_peak(within)
+    # Of a peak that is no more than what is alike the formula would be that of where there is none yet.
+    near = min(alike, max(0.1 * abs(most), ROUNDING))
+    at = int(np.argmax(within >= most - near)) if alike else first_peak(within)
     text = formula(at) if formula is not None else ""
     highest = crest(recording.time, upwards, during)
     between = None if highest is None or not highest > most else -highest if smallest else highest

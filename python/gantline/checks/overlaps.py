@@ -34,6 +34,10 @@ def run_into(recording: Recording) -> list[Check]:
             more = "no drawing makes that good" + (
                 _NO_CONTACT if _may_be_set_on(recording, {one, other}) else ""
             )
+        elif found.is_of_hulls:
+            more = (
+                "hulls go through each other and structures unless fenders or 'body_contacts' hold them off"
+            )
         else:
             more = "drawn sizes of cranes are rough: a pair under 'watch' takes the place of this"
         meaning = "load, equalizer frames, cranes, hulls, structures and supports stay outside of each other"

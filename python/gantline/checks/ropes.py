@@ -129,7 +129,9 @@ def load_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[
             yield from _load(recording, rope, at_upper_end(recording, rope.name, force, during))
     if not absent and slings and not any(_is_held(recording, slings, rope) for rope in recording.rig.ropes):
         yield Caution(_NONE_HELD)
-    if not absent and any(rope.over_eyes and rope.minimum_breaking_force for rope in recording.rig.ropes):
+    # Of a sling over an extension sheave it is no way out: that has no guides, and its sheave a diameter.
+    over_eyes = [rope for rope in recording.rig.ropes if rope.over_eyes and rope.name not in slings]
+    if not absent and any(rope.minimum_breaking_force for rope in over_eyes):
         yield Caution(_EYES_TAKE)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 from pathlib import Path
 from typing import Annotated, Any
@@ -127,4 +128,6 @@ def _gantline(
 
 def run_app() -> None:
     """Run the command with the words of this process; `gantline.cli.main` calls it."""
+    # Where a home cannot be written to, as on servers, matplotlib tells of the folder that it takes instead.
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
     app(prog_name="gantline")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from gantline.cli.table import pairs, table
+from gantline.cli.table import pairs, signed, table
 from gantline.units import format_quantity
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ def report(answer: BallastAnswer) -> list[str]:
     rows = []
     for tank, content in answer.contents.items():
         change = content - answer.given[tank]
-        cells = [tank, _tonnes(answer.given[tank]), _tonnes(content), _signed(change)]
+        cells = [tank, _tonnes(answer.given[tank]), _tonnes(content), signed(change, "t", 1)]
         rows.append([*cells, *([_tonnes(answer.contents_then[tank])] if pumped else [])])
     sea = answer.sea_water
     way = "from the sea" if sea > 0.0 else "to the sea"
@@ -54,10 +54,3 @@ def _attitude(one: VesselAttitude) -> str:
 
 def _tonnes(mass: float) -> str:
     return format_quantity(mass, "t", 1)
-
-
-def _signed(mass: float) -> str:
-    text = _tonnes(abs(mass))
-    if text == _tonnes(0.0):
-        return text
-    return f"{'−' if mass < 0.0 else '+'}{text}"

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
 def cad(
     file: Annotated[
-        Path, typer.Argument(metavar="FILE", help="OCX (.3docx), STEP, IGES, STL, OBJ, glTF or GLB.")
+        Path,
+        typer.Argument(metavar="FILE", help="OCX (.3docx, .ocx, .xml), STEP, IGES, STL, OBJ, glTF or GLB."),
     ],
     output: Annotated[
         Path | None, folder_option("Folder to write into.  [default: results/cad-<name of FILE>]")

@@ -149,14 +149,14 @@ def _wanted(level: bool, want: str | None) -> Wanted:
 
 def _slings(answer: LengthAnswer) -> list[str]:
     """New lengths, and what they change."""
-    from gantline.cli.table import show, table
+    from gantline.cli.table import show, signed, table
 
     rows = [
         (
             name,
             show(answer.given[name], "m", 4),
             show(length, "m", 4),
-            _signed(length - answer.given[name], "mm", 1),
+            signed(length - answer.given[name], "mm", 1),
             show(answer.before.tension(f"sling.{name}"), "kN", 1),
             show(answer.after.tension(f"sling.{name}"), "kN", 1),
         )
@@ -199,7 +199,7 @@ def _chain_hoists(answer: LengthAnswer) -> list[str]:
 
 def _hooks(answer: HookAnswer) -> list[str]:
     """New places, and what they change."""
-    from gantline.cli.table import ABSENT, show, table
+    from gantline.cli.table import ABSENT, show, signed, table
 
     rows = []
     for name, pulls in answer.side_pulls.items():
@@ -207,7 +207,7 @@ def _hooks(answer: HookAnswer) -> list[str]:
         cells = [ABSENT] * 4
         if name in answer.places:
             (x, y), (new_x, new_y) = answer.given[name], answer.places[name]
-            moved = (_signed(new_x - x, "mm", 1), _signed(new_y - y, "mm", 1))
+            moved = (signed(new_x - x, "mm", 1), signed(new_y - y, "mm", 1))
             cells = [show(new_x, "m", 4), show(new_y, "m", 4), *moved]
         rows.append((name, *cells, *forces))
     head = ("Hook", "new x", "new y", "along x", "along y", "side pull", "new side pull")
@@ -257,14 +257,6 @@ def _as_case(name: str, values: Mapping[str, float]) -> Sequence[str]:
     """The answer as a case, to be put into the lift file."""
     changes = ", ".join(f"{path}: {round(value, 4) + 0.0:.4f} m" for path, value in values.items())
     return ["As a case of the lift file, to the tenth of a millimetre:", f"  {name}: {{set: {{{changes}}}}}"]
-
-
-def _signed(value: float, unit: str, digits: int) -> str:
-    from gantline.units import format_quantity
-
-    text = format_quantity(abs(value), unit, digits)
-    is_less = value < 0.0 and text != format_quantity(0.0, unit, digits)
-    return f"{'−' if is_less else '+'}{text}"
 
 
 def _steps(count: int) -> str:

@@ -131,3 +131,9 @@ def _line(cells: Sequence[str], widths: Sequence[int], align: str) -> str:
 def show(value: float | None, unit: str, digits: int) -> str:
     """A value with its unit, or a dash."""
     return ABSENT if value is None else format_quantity(value, unit, digits)
+
+
+def signed(change: float, unit: str, digits: int) -> str:
+    """A change with its unit and its sign, by the same minus as values beside it; none of none."""
+    text = format_quantity(change, unit, digits)
+    return f"+{text}" if change > 0.0 and text != format_quantity(0.0, unit, digits) else text

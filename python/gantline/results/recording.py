@@ -1,7 +1,7 @@
 """A recording: everything that is kept of one simulated lift.
 
-It wraps columns of numbers, knows nothing of the simulator, and cannot be changed. `gantline.results.derive`
-lists its variables with their dimensions and units.
+It wraps columns of numbers, knows nothing of the simulator, and is not to be changed.
+`gantline.results.derive` lists its variables with their dimensions and units.
 """
 
 from __future__ import annotations
@@ -74,7 +74,11 @@ class Recording:
 
     @property
     def attributes(self) -> Mapping[str, Any]:
-        """What describes the recording as a whole."""
+        """What describes the recording as a whole.
+
+        Dictionaries and lists in it are the recording's own. `copy.deepcopy` gives a rig that may be changed,
+        and `Recording(one.variables, one.coordinates, {**one.attributes, "rig": rig})` another recording.
+        """
         return self._attributes
 
     @property
@@ -237,14 +241,33 @@ class Recording:
         return kept
 
     def metrics(self) -> dict[str, float]:
-        """The lift in key numbers, SI units; `gantline.results.metrics` defines each."""
+        """The lift in key numbers, SI units; `gantline.results.metrics` defines each.
+
+        Raises:
+            ValueError: If it is a part of a recording, made by hand, that lacks what they are of.
+        """
         return dict(self._metrics)
 
     @cached_property
     def _metrics(self) -> Mapping[str, float]:
         from gantline.results.metrics import metrics_of
 
-        return metrics_of(self)
+        try:
+            return metrics_of(self)
+        except KeyError:
+            self._hold("metrics are of whole recordings")
+            raise
+
+    def _hold(self, why: str) -> None:
+        """Refuse what is made by hand and lacks what every recording has; `why` says who needs it."""
+        from gantline.results.file.form import FormError
+        from gantline.results.file.validity import hold_recording
+
+        try:
+            hold_recording(self)
+        except FormError as problem:
+            right = "variables, names and attributes of another recording are right together"
+            raise ValueError(f"{why}, and of this one {problem}; {right}") from None
 
     @property
     def dataset(self) -> xarray.Dataset:
@@ -276,7 +299,8 @@ class Recording:
 
         Raises:
             OSError: If it cannot be written there.
-            ValueError: If its name ends as that of a file of another kind, such as a table.
+            ValueError: If its name ends as that of a file of another kind, such as a table; or if it was made
+                by hand and lacks something without which it could not be read again.
         """
         from gantline.results.file.netcdf import save_recording
 
@@ -284,6 +308,7 @@ class Recording:
         if file.suffix.lower() in _OTHER_KINDS:
             right = "gantline.export.write_csv and write_parquet write tables of its variables"
             raise ValueError(f"{file}: a recording is a NetCDF4 file, {file.stem}.nc; {right}")
+        self._hold(f"{file}: nothing is written: only whole recordings can be read again")
         return save_recording(self, file)
 
 

@@ -23,6 +23,9 @@ __all__ = [
 #: Most problems that one message lists.
 MOST_SHOWN: Final = 20
 
+#: So many known words that are equally near to an unknown one are no guess.
+_TOO_MANY: Final = 4
+
 #: Longest piece of a user's text that a message repeats.
 _LONGEST: Final = 60
 
@@ -118,7 +121,7 @@ def shorten(text: str) -> str:
 def closest(word: str, known: Iterable[str]) -> str | None:
     """The known word that is written most like a word, alone ends in it after a dot, or begins with it.
 
-    None if there is no such word.
+    None if there is no such word, or if many are equally like it.
     """
     by_lower = {name.lower(): name for name in reversed(list(known))}
     in_full = [name for lower, name in by_lower.items() if lower.endswith(f".{word.lower()}")]
@@ -130,7 +133,11 @@ def closest(word: str, known: Iterable[str]) -> str | None:
     begun = [name for lower, name in by_lower.items() if "_" in word and lower.startswith(f"{word.lower()}_")]
     if begun and word.lower() not in by_lower:
         return begun[-1]  # `sling_angle` of `sling_angle_from_vertical`
-    near = difflib.get_close_matches(word.lower()[:200], list(by_lower), n=1, cutoff=0.6)
+    lower = word.lower()[:200]
+    near = difflib.get_close_matches(lower, list(by_lower), n=_TOO_MANY, cutoff=0.6)
+    alike = {difflib.SequenceMatcher(None, one, lower).ratio() for one in near}
+    if len(near) == _TOO_MANY and len(alike) == 1:
+        return None  # `rowx` is as near to each of `row1.1`, `row1.2`, ...: to name one were to guess
     return by_lower[near[0]] if near else None
 
 

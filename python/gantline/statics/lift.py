@@ -15,6 +15,7 @@ from typing import Any, Concatenate, Literal, ParamSpec, TypeVar
 import numpy as np
 
 from gantline import _core
+from gantline.arguments import direction as direction_of
 from gantline.arguments import is_number, needed, number
 from gantline.assembly import Assembly, assemble
 from gantline.assembly.afloat.vessels import drifted
@@ -29,6 +30,7 @@ from gantline.results.ropes.beyond_curve import beyond_curve
 from gantline.results.ropes.flows import drum_warnings
 from gantline.scenario import Scenario, load_scenario
 from gantline.scenario.afloat.tanks import holed_tanks
+from gantline.scenario.errors import nearest
 from gantline.statics.answers import (
     KINDS,
     OF_ROPES,
@@ -154,7 +156,7 @@ class Statics:
 
         Raises:
             NoEquilibriumError: If there is none.
-            ValueError: If the time is not one of the lift.
+            ValueError: If the time is not one of the lift, or what slides does so in no direction.
         """
         duration = self.scenario.duration
         moment = duration if time is None else time
@@ -166,7 +168,7 @@ class Statics:
         start = None if increment is None else [float(part) for part in increment]
         if start is not None and not np.isfinite(start).all():
             raise ValueError(f"increment: {increment!r} has a part that is not finite")
-        way = None if slide is None else [float(part) for part in slide]
+        way = None if slide is None else direction_of(slide, "slide")
         self._last = None
         try:
             found = self._core.settle(moment, start, losses, way, self._goes_on)
@@ -210,9 +212,10 @@ class Statics:
 
         Raises:
             NoEquilibriumError: If there is none for another cause.
+            ValueError: If it is no direction, or the time not one of the lift.
         """
         try:
-            return self.equilibrium(time, slide=direction)
+            return self.equilibrium(time, slide=direction_of(direction, "direction"))
         except NoEquilibriumError as problem:
             if problem.cause == FALLS:
                 return None
@@ -227,7 +230,8 @@ class Statics:
         Between these two friction of their contacts holds them wherever they are put; where one is None the
         range is open on that side. For the rest see `slid`.
         """
-        return self.slid(direction, time), self.slid([-part for part in direction], time)
+        way = direction_of(direction, "direction")
+        return self.slid(way, time), self.slid([-part for part in way], time)
 
     @_one_at_a_time
     def step_off(self) -> Equilibrium | None:
@@ -292,8 +296,16 @@ class Statics:
 
         Raises:
             NoEquilibriumError: If there is none, or none with that weight.
-            TypeError: If a weight is no number.
+            TypeError: If a weight is no number, or they are not by names.
+            ValueError: If the lift has no such body.
         """
+        if not isinstance(more, Mapping):
+            like = f"such as {{{next(iter(self._bodies))!r}: 1e3}}"
+            wrong = f"a dictionary of masses by names of bodies is needed, not {type(more).__name__}"
+            raise TypeError(f"{wrong}; {like}")
+        for body in more:
+            if body not in self._bodies:
+                raise ValueError(f"the lift has no body {body!r}; {nearest(str(body), self._bodies)}")
         added = [(body, number(mass, f"more of {body}", "kilograms")) for body, mass in more.items()]
         losses = self._of_last()
         other = copy(self)

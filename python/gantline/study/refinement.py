@@ -57,7 +57,8 @@ def refined(recording: Recording, finer: Recording) -> Recording:
         finer: Of the finer run, see `finer_simulation`.
 
     Raises:
-        ValueError: If one of the runs did not get to its end, or they are not of one lift and duration.
+        ValueError: If one of the runs did not get to its end, they are not of one lift and duration, or the
+            second is no finer.
         TypeError: If one of them is no recording.
     """
     for one in (recording, finer):
@@ -68,6 +69,9 @@ def refined(recording: Recording, finer: Recording) -> Recording:
     if lasts != other or recording.attributes["scenario"] != finer.attributes["scenario"]:
         sentence = f"they are no runs of one lift and one duration ({lasts:g} s and {other:g} s)"
         raise ValueError(f"{sentence}; `finer_simulation` makes the finer one")
+    used, less = (run.attributes["settings"]["integrator"] for run in (recording, finer))
+    if not any(less[name] < used[name] for name in _SHARES if name in used and name in less):
+        raise ValueError("the second run is no finer than the first; `finer_simulation` makes one that is")
     found = _refinement(recording, finer)
     attributes = {**recording.attributes, "refinement": asdict(found)}
     if found.verdicts:

@@ -46,6 +46,7 @@ class Overlap:
         depth: How far one is in the other at most, the shortest way out [m].
         is_past_middle: Whether one reaches past the middle of the other: no matter of how it is drawn.
         support: That of the two which is a support; None where none is.
+        is_of_hulls: Whether they are two hulls, or a hull and a structure, of which nothing is drawn roughly.
     """
 
     between: tuple[str, str]
@@ -53,6 +54,7 @@ class Overlap:
     depth: float
     is_past_middle: bool
     support: str | None = None
+    is_of_hulls: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,7 +141,9 @@ def overlaps(recording: Recording) -> list[Overlap]:
         if depth.max() > least:
             since = float(recording.time[looks[int(np.argmax(depth > least))]])
             deep = float(depth.max())
-            found.append(Overlap((one.name, other.name), since, deep, bool(is_past.any()), support))
+            is_of_hulls = "hull" in (one.kind, other.kind) and {one.kind, other.kind} <= {"hull", "structure"}
+            names = (one.name, other.name)
+            found.append(Overlap(names, since, deep, bool(is_past.any()), support, is_of_hulls))
     return found
 
 

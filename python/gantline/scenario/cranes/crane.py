@@ -59,7 +59,10 @@ _CRANES = ("fixed_hook", "goliath", "floating_crane", "crawler")
 #: What other words for a type of crane mean.
 _MEANT = {
     **dict.fromkeys(("sheerleg", "sheerlegs", "pedestal_crane"), "floating_crane"),
-    **dict.fromkeys(("gantry", "gantry_crane"), "goliath"),
+    **dict.fromkeys(
+        ("bridge_crane", "double_trolley_crane", "gantry", "gantry_crane", "overhead_crane", "portal_crane"),
+        "goliath",
+    ),
     **dict.fromkeys(("crawler_crane", "mobile_crane"), "crawler"),
 }
 #: Tower cranes whose boom luffs have a type here, those with a trolley on a level jib have none.

@@ -66,6 +66,8 @@ class Shape(Element):
         if not kinds:
             given = ", ".join(f"'{shorten(key)}'" for key in data)
             says = f"found {given}; " if given else ""
+            if {"pipe", "tube"} & set(data):
+                says += "a tube is a 'cylinder' with a 'wall'; "
             raise refuse(
                 f"{says}a shape is 'box: [10 m, 10 m, 5 m]', 'cylinder: {{diameter: 6 m, length: 40 m}}' or "
                 "'cad: load.3docx'"
