@@ -86,7 +86,9 @@ def load_cell(subject: Subject, load: FloatArray, *, is_alone: bool) -> list[flo
     if "load_transferred" not in recording or not subject.rig.loads:
         return [None for _ in READINGS]
     transferred = recording["load_transferred"].values.min(axis=1)
-    if recording.is_equilibrium or transferred[0] >= READINGS[-2]:
+    # Where a hinge holds a part that hangs from the start, what comes over tells how far the load has turned.
+    known_from = READINGS[0] if subject.rig.hinges else READINGS[-2]
+    if recording.is_equilibrium or transferred[0] >= known_from:
         whole = subject.static(load) if _hangs_whole(subject).any() else None
         return [*(None for _ in READINGS[1:]), mass_of(subject, whole)]
     if subject.rig.is_in_waves:
