@@ -120,6 +120,17 @@ def test_an_emergency_stop_needs_a_deceleration_and_a_step() -> None:
         ("range: [-60 m, 60 m]", "range: [-61 m, 60 m]", "with this span and approach 60 m is the most"),
         ("range: [-60 m, 60 m]", "range: [60 m, -60 m]", "a range goes from its least to its largest"),
         ("base: 32 m", "base: 32 m, fixed_leg_at: -70 m", "with this span it is at -74 m or 74 m"),
+        (
+            "    legs: {fixed: 700 t, hinged: 450 t, bogies: 700 t, base: 32 m}\n",
+            "",
+            "nothing says what the girder stands on; 'legs: {fixed: 700 t, hinged: 450 t}'",
+        ),
+        (
+            "    legs: ",
+            "    end_carriages: {mass: 9 t}\n    legs: ",
+            "where it is an overhead crane; found both",
+        ),
+        ("underside: 80 m", "underside: -1 m", "of a girder on legs is above their rails; found -1 m"),
     ],
 )
 def test_a_crane_that_cannot_be_is_refused(old: str, new: str, says: str) -> None:

@@ -103,10 +103,11 @@ def _add_surroundings(parts: Parts, scenario: Scenario) -> None:
 
 
 def _add_cranes(parts: Parts, scenario: Scenario) -> None:
-    """What of cranes a load may meet: legs, booms, crawlers but their mats."""
-    for name in goliaths(scenario):
-        for side, leg in enumerate((crane_shape(scenario, name) or {})["boxes"], start=1):
-            parts.add_shape(f"{name}.legs.{side}", name, [leg])
+    """What of cranes a load may meet: legs, end carriages, booms, crawlers but their mats."""
+    for name, crane in goliaths(scenario).items():
+        stands_on = "end_carriages" if crane.legs is None else "legs"
+        for side, box in enumerate((crane_shape(scenario, name) or {})["boxes"], start=1):
+            parts.add_shape(f"{name}.{stands_on}.{side}", name, [box])
     for placed in scenario.booms.values():
         parts.add_shape(placed.name, placed.name, (boom_shape(scenario, placed.name) or {})["boxes"])
     for name in crawlers(scenario):

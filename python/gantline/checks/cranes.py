@@ -158,11 +158,14 @@ def _raised_corners(recording: Recording, crane: Crane) -> FloatArray:
 def wind_of_limit(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Gust of the lift over the wind limit of a crane.
 
-    Booms without one are left out where nobody asks, and fixed hooks always: they stand for any crane.
+    Booms and overhead cranes, which stand in halls, without one are left out where nobody asks, and fixed
+    hooks always: they stand for any crane.
     """
     rig = recording.rig
     is_asked = rig.limits.get("wind_of_limit") is not None
-    cranes: list[Crane | Boom | Hook] = [*rig.cranes]
+    cranes: list[Crane | Boom | Hook] = [
+        crane for crane in rig.cranes if is_asked or crane.has_legs or crane.wind_limit is not None
+    ]
     cranes += [boom for boom in rig.booms if is_asked or boom.wind_limit is not None]
     cranes += [hook for hook in rig.fixed_hooks if hook.wind_limit is not None]
     for crane in cranes:

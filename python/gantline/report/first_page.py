@@ -472,17 +472,18 @@ def _waves(subject: Subject) -> list[str]:
 
 
 def _wind(subject: Subject) -> list[str]:
-    """When wind stops the lift; a crane whose limit nobody has said has one in its own papers.
+    """When wind stops the lift; a crane out of doors whose limit nobody has said has one in its own papers.
 
     Of more wind than the lift was simulated in, and of other directions, nothing here tells.
     """
     rig = subject.rig
     cranes: list[Crane | Boom | Hook] = [*rig.cranes, *rig.booms, *rig.fixed_hooks]
     known = {crane.name: crane.wind_limit for crane in cranes if crane.wind_limit is not None}
+    in_halls = {crane.name for crane in rig.cranes if rig.wind is None and not crane.has_legs}
     found = [f"wind is over {show(limit, 'm/s', 0)}, the limit of {name}" for name, limit in known.items()]
     if not cranes and not rig.hooks:
         found.append(_OF_NO_CRANE)
-    elif not known or any(hook.crane not in known for hook in rig.hooks):
+    elif any(hook.crane not in {*known, *in_halls} for hook in rig.hooks) or not (known or in_halls):
         whose = "the crane's limit" if not known else "the limit of any other crane"
         found.append(f"wind exceeds {whose} ({_BLANK})")
     if rig.wind is not None:

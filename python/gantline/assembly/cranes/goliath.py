@@ -1,9 +1,10 @@
 """Goliath cranes into mechanics: crane on rails, girder that bends, trolleys, each on a slider.
 
-Legs, bogies and the part of the girder that does not take part in its bending are one body on a driven
-slider along the rails. On it stands what of the girder does: a slider up and down on a spring that carries
-girder, trolleys and hooks where they are at the start. Trolleys are driven sliders along that. Hook blocks
-are points under the world that hang in their ropes, so that they swing.
+Legs and bogies, or the end carriages of an overhead crane, and the part of the girder that does not take
+part in its bending are one body on a driven slider along the rails. On it stands what of the girder does: a
+slider up and down on a spring that carries girder, trolleys and hooks where they are at the start. Trolleys
+are driven sliders along that. Hook blocks are points under the world that hang in their ropes, so that they
+swing.
 """
 
 from __future__ import annotations
@@ -29,6 +30,9 @@ BENDING_SHARE = 17 / 35
 _GIRDER = 0.06
 _LEG = 4.0
 _TROLLEY = 8.0
+#: The same over a span: an end carriage, across and up, and the trolley of a small crane.
+_CARRIAGE = 0.03
+_SMALL_TROLLEY = 0.12
 
 
 def goliaths(scenario: Scenario) -> dict[str, Goliath]:
@@ -40,16 +44,19 @@ def goliaths(scenario: Scenario) -> dict[str, Goliath]:
 def add_goliaths(parts: Parts, scenario: Scenario) -> None:
     """Add the bodies of every Goliath crane, without hooks."""
     for name, crane in goliaths(scenario).items():
-        legs, girder = crane.legs, crane.girder
+        legs, girder = crane.standing, crane.girder
         bends = girder.vertical_stiffness is not None
         moving = BENDING_SHARE * girder.mass if bends else girder.mass
         joint = {"type": "fixed"}
-        position = (0.0, crane.position, 0.0)
+        position = (0.0, crane.position, crane.rail_level)
         if crane.travel is not None:
-            joint, position = _driven(parts, name, (0.0, 1.0, 0.0), crane.position), (0.0, 0.0, 0.0)
+            joint, position = (
+                _driven(parts, name, (0.0, 1.0, 0.0), crane.position),
+                (0.0, 0.0, crane.rail_level),
+            )
         standing = legs.fixed + legs.hinged + legs.bogies
         rest = girder.mass - moving
-        x = (legs.fixed - legs.hinged) * crane.fixed_leg_at / max(standing + rest, 1.0)
+        x = (legs.fixed - legs.hinged) * legs.at / max(standing + rest, 1.0)
         z = ((legs.fixed + legs.hinged) / 2 + rest) * girder.underside / max(standing + rest, 1.0)
         parts.add_body(name, joint, position=position, mass=standing + rest, centre_of_gravity=(x, 0.0, z))
         sag: Json = {"type": "fixed"} if not bends else _slider((0.0, 0.0, 1.0), 0.0)
@@ -95,17 +102,20 @@ def rest_on_girders(parts: Parts, scenario: Scenario) -> None:
 
 
 def crane_shape(scenario: Scenario, body: str) -> Json | None:
-    """Boxes for pictures: two legs, a girder, or a trolley."""
+    """Boxes for pictures: two legs or end carriages, a girder, or a trolley."""
     for name, crane in goliaths(scenario).items():
         if body == name:
-            size = (_LEG, crane.legs.base or _LEG, crane.girder.underside)
+            width = _LEG if crane.legs is not None else _CARRIAGE * crane.span
+            height = crane.girder.underside if crane.legs is not None else width
+            size = (width, crane.standing.base or _LEG, height)
             sides = (-crane.span / 2, crane.span / 2)
             return {"type": "boxes", "boxes": [_box(size, 0.5, side) for side in sides]}
         if body == girder_body(name):
             return _box((crane.span, _GIRDER * crane.span, _GIRDER * crane.span), 0.5)
         for trolley in crane.trolleys:
             if body == trolley_name(name, trolley):
-                return _box((_TROLLEY, _TROLLEY, _TROLLEY / 4), -0.5)
+                side = min(_TROLLEY, _SMALL_TROLLEY * crane.span)
+                return _box((side, side, side / 4), -0.5)
     return None
 
 
@@ -120,13 +130,15 @@ def crane_rig(scenario: Scenario, parts: Parts) -> list[Json]:
         {
             "name": name,
             "span": crane.span,
-            "fixed_leg_at": crane.fixed_leg_at,
-            "base": crane.legs.base,
+            "rail_level": crane.rail_level,
+            "has_legs": crane.legs is not None,
+            "fixed_leg_at": crane.standing.at,
+            "base": crane.standing.base,
             "weights": {
                 "girder": crane.girder.mass * gravity,
-                "fixed": crane.legs.fixed * gravity,
-                "hinged": crane.legs.hinged * gravity,
-                "bogies": crane.legs.bogies * gravity,
+                "fixed": crane.standing.fixed * gravity,
+                "hinged": crane.standing.hinged * gravity,
+                "bogies": crane.standing.bogies * gravity,
             },
             "hook_approach": crane.hook_approach,
             "hook_distance": crane.hook_distance,

@@ -221,8 +221,11 @@ def _light_parts(scenario: Scenario) -> Iterator[Doubt]:
         if isinstance(crane, Goliath):
             rated = crane.rated_capacity
             parts["the girder"] = ("girder",), crane.girder.mass, rated
-            parts["the fixed leg"] = ("legs", "fixed"), crane.legs.fixed, rated
-            parts["the hinged leg"] = ("legs", "hinged"), crane.legs.hinged, rated
+            if crane.legs is not None:
+                parts["the fixed leg"] = ("legs", "fixed"), crane.legs.fixed, rated
+                parts["the hinged leg"] = ("legs", "hinged"), crane.legs.hinged, rated
+            if crane.end_carriages is not None:
+                parts["the end carriages"] = ("end_carriages", "mass"), crane.end_carriages.mass, rated
             parts |= {
                 f"trolley {one}": (("trolleys", one), trolley.mass, trolley.rated_capacity)
                 for one, trolley in crane.trolleys.items()
@@ -250,18 +253,18 @@ def _soft_girders(scenario: Scenario) -> Iterator[Doubt]:
 
 
 def _bases(scenario: Scenario) -> Iterator[Doubt]:
-    """Each Goliath crane whose legs stand as no crane of its span does: corner loads go with that."""
+    """Each Goliath or overhead crane that stands as none of its span does: corner loads go with that."""
     for name, crane in (scenario.cranes or {}).items():
-        if not isinstance(crane, Goliath) or crane.legs.base is None:
+        if not isinstance(crane, Goliath) or (base := crane.standing.base) is None:
             continue
         least, most = (share * crane.span for share in _BASES)
-        if not least <= crane.legs.base <= most:
-            stands = (
-                f"the legs of {name} stand on a base of {crane.legs.base:g} m at a span of {crane.span:g} m"
-            )
+        if not least <= base <= most:
+            key = "end_carriages" if crane.legs is None else "legs"
+            what = key.replace("_", " ")
+            stands = f"the {what} of {name} stand on a base of {base:g} m at a span of {crane.span:g} m"
             usual = f"{format_quantity(crane.span / 8, 'm', 0)} to {format_quantity(crane.span / 3, 'm', 0)}"
             sentence = f"{stands}, where {usual} is usual; a digit has slipped"
-            yield Doubt(("cranes", name, "legs", "base"), sentence)
+            yield Doubt(("cranes", name, key, "base"), sentence)
 
 
 def _short_filters(scenario: Scenario) -> Iterator[Doubt]:

@@ -1,8 +1,8 @@
 """Goliath cranes on one rail that the lift file starts, or takes, into each other, or past each other.
 
 All stand with the middle of their span at x = 0, so that cranes of one span run on the same two rails. What
-is known of how far they reach along these is the `base` of their legs, of corner to corner; bogies and
-buffers reach further, and without a `base` only the order in which cranes stand is known.
+is known of how far they reach along these is the `base` of their legs or end carriages, of corner to corner;
+bogies and buffers reach further, and without a `base` only the order in which cranes stand is known.
 """
 
 from __future__ import annotations
@@ -40,6 +40,7 @@ def doubtful_rails(scenario: Scenario) -> Iterator[Doubt]:
         sorted(pair, key=lambda name: cranes[name].position)
         for pair in combinations(cranes, 2)
         if math.isclose(*(cranes[name].span for name in pair), rel_tol=_SAME)
+        and math.isclose(*(cranes[name].rail_level for name in pair), abs_tol=_ROUNDING)
     ]
     apart = []
     for back, front in pairs:
@@ -76,7 +77,7 @@ def _in_one_place(
 ) -> str | None:
     """What is said of two cranes, the second of which starts at larger y, that would be in one place."""
     apart = where[front][1] - where[back][0]
-    reach = sum((cranes[name].legs.base or 0.0) / 2 for name in (back, front))
+    reach = sum((cranes[name].standing.base or 0.0) / 2 for name in (back, front))
     if apart > reach + _ROUNDING:
         return None
     at = f"{back} is at {_at(where[back], 0)}, and {front} on the same rails at {_at(where[front], 1)}"
@@ -84,7 +85,8 @@ def _in_one_place(
         return f"{at}: they cannot pass each other"
     if reach == 0.0:
         return f"{at}: both are in one place"
-    return f"{at}: their legs need more than {format_quantity(reach, 'm', 2)} by their 'base' alone"
+    stand = "legs" if all(cranes[name].legs is not None for name in (back, front)) else "end carriages"
+    return f"{at}: their {stand} need more than {format_quantity(reach, 'm', 2)} by their 'base' alone"
 
 
 def _at(bounds: Bounds, end: int) -> str:

@@ -18,6 +18,7 @@ from gantline.results.strength import FromJson, Rating
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
 __all__ = [
+    "CARRIAGE_CORNERS",
     "CORNERS",
     "Crane",
     "CraneHook",
@@ -30,6 +31,8 @@ __all__ = [
 
 #: Corners of a crane: leg, and side along the rails.
 CORNERS = ("fixed.front", "fixed.back", "hinged.front", "hinged.back")
+#: The same of an overhead crane: end carriage, left at the least x, in place of the leg.
+CARRIAGE_CORNERS = ("left.front", "left.back", "right.front", "right.back")
 
 
 @dataclass(frozen=True)
@@ -82,11 +85,13 @@ class Trolley(FromJson):
 
 @dataclass(frozen=True)
 class Crane(FromJson):
-    """A Goliath crane.
+    """A Goliath crane, or an overhead crane of a hall.
 
     Attributes:
         name: Its name.
         span: Distance of its rails [m].
+        rail_level: Height of the rails in the world [m].
+        has_legs: Whether it stands on legs; an overhead crane stands on end carriages.
         fixed_leg_at: Place of the fixed leg along the girder [m].
         base: Distance of the corners of a leg along the rails [m]; None if not said.
         weights: Of `girder`, `fixed`, `hinged` (legs) and `bogies` [N].
@@ -99,6 +104,8 @@ class Crane(FromJson):
 
     name: str
     span: float = 0.0
+    rail_level: float = 0.0
+    has_legs: bool = True
     fixed_leg_at: float = 0.0
     base: float | None = None
     weights: Mapping[str, float] = field(default_factory=dict)
@@ -121,8 +128,8 @@ class Crane(FromJson):
 
     @property
     def corners(self) -> list[str]:
-        """Names of its corners."""
-        return [f"{self.name}.{corner}" for corner in CORNERS]
+        """Names of its corners, fixed leg or left carriage first."""
+        return [f"{self.name}.{corner}" for corner in (CORNERS if self.has_legs else CARRIAGE_CORNERS)]
 
 
 def bearing_and_falls(columns: Columns, names: Names, hook: CraneHook) -> tuple[FloatArray, FloatArray]:
@@ -219,7 +226,9 @@ def _corner_loads(
             _, falls = bearing_and_falls(columns, names, hook)
             top = places_of(columns, names, hook.top, hook.top_from)
             upright = hoist[hook.name] * falls[:, 2] / np.linalg.norm(falls, axis=1)
-            aside = falls[:, :2] / falls[:, 2:] * top[:, 2:]  # on the way down to the rails, at a height of 0
+            aside = (
+                falls[:, :2] / falls[:, 2:] * (top[:, 2:] - crane.rail_level)
+            )  # on the way down to the rails
             put(upright, along + hook.along - aside[:, 0], hook.across - aside[:, 1])
     return loads
 

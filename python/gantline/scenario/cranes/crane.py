@@ -58,12 +58,16 @@ __all__ = [
 _CRANES = ("fixed_hook", "goliath", "floating_crane", "crawler")
 #: What other words for a type of crane mean.
 _MEANT = {
-    **dict.fromkeys(("sheerleg", "sheerlegs", "pedestal_crane"), "floating_crane"),
+    **dict.fromkeys(("sheerleg", "sheerlegs", "pedestal_crane"), "'type: floating_crane'"),
     **dict.fromkeys(
-        ("bridge_crane", "double_trolley_crane", "gantry", "gantry_crane", "overhead_crane", "portal_crane"),
-        "goliath",
+        ("double_trolley_crane", "gantry", "gantry_crane", "portal_crane"),
+        "'type: goliath'",
     ),
-    **dict.fromkeys(("crawler_crane", "mobile_crane"), "crawler"),
+    **dict.fromkeys(
+        ("bridge_crane", "eot_crane", "overhead_crane"),
+        "'type: goliath' with 'end_carriages' in place of legs, and the 'rail_level' that these run at,",
+    ),
+    **dict.fromkeys(("crawler_crane", "mobile_crane"), "'type: crawler'"),
 }
 #: Tower cranes whose boom luffs have a type here, those with a trolley on a level jib have none.
 _TOWERS = ("tower_crane", "tower", "luffing_tower_crane", "luffing_crane")
@@ -192,7 +196,7 @@ class FixedHook(Element):
             hint = "" if misspelt is None else f" (is '{shorten(misspelt)}' a misspelt 'type'?)"
             raise refuse(f"'type' is missing; a crane is one of {known}{hint}")
         if isinstance(kind, str) and kind in _MEANT:
-            raise refuse(f"a {found(kind)} is written as 'type: {_MEANT[str(kind)]}' here", "type")
+            raise refuse(f"a {found(kind)} is written as {_MEANT[str(kind)]} here", "type")
         if kind in _TOWERS:
             luffs = "a tower crane that luffs is written as 'type: floating_crane', ashore with 'position'"
             raise refuse(f"{luffs} and 'heading' in place of a 'vessel'; none here has a level jib", "type")

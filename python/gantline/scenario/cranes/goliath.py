@@ -1,8 +1,11 @@
-"""The Goliath crane: a girder on two legs that travels along rails, trolleys that traverse along it."""
+"""The Goliath crane: a girder on two legs that travels along rails, trolleys that traverse along it.
+
+An overhead crane is one without legs, whose girder stands on end carriages on the rails of a hall.
+"""
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, NamedTuple
 
 from pydantic import Field, model_validator
 
@@ -25,9 +28,11 @@ from gantline.scenario.quantities import (
 )
 
 __all__ = [
+    "EndCarriages",
     "Girder",
     "Goliath",
     "GoliathLegs",
+    "Standing",
     "Traverse",
     "Trolley",
     "TrolleyHook",
@@ -83,11 +88,11 @@ class Trolley(Element):
 
 
 class Girder(Element):
-    """The girder between the legs."""
+    """The girder between the legs, or the end carriages."""
 
     what: ClassVar[str] = "the girder of a Goliath crane"
 
-    underside: PositiveLength = Field(description="Height of its underside above the rails.")
+    underside: Length = Field(description="Height of its underside above the rails.")
     mass: PositiveMass = Field(description="Mass.")
     vertical_stiffness: PositiveStiffness | None = Field(
         None, description="Stiffness against bending under a load at mid-span; rigid if not given."
@@ -118,8 +123,41 @@ class GoliathLegs(Element):
     )
 
 
+class EndCarriages(Element):
+    """The carriages on which the girder of an overhead crane stands, one at each end."""
+
+    what: ClassVar[str] = "the end carriages of an overhead crane"
+
+    mass: PositiveMass = Field(description="Mass of both together.")
+    base: PositiveLength | None = Field(
+        None,
+        description="Distance of the two corners of each along its rail, for loads of the corners.",
+    )
+
+
+class Standing(NamedTuple):
+    """What a girder stands on: legs, or end carriages as bogies under legs that weigh nothing.
+
+    Attributes:
+        fixed: Mass of the fixed leg [kg].
+        hinged: Mass of the hinged leg [kg].
+        bogies: Mass of what is at the height of the rails, both sides together [kg].
+        base: Distance of the two corners of each side along its rail [m]; None if not given.
+        at: Place of the fixed leg along the girder [m]; of end carriages that of the first, at the least x.
+    """
+
+    fixed: float = 0.0
+    hinged: float = 0.0
+    bogies: float = 0.0
+    base: float | None = None
+    at: float = 0.0
+
+
 class Goliath(Element):
-    """A Goliath crane: x along the girder from mid-span, y along the rails, z from rail level."""
+    """A Goliath crane: x along the girder from mid-span, y along the rails, z from that of the world.
+
+    Either on legs, or on end carriages: an overhead crane, whose rails are at a height.
+    """
 
     what: ClassVar[str] = "a Goliath crane"
 
@@ -134,7 +172,11 @@ class Goliath(Element):
         0.0, description="Place of the girder's centre line along the rails at the start, y."
     )
     girder: Girder = Field(description="The girder.")
-    legs: GoliathLegs = Field(description="The legs.")
+    legs: GoliathLegs | None = Field(None, description="The legs; an overhead crane has none.")
+    end_carriages: EndCarriages | None = Field(
+        None, description="In place of legs the end carriages of an overhead crane."
+    )
+    rail_level: Length = Field(0.0, description="Height of the rails in the world; 0 if not given.")
     travel: Traverse | None = Field(None, description="Its drive along the rails; it stands if not given.")
     wind_limit: PositiveSpeed | None = Field(None, description="Largest gust in which it may lift.")
     hook_approach: NotNegativeLength | None = Field(
@@ -146,8 +188,24 @@ class Goliath(Element):
     trolleys: Named[Trolley] = Field(description="Trolleys by name.")
 
     @model_validator(mode="after")
+    def _stands_on_something(self) -> Goliath:
+        if self.legs is None and self.end_carriages is None:
+            legs, carriages = "'legs: {fixed: 700 t, hinged: 450 t}'", "'end_carriages: {mass: 8 t}'"
+            right = f"{legs} is right, or {carriages} of an overhead crane"
+            raise refuse(f"nothing says what the girder stands on; {right}")
+        if self.legs is not None and self.end_carriages is not None:
+            sentence = "a girder stands on 'legs', or on 'end_carriages' where it is an overhead crane"
+            raise refuse(f"{sentence}; found both", "end_carriages")
+        if self.legs is not None and self.girder.underside <= 0.0:
+            sentence = (
+                f"the underside of a girder on legs is above their rails; found {self.girder.underside:g} m"
+            )
+            raise refuse(sentence, "girder")
+        return self
+
+    @model_validator(mode="after")
     def _fits_its_span(self) -> Goliath:
-        at = self.legs.fixed_leg_at
+        at = None if self.legs is None else self.legs.fixed_leg_at
         if at is not None and abs(abs(at) - self.span / 2) > 1e-6 * self.span:
             sentence = f"the fixed leg would be at {at:g} m"
             raise refuse(
@@ -156,6 +214,12 @@ class Goliath(Element):
         return self
 
     @property
-    def fixed_leg_at(self) -> float:
-        """Where the fixed leg stands along the girder [m]."""
-        return -self.span / 2 if self.legs.fixed_leg_at is None else self.legs.fixed_leg_at
+    def standing(self) -> Standing:
+        """What the girder stands on."""
+        first, legs = -self.span / 2, self.legs
+        if legs is not None:
+            at = first if legs.fixed_leg_at is None else legs.fixed_leg_at
+            return Standing(legs.fixed, legs.hinged, legs.bogies, legs.base, at)
+        carriages = self.end_carriages
+        mass, base = (0.0, None) if carriages is None else (carriages.mass, carriages.base)
+        return Standing(bogies=mass, base=base, at=first)
