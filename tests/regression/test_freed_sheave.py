@@ -29,7 +29,7 @@ def test_a_freed_sheave_ends_the_run_with_its_name(tmp_path: Path, sling: str) -
     # The sheave of 300 kg is let go under 296 kN on either side: 2 m take some hundredths of a second.
     assert 28.0 < failed.value.time < 28.5
     # What is recorded goes on to the last sample before that.
-    interval = gantline.load_scenario(LIFT).simulation.sample_interval
+    interval = gantline.load_scenario(LIFT).sample_interval
     assert 0.0 <= failed.value.time - failed.value.recording.time[-1] <= interval
 
 

@@ -312,7 +312,7 @@ def _settings(scenario: Scenario) -> dict[str, Any]:
     return {
         "integrator": integrator_settings(given.integrator, given),
         "duration": scenario.duration,
-        "sample_interval": given.sample_interval,
+        "sample_interval": scenario.sample_interval,
         "start": "rest" if scenario.starts_at_rest else "as_given",
     }
 

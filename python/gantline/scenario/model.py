@@ -37,6 +37,7 @@ from gantline.scenario.loads.structures import Structure
 from gantline.scenario.loads.supports import Supports
 from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.plan.plan import EmergencyStop, Step
+from gantline.scenario.plan.times import usual_sample_interval
 from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
 from gantline.scenario.tag_line import TagLine
 from gantline.scenario.watch import Watch
@@ -289,6 +290,11 @@ class Scenario(Element):
     def starts_at_rest(self) -> bool:
         """Whether everything is in equilibrium before the lift begins."""
         return self.starts == "rest"
+
+    @property
+    def sample_interval(self) -> float:
+        """Time between recorded samples [s]."""
+        return self.simulation.sample_interval or usual_sample_interval(self.duration)
 
     def moves_sheaves(self, equalizer: str) -> bool:
         """Whether sheaves of an equalizer move; of an approximated one slings hang from its frame."""

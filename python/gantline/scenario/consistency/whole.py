@@ -205,7 +205,7 @@ def _check_simulation(findings: Findings) -> None:
             ("simulation", "integrator"), f"'explicit' knows no {met}; 'adaptive' or 'del' is right here"
         )
     step = None if settings.integrator == "adaptive" else settings.step
-    for key, sentence in wrong_times(duration, step, settings.sample_interval):
+    for key, sentence in wrong_times(duration, step, findings.scenario.sample_interval):
         findings.add(("simulation", key), sentence)
 
 
