@@ -182,7 +182,7 @@ INSTEAD = {
     "until": {
         **dict.fromkeys(
             ("sling_tension", "tension"),
-            "no step waits for the tension of a sling; end it 'by' the length that 'gantline statics' finds, "
+            "no step waits for a tension; of slings end it 'by' the length that 'gantline statics' finds, "
             "or wait for 'hoist_load' or 'load_tilt'",
         ),
         **dict.fromkeys(("clear", "lift_off", "load"), "a load that hangs clear is 'supports: clear'"),
