@@ -132,5 +132,5 @@ def test_a_lift_without_lugs(tmp_path: Path) -> None:
     hung += f"mechanics:\n  bodies: {{w: {body}}}\n  ropes:\n    a: {{rope: r, length: 5 m, route: "
     hung += "[{type: end, body: world, at: [0, 0, 5 m]}, {type: end, body: w}]}\n"
     recording = Statics(parse_scenario(hung)).equilibrium().recording
-    with pytest.raises(TableError, match="no sling of this recording is made fast to a lug"):
+    with pytest.raises(TableError, match="no sling or rope of this recording is made fast to a lug"):
         write_lugs(recording, tmp_path / "lugs.csv")

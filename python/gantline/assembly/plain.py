@@ -39,7 +39,15 @@ from gantline.scenario.rope_weight import rope_weight
 from gantline.scenario.sheave import sheave_losses
 from gantline.units import format_by_size, format_quantity
 
-__all__ = ["add_mechanics", "bodies_in_hook", "drum_drive", "ropes_ending_at", "ropes_over", "ropes_tied_to"]
+__all__ = [
+    "add_mechanics",
+    "bodies_in_hook",
+    "drum_drive",
+    "ropes_at_lugs",
+    "ropes_ending_at",
+    "ropes_over",
+    "ropes_tied_to",
+]
 
 _WORLD = "world"
 _ROUNDING = 1e-9
@@ -114,6 +122,17 @@ def ropes_ending_at(scenario: Scenario, body: str) -> list[list[str]]:
         for end, guide in (("first", rope.route[0]), ("last", rope.route[-1]))
         if guide.body == body
     ]
+
+
+def ropes_at_lugs(scenario: Scenario) -> dict[str, dict[str, str]]:
+    """Ropes of `mechanics` made fast to lugs of the load, by these, each with which of its ends is."""
+    ropes = (scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}
+    found: dict[str, dict[str, str]] = {}
+    for name, rope in ropes.items():
+        for which, guide in (("first", rope.route[0]), ("last", rope.route[-1])):
+            if isinstance(guide, RopeEnd) and guide.lug is not None:
+                found.setdefault(guide.lug, {})[name] = which
+    return found
 
 
 def ropes_tied_to(scenario: Scenario, body: str) -> dict[str, str]:

@@ -25,7 +25,7 @@ from gantline.assembly.loads.in_water import in_water_name
 from gantline.assembly.loads.lifted import LiftedLoad
 from gantline.assembly.loads.supports import every_support, support_contact
 from gantline.assembly.parts import Json, Parts
-from gantline.assembly.plain import bodies_in_hook, ropes_ending_at, ropes_over, ropes_tied_to
+from gantline.assembly.plain import bodies_in_hook, ropes_at_lugs, ropes_ending_at, ropes_over, ropes_tied_to
 from gantline.assembly.plan.operations import moved_drives
 from gantline.assembly.plan.ranges import range_rig
 from gantline.assembly.plan.waits import waited_for
@@ -190,6 +190,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "design_mass": load.weight.design,
         "other_ropes": _other_ropes(scenario, load.name),
         **({"ends_of_ropes": ends} if (ends := dict(ropes_ending_at(scenario, load.name))) else {}),
+        **({"ropes_at_lugs": at_lugs} if (at_lugs := ropes_at_lugs(scenario)) else {}),
         **({"tied_to": tied} if (tied := ropes_tied_to(scenario, load.name)) else {}),
         "contact_group": load.name if contacts else None,
         "in_water": None if load.in_water is None else in_water_name(load.name),

@@ -11,6 +11,7 @@ from gantline.checks.force import NO_DYNAMIC, NO_STATIC
 from gantline.checks.lugs import LugForce, consequence_of, lug_forces, pull_at_lug
 from gantline.results import series
 from gantline.results.file.form import Vector
+from gantline.results.loads.pulls import pull_at_end
 from gantline.results.recording import Recording, recorded
 from gantline.results.rotation import axes
 from gantline.results.variable import FloatArray
@@ -20,17 +21,17 @@ __all__ = ["LugFigures", "lug_figures"]
 
 @dataclass(frozen=True)
 class LugFigures:
-    """The force of the slings at one lug, as the check `lug_load_of_capacity` has it.
+    """The force of what is made fast to one lug, as the check `lug_load_of_capacity` has it.
 
     Attributes:
         lug: `<load or spreader>.<lug>`.
-        slings: Names of the slings that are made fast to it.
+        slings: Names of the slings that are made fast to it, and of the ropes of `mechanics`.
         at: Place of the lug, from the centre of gravity of its body, along the axes of that [m].
         static: Static force with the design weight, and the rule's skew load factor where it applies [N];
             None if the load never hung still.
         force: The larger of static force times the rule's factors, and simulated peak [N]; None if there is
             neither.
-        pull: That force along the axes of the body, from the lug towards the slings [N], zero without it.
+        pull: That force along the axes of the body, from the lug towards what pulls [N], zero without it.
         out_of_plane: Angle of the pull from the main plate [rad]; None if that is not known.
         capacity: Of the lug, in the plane of its plate [N]; None if not said.
         time: When the force acts [s]; None if it is static, or by the rule.
@@ -57,7 +58,7 @@ class LugFigures:
 
 
 def lug_figures(recording: Recording) -> list[LugFigures]:
-    """Figures of all lugs of loads and spreaders at which slings pull, by the order of the slings.
+    """Figures of all lugs of loads and spreaders at which slings or ropes of `mechanics` pull.
 
     Several slings on one side of a lug are added up as vectors of one time, what pulls from above and what
     pulls from below as sizes; their pull has the direction of what they all pull together. Where the force is
@@ -83,7 +84,7 @@ def _figures(recording: Recording, one: LugForce) -> LugFigures:
     remarks += ["main plate assumed to stand in xz" if lug is not None and lug.plate_is_assumed else ""]
     return LugFigures(
         lug=one.element,
-        slings=tuple(sling.name for sling, _ in one.ends),
+        slings=(*(sling.name for sling, _ in one.ends), *one.ropes),
         at=(math.nan, math.nan, math.nan) if lug is None else lug.at,
         static=force.static,
         force=size,
@@ -97,10 +98,12 @@ def _figures(recording: Recording, one: LugForce) -> LugFigures:
 
 
 def _direction(recording: Recording, one: LugForce, body: str) -> FloatArray:
-    """Unit vector from a lug to what its slings pull at together, axes of its body; zero if none pulls."""
+    """Unit vector from a lug along what pulls there, all together, axes of its body; zero if nothing does."""
     pull = np.zeros((len(recording.time), 3))
     for sling, end in one.ends:
         pull += pull_at_lug(recording, sling, end, (one.of, one.name))
+    for rope, which in one.ropes.items():
+        pull += pull_at_end(recording, rope, which)
     own = np.einsum("tij,ti->tj", axes(recording.column("body_orientation", body)), pull)
     if one.force.moment is not None:
         mean = own[int(np.argmin(np.abs(recording.time - one.force.moment)))]

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from gantline.checks.force import Force, Raised, over
-from gantline.checks.forces import factor, force_together, sling_forces, with_upper_ends
+from gantline.checks.forces import (
+    factor,
+    force_together,
+    rope_force,
+    sling_forces,
+    sum_force,
+    with_upper_ends,
+)
 from gantline.checks.measure import Caution, Finding, Missing, carrying, extreme, named
 from gantline.results import series
 from gantline.results.gear import Sling
-from gantline.results.loads.pulls import upright_pull
+from gantline.results.loads.pulls import pull_at_end, upright_pull
 from gantline.results.recording import Recording
 from gantline.results.rig import Load
 from gantline.results.rotation import axes
@@ -25,7 +32,7 @@ BEARS = 0.05
 
 
 def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Angle between a carrying sling and the main plate of its lug."""
+    """Angle between a sling or rope that carries and the main plate of its lug."""
     for sling in recording.rig.slings:
         angles = series.out_of_plane_angles(recording, sling)
         for _, of, lug in sling.at_lugs():
@@ -35,7 +42,45 @@ def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Find
             else:
                 inside = carrying(recording, sling.rope, during)
                 yield from extreme(recording, angles[of, lug], inside, element)
+    for load, lug, ropes in _with_ropes(recording):
+        for rope, end in ropes.items():
+            angle = series.to_main_plate(recording, load.name, lug, _direction(recording, rope, end))
+            if angle is None:
+                yield Missing(f"{load.name}.{lug}", "main plate not known")
+            else:
+                inside = carrying(recording, rope, during)
+                yield from extreme(recording, angle, inside, f"{load.name}.{lug}")
     yield from _assumed(recording, during)
+
+
+def _direction(recording: Recording, rope: str, end: str) -> FloatArray:
+    """Unit vectors along which a rope pulls at an end, shape (time, 3); zero where it does not."""
+    pull = pull_at_end(recording, rope, end)
+    size = np.linalg.norm(pull, axis=1, keepdims=True)
+    unit: FloatArray = np.divide(pull, size, out=np.zeros_like(pull), where=size > 0.0)
+    return unit
+
+
+def _with_ropes(recording: Recording) -> Iterator[tuple[Load, str, Mapping[str, str]]]:
+    """Lugs at which ropes of `mechanics` are made fast: the load, the lug, and each rope with its end."""
+    for load in recording.rig.loads:
+        for lug, ropes in load.ropes_at_lugs.items():
+            yield load, lug, ropes
+
+
+def _leads(recording: Recording, *, of_all: bool) -> Iterator[tuple[str, str, str, FloatArray]]:
+    """Ropes at lugs with the lug's load or spreader, its name, and their direction, of slings along these.
+
+    Args:
+        recording: The recording.
+        of_all: Those without shackles too.
+    """
+    for sling in (one for one in recording.rig.slings if of_all or one.shackles):
+        for end, of, name in sling.at_lugs():
+            yield sling.rope, of, name, series.sling_direction(recording, sling, end)
+    for load, lug, ropes in _with_ropes(recording) if of_all else ():
+        for rope, end in ropes.items():
+            yield rope, load.name, lug, _direction(recording, rope, end)
 
 
 def _assumed(recording: Recording, during: BoolArray) -> Iterator[Caution]:
@@ -47,18 +92,17 @@ def _assumed(recording: Recording, during: BoolArray) -> Iterator[Caution]:
     most, lugs = recording.rig.shackle_side_load.rows[0][0], []
     worst = most
     is_asked = "lug_out_of_plane_angle" in recording.rig.limits
-    for sling in (one for one in recording.rig.slings if is_asked or one.shackles):
-        for end, of, name in sling.at_lugs():
-            holder = recording.rig.with_lugs(of)
-            lug = None if holder is None else holder.lugs.get(name)
-            if holder is None or lug is None or not lug.plate_is_assumed:
-                continue
-            upright = axes(recording.column("body_orientation", holder.body))[:, :, 2]
-            along = np.sum(upright * series.sling_direction(recording, sling, end), axis=1)
-            leans = np.arccos(np.clip(np.abs(along), 0.0, 1.0))[carrying(recording, sling.rope, during)]
-            if leans.max(initial=0.0) > most:
-                lugs.append(f"{of}.{name}")
-                worst = max(worst, float(leans.max()))
+    for rope, of, name, direction in _leads(recording, of_all=is_asked):
+        holder = recording.rig.with_lugs(of)
+        lug = None if holder is None else holder.lugs.get(name)
+        if holder is None or lug is None or not lug.plate_is_assumed:
+            continue
+        upright = axes(recording.column("body_orientation", holder.body))[:, :, 2]
+        along = np.sum(upright * direction, axis=1)
+        leans = np.arccos(np.clip(np.abs(along), 0.0, 1.0))[carrying(recording, rope, during)]
+        if leans.max(initial=0.0) > most:
+            lugs.append(f"{of}.{name}")
+            worst = max(worst, float(leans.max()))
     if lugs:
         lean = format_quantity(worst, "deg", 1)
         yield Caution(
@@ -79,12 +123,13 @@ def ropes_that_bear(recording: Recording, load: Load, lack: str) -> Iterator[Mis
 
 @dataclass(frozen=True)
 class LugForce:
-    """What slings do to one lug.
+    """What slings, and ropes of `mechanics`, do to one lug.
 
     Attributes:
         of: The load or spreader that has it.
         name: Its name there.
         ends: The slings made fast to it, each with the number of its lower end, 0 at its upper one.
+        ropes: Ropes of `mechanics` made fast to it, each with which of its ends is, `first` or `last`.
         force: Their forces together: as vectors on each side of the lug, as sizes above and below it; with
             what upper ends of slings below it weigh.
     """
@@ -93,6 +138,7 @@ class LugForce:
     name: str
     ends: Sequence[tuple[Sling, int]]
     force: Force
+    ropes: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def element(self) -> str:
@@ -101,19 +147,43 @@ class LugForce:
 
 
 def lug_forces(recording: Recording, during: BoolArray) -> Iterator[LugForce]:
-    """Forces of the lugs of loads and spreaders, by the order of the slings."""
+    """Forces of the lugs of loads and spreaders, by the order of the slings, then of the ropes."""
     forces = sling_forces(recording, during)
     at: dict[tuple[str, str], list[tuple[Sling, int]]] = {}
     for sling in recording.rig.slings:
         for end, of, lug in sling.at_lugs():
             at.setdefault((of, lug), []).append((sling, end))
+    with_ropes = {(load.name, lug): ropes for load, lug, ropes in _with_ropes(recording)}
     for (of, lug), ends in at.items():
+        if (of, lug) in with_ropes:
+            continue
         own = [sling for sling, _ in ends]
         force = forces[own[0].name]
         if len(own) > 1:
             force = force_together(recording, own, _together(recording, (of, lug), ends), during)
         force = with_upper_ends(recording, [one for one in own if _is_above((of, lug), one)], force)
         yield LugForce(of, lug, ends, force)
+    for (of, lug), ropes in with_ropes.items():
+        ends = at.get((of, lug), ())
+        yield LugForce(of, lug, ends, _force_of_ropes(recording, (of, lug), ends, ropes, during), ropes)
+
+
+def _force_of_ropes(
+    recording: Recording,
+    at: tuple[str, str],
+    ends: Sequence[tuple[Sling, int]],
+    ropes: Mapping[str, str],
+    during: BoolArray,
+) -> Force:
+    """What ropes of `mechanics` pull at a lug, several and slings as vectors of one time.
+
+    A rule's factor for skew is none of theirs: nothing tells how lengths of such ropes would be off.
+    """
+    if len(ropes) == 1 and not ends:
+        return rope_force(recording, next(iter(ropes)), during)
+    pulls = [pull_at_lug(recording, sling, end, at) for sling, end in ends]
+    pulls += [pull_at_end(recording, rope, end) for rope, end in ropes.items()]
+    return sum_force(recording, np.linalg.norm(np.sum(pulls, axis=0), axis=1), at[0], during)
 
 
 def _together(recording: Recording, at: tuple[str, str], ends: Sequence[tuple[Sling, int]]) -> FloatArray:
@@ -155,7 +225,7 @@ def consequence_of(recording: Recording) -> Raised:
 
 
 def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
-    """Load of a lug of load or spreader over its capacity; several slings at one lug pull together."""
+    """Load of a lug of load or spreader over its capacity; what is made fast to one lug pulls together."""
     raised = consequence_of(recording)
     for one in lug_forces(recording, during):
         holder = recording.rig.with_lugs(one.of)
@@ -165,7 +235,9 @@ def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Findin
         else:
             yield from over(one.force, lug.capacity, one.element, raised)
     for load in recording.rig.loads:
-        yield from ropes_that_bear(recording, load, "has no lug")
+        at_lugs = {rope for ropes in load.ropes_at_lugs.values() for rope in ropes}
+        lacking = ropes_that_bear(recording, load, "has no lug")
+        yield from (one for one in lacking if one.element not in at_lugs)
         for line in recording.rig.tag_lines:
             if series.rope_peak(recording, line.rope)[0] > BEARS * load.weight:
                 yield Missing(line.rope, f"carries {load.name} as a tag line, which has no lug")

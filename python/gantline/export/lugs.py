@@ -38,12 +38,12 @@ def write_lugs(recording: Recording, path: str | Path) -> Path:
         The path written.
 
     Raises:
-        TableError: If no sling is made fast to a lug, or the name is that of another kind of file.
+        TableError: If nothing is made fast to a lug, or the name is that of another kind of file.
         OSError: If it cannot be written there.
     """
     found = lug_figures(recording)
     if not found:
-        raise TableError("no sling of this recording is made fast to a lug")
+        raise TableError("no sling or rope of this recording is made fast to a lug")
     target = csv_file(path)
     with replaced(target) as trial, trial.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")

@@ -75,6 +75,7 @@ class Load(HasLugs):
         lugs: Lugs by name.
         other_ropes: Ropes that are no slings and end at it or run over it.
         ends_of_ropes: Which end of those that end at it does so, `first` or `last`.
+        ropes_at_lugs: The same of those that are made fast to lugs, by these.
         tied_to: What holds the other end of those that no drum hauls, where that is the world, a vessel, or
             fixed to one of these.
         centre_envelope: How far its centre of gravity may be elsewhere, plus and minus along its axes [m].
@@ -98,6 +99,7 @@ class Load(HasLugs):
     lugs: Mapping[str, Lug] = field(default_factory=dict)
     other_ropes: Sequence[str] = ()
     ends_of_ropes: Mapping[str, str] = field(default_factory=dict)
+    ropes_at_lugs: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     tied_to: Mapping[str, str] = field(default_factory=dict)
     centre_envelope: Vector = (0.0, 0.0, 0.0)
     in_water: str | None = None

@@ -406,15 +406,30 @@ def out_of_plane_angles(recording: Recording, sling: Sling) -> dict[tuple[str, s
 def _to_main_plates(recording: Recording, sling: Sling) -> dict[tuple[str, str], FloatArray]:
     found: dict[tuple[str, str], FloatArray] = {}
     for end, of, lug in sling.at_lugs():
-        holder = recording.rig.with_lugs(of)
-        plate = None if holder is None else holder.lugs.get(lug)
-        if holder is None or plate is None or plate.main_plate_normal is None:
-            continue
-        body = axes(recording.column("body_orientation", holder.body))
-        normal = body @ np.asarray(plate.main_plate_normal, dtype=np.float64)
-        across = np.einsum("ij,ij->i", normal, sling_direction(recording, sling, end))
-        found[of, lug] = np.abs(np.arcsin(np.clip(across, -1.0, 1.0)))
+        angle = to_main_plate(recording, of, lug, sling_direction(recording, sling, end))
+        if angle is not None:
+            found[of, lug] = angle
     return found
+
+
+def to_main_plate(recording: Recording, of: str, lug: str, direction: FloatArray) -> FloatArray | None:
+    """Angles between directions and the main plate of a lug [rad], shape (time,); None if it is not known.
+
+    Args:
+        recording: The recording.
+        of: The load or spreader that has the lug.
+        lug: Its name there.
+        direction: Unit vectors, shape (time, 3), world axes.
+    """
+    holder = recording.rig.with_lugs(of)
+    plate = None if holder is None else holder.lugs.get(lug)
+    if holder is None or plate is None or plate.main_plate_normal is None:
+        return None
+    body = axes(recording.column("body_orientation", holder.body))
+    normal = body @ np.asarray(plate.main_plate_normal, dtype=np.float64)
+    across = np.einsum("ij,ij->i", normal, direction)
+    angle: FloatArray = np.abs(np.arcsin(np.clip(across, -1.0, 1.0)))
+    return angle
 
 
 def tension_spread(recording: Recording, equalizer: Equalizer) -> FloatArray:

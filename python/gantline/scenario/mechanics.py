@@ -240,7 +240,10 @@ class RopeEnd(Element):
 
     type: Literal["end"] = Field(description="Kind of guide.")
     body: Name = Field(description="Body that it, or its drum, is fixed to; or 'world'.")
-    at: Position = Field(ORIGIN, description="Place in the body's axes.")
+    at: Position = Field(
+        ORIGIN, description="Place in the body's axes, on the load from its centre of gravity."
+    )
+    lug: Name | None = Field(None, description="Lug of the load that it is made fast to, in place of 'at'.")
     drum: Name | None = Field(
         None, description="Drum that pays rope out here, a name of 'drums'; a dead end if not given."
     )
@@ -252,6 +255,12 @@ class RopeEnd(Element):
         description="'against': wound the other way round, so that it is hauled in where the drum pays out; "
         "'with' if not given.",
     )
+
+    @model_validator(mode="after")
+    def _in_one_place(self) -> RopeEnd:
+        if self.lug is not None and "at" in self.model_fields_set:
+            raise refuse("an end is made fast to a 'lug', or is 'at' a place; leave one of both out", "at")
+        return self
 
     @model_validator(mode="after")
     def _of_a_drum(self) -> RopeEnd:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -18,6 +18,7 @@ from gantline.assembly.loads.round_body import rims
 from gantline.assembly.loads.under_load import UnderLoad
 from gantline.assembly.loads.underground import under_ground
 from gantline.assembly.parts import Json, Parts
+from gantline.assembly.plain import ropes_at_lugs
 from gantline.assembly.spatial import (
     Array,
     about_axis,
@@ -169,7 +170,7 @@ def add_load(
     if not scenario.load_has_settled:
         corners = position + lifted.corners @ rotation_matrix(orientation).T
         _doubt_depth(parts, scenario, load, corners[int(np.argmin(corners[:, 2]))])
-    _doubt_free_lugs(parts, load, rigging)
+    _doubt_free_lugs(parts, load, rigging, ropes_at_lugs(scenario))
     ground = scenario.ground
     if ground is None or dock_of(scenario) is not None:
         return  # around a dock the ground is a body like others
@@ -179,9 +180,9 @@ def add_load(
         parts.contacts += _on_corners(load, lifted, ground)
 
 
-def _doubt_free_lugs(parts: Parts, load: Load, rigging: Rigging) -> None:
-    """Lugs to which no sling leads, where slings lead to others."""
-    used = {lug for sling in rigging.slings.values() for lug in sling.lugs}
+def _doubt_free_lugs(parts: Parts, load: Load, rigging: Rigging, with_ropes: Collection[str]) -> None:
+    """Lugs to which no sling leads, where slings or ropes of `mechanics` lead to others."""
+    used = {lug for sling in rigging.slings.values() for lug in sling.lugs} | set(with_ropes)
     free = [name for name in load.lugs if name not in used]
     if used and free:
         more = f" and {len(free) - _MOST_NAMED} more" if len(free) > _MOST_NAMED else ""

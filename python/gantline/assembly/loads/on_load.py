@@ -1,4 +1,4 @@
-"""Points of `mechanics` on the load, which count from its centre of gravity, where a case moves that."""
+"""Points of `mechanics` on the load, which count from its centre of gravity: ends at lugs, moved centres."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 
 from gantline.assembly.loads.lifted import LiftedLoad
+from gantline.assembly.plain import ropes_at_lugs
 from gantline.assembly.spatial import Array
 from gantline.scenario import Scenario
-from gantline.scenario.mechanics import HalfTurn
+from gantline.scenario.mechanics import HalfTurn, RopeEnd
 
 __all__ = ["kept_on_load"]
 
@@ -18,12 +19,15 @@ __all__ = ["kept_on_load"]
 def kept_on_load(scenario: Scenario, lifted: LiftedLoad) -> Scenario:
     """The scenario with ropes, contacts and bodies of `mechanics` on its load where the lift file has them.
 
-    A lift file counts them from the centre of gravity. In a case in which that is elsewhere they have not
-    moved, and so count otherwise from it. What is lumped on the load stays, so that the common centre of
-    gravity moves by less than that of the load by itself.
+    Ends of ropes that are made fast to lugs come to these. All else a lift file counts from the centre of
+    gravity. In a case in which that is elsewhere it has not moved, and so counts otherwise from there. What
+    is lumped on the load stays, so that the common centre of gravity moves by less than that of the load by
+    itself.
     """
     mechanics, load = scenario.mechanics, scenario.load
-    if mechanics is None or load is None or not any(scenario.centre_moved):
+    if mechanics is None or load is None:
+        return scenario
+    if not any(scenario.centre_moved) and not ropes_at_lugs(scenario):
         return scenario
     back = -lifted.body.mass / lifted.mass * np.array(scenario.centre_moved)
 
@@ -33,6 +37,9 @@ def kept_on_load(scenario: Scenario, lifted: LiftedLoad) -> Scenario:
     def guide(one: Any) -> Any:
         if one.body != load.name:
             return one
+        if isinstance(one, RopeEnd) and one.lug is not None:
+            x, y, z = lifted.lugs[one.lug]
+            return one.model_copy(update={"at": (x, y, z)})
         return moved(one, "enter", "leave") if isinstance(one, HalfTurn) else moved(one, "at")
 
     def each(given: Mapping[str, Any] | None, of: str) -> dict[str, Any] | None:

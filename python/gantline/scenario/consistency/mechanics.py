@@ -317,6 +317,8 @@ def _check_guide(findings: Findings, path: Path, guide: Guide, is_last: bool, kn
     allowed = [*known, "world"]
     if guide.body not in allowed:
         findings.add((*path, "body"), _no_body(findings.scenario, guide.body, allowed))
+    if isinstance(guide, RopeEnd) and guide.lug is not None:
+        _check_lug(findings, (*path, "lug"), guide.body, guide.lug)
     if isinstance(guide, Sheave):
         _check_direction(findings, (*path, "axis"), guide.axis)
     if isinstance(guide, HalfTurn):
@@ -327,6 +329,14 @@ def _check_guide(findings: Findings, path: Path, guide: Guide, is_last: bool, kn
             findings.add((*path, "leave"), "is the same place as 'enter'; a sheave has a diameter")
         elif abs(along) > 1e-6 * _size(across) * _size(guide.bulge):
             findings.add((*path, "bulge"), "has to be square to the line from 'enter' to 'leave'")
+
+
+def _check_lug(findings: Findings, path: Path, body: str, lug: str) -> None:
+    load = findings.scenario.load
+    if load is None or body != load.name:
+        findings.add(path, f"'{body}' has no lugs; the load alone has, of other bodies 'at' says where")
+    elif lug not in load.lugs:
+        findings.add(path, f"'{lug}' is not a lug of '{body}'; {nearest(lug, load.lugs)}")
 
 
 def _size(direction: Sequence[float]) -> float:
