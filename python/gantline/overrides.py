@@ -162,7 +162,8 @@ def _integrator(scenario: Scenario, settings: Mapping[str, Any], kind: object) -
     if isinstance(kind, str):
         with suppress(KeyError):
             return integrator_settings(kind, scenario.simulation)
-    raise SettingError(["integrator"], "is none; there are adaptive, del and explicit", kind)
+    *others, last = INTEGRATOR_KEYS
+    raise SettingError(["integrator"], f"is none; there are {', '.join(others)} and {last}", kind)
 
 
 def _switch(name: str, value: object) -> bool:

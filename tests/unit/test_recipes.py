@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+from importlib import import_module
 from pathlib import Path
 from typing import get_args
 
@@ -25,7 +26,10 @@ from gantline.scenario import (
     parse_scenario,
     shipped,
 )
+from gantline.scenario.cranes.crane import CRANE_TYPES
+from gantline.scenario.cranes.crane_types import AnyCrane, Crane
 from gantline.scenario.gear import RopeMaterial
+from gantline.scenario.ground import INTEGRATOR_KEYS, SimulationSettings
 from gantline.scenario.limits import Limits
 from gantline.scenario.plan.bounds import Require
 from gantline.scenario.rope_weight import RopeWeight
@@ -53,6 +57,10 @@ mechanics:
 """
 
 
+def text_of(path: str) -> str:
+    return (ROOT / path).read_text(encoding="utf-8")
+
+
 def words(text: str, pattern: str) -> set[str]:
     return set(re.findall(pattern, text, flags=re.M))
 
@@ -78,22 +86,97 @@ def test_every_joint_of_a_lift_file_is_among_them() -> None:
     assert {get_args(one.model_fields["type"].annotation)[0] for one in models} == set(JOINTS)
 
 
+def variants(file: str, name: str) -> set[str]:
+    """Variants of an `enum` of the core, as they are named there."""
+    core = text_of(f"crates/gantline-core/src/{file}")
+    inside = core[core.index(f"pub enum {name} {{") :]
+    return words(inside[: inside.index("\n}")], r"^    ([A-Z]\w*)\b")
+
+
 def test_the_core_and_python_know_the_same_joints() -> None:
-    """Variants of `JointSpec` in the core, types in `python/gantline/assembly/joints.py`."""
-    core = (ROOT / "crates/gantline-core/src/spec/mod.rs").read_text(encoding="utf-8")
-    variants = core[core.index("pub enum JointSpec") : core.index("impl JointSpec")]
-    python = (ROOT / "python/gantline/assembly/joints.py").read_text(encoding="utf-8")
-    assert words(variants, r"^    ([A-Z]\w*)\b") == {
-        name.capitalize() for name in words(python, r'^    "(\w+)": \(_')
-    }
+    """Variants of `JointSpec` in the core, types in Python, rows of the page on bodies and joints."""
+    known = {name.lower() for name in variants("spec/mod.rs", "JointSpec")}
+    assert known == words(text_of("python/gantline/assembly/joints.py"), r'^    "(\w+)": \(_')
+    assert known == words(text_of("docs/concepts/bodies_and_joints.md"), r"^\| `(\w+)` \|")
 
 
-def test_every_limit_has_a_key_and_a_row() -> None:
-    """`LIMITS`, `Limits` of a lift file or `Require` of a step, and the table of the page on checks."""
+@pytest.mark.parametrize(
+    ("file", "name"),
+    [("spec/mod.rs", "JointSpec"), ("spec/force.rs", "ForceSpec"), ("spec/rope.rs", "GuideSpec")],
+)
+def test_every_joint_force_and_guide_is_drawn_at_random(file: str, name: str) -> None:
+    """Its derivatives are compared with differences: what no rig draws may be wrong, and nobody sees it."""
+    tests = (ROOT / "crates/gantline-core/tests").rglob("*.rs")
+    text = "".join(path.read_text(encoding="utf-8") for path in tests)
+    drawn = words(text, rf"{name}::(\w+)") | {one.title() for one in words(text, r'"type": "(\w+)"')}
+    assert sorted(variants(file, name) - drawn) == []
+
+
+def test_every_integrator_is_known_everywhere() -> None:
+    """The lift file, its keys, the core, the bounds of its books, and those who choose one by name."""
+    known = set(get_args(SimulationSettings.model_fields["integrator"].annotation))
+    assert known == {name.lower() for name in variants("spec/settings.rs", "IntegratorSpec")}
+    assert known == set(INTEGRATOR_KEYS) == set(metrics.ENERGY_BOUNDS)
+    for page in (
+        "python/gantline/cli/run.py",
+        "python/gantline/simulation.py",
+        "docs/reference/command_line.md",
+    ):
+        assert [name for name in sorted(known) if not re.search(rf"\b{name}\b", text_of(page))] == [], page
+
+
+def test_every_type_of_crane_is_read_by_its_own_model() -> None:
+    """The union of `python/gantline/scenario/cranes/crane_types.py`, and the words that choose among it."""
+    models = get_args(get_args(Crane)[0])
+    of_type = {get_args(model)[1].tag: get_args(model)[0] for model in models}
+    assert tuple(of_type) == CRANE_TYPES
+    assert set(of_type.values()) == set(get_args(AnyCrane))
+    for name, model in of_type.items():
+        assert get_args(model.model_fields["type"].annotation) == (name,)
+
+
+def test_every_limit_has_a_key() -> None:
+    """`LIMITS`, and `Limits` of a lift file or `Require` of a step."""
     said_elsewhere = {"clearance_margin"}  # by `smallest` of a pair under `watch`
     assert set(LIMITS) - set(Limits.model_fields) - set(Require.model_fields) == said_elsewhere
-    page = (ROOT / "docs/concepts/checks.md").read_text(encoding="utf-8")
-    assert [name for name in LIMITS if f"`{name}`" not in page] == []
+
+
+def named_checks(file: Path) -> set[str]:
+    """Names of the checks that a source makes: the first of `Check(...)`, or handed to what calls that."""
+    source = ast.parse(file.read_text(encoding="utf-8"))
+    module = import_module(f"gantline.checks.{file.stem}")
+    calls = [node for node in ast.walk(source) if isinstance(node, ast.Call) and node.args]
+    place = {"Check": 0}
+    for function in source.body:
+        if isinstance(function, ast.FunctionDef):
+            handed = [one.arg for one in function.args.args]
+            inside = [node for node in ast.walk(function) if node in calls and called(node) == "Check"]
+            names = {one.args[0].id for one in inside if isinstance(one.args[0], ast.Name)}
+            for name in names & set(handed):
+                place[function.name] = handed.index(name)
+    made = [call.args[place[called(call)]] for call in calls if called(call) in place]
+    texts = {str(one.value) for one in made if isinstance(one, ast.Constant)}
+    return texts | {getattr(module, one.id) for one in made if isinstance(one, ast.Name) and one.id.isupper()}
+
+
+def called(call: ast.AST) -> str:
+    """Name of the function that is called; nothing of a method."""
+    return call.func.id if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) else ""
+
+
+def test_every_check_has_a_heading_to_link_to() -> None:
+    """Its name, or a target of that name where a heading has several; steps ask for some without one."""
+    page = (ROOT / "docs/reference/checks.md").read_text(encoding="utf-8")
+    alone = words(page, r"^### `(\w+)`$")
+    together = words(page, r"^\((\w+)\)=$")
+    assert together == {one for line in words(page, r"^### (`.*`, .*)$") for one in words(line, r"`(\w+)`")}
+    headings = alone | together
+    of_steps = {"tension_spread", "load_transferred", "hook_load", "sling_tension"}
+    made = {name for file in (ROOT / "python/gantline/checks").glob("*.py") for name in named_checks(file)}
+    assert made >= {"plan_finished", "sling_outside_structures", "no_warnings", "no_overlap"}
+    assert sorted((set(LIMITS) | made) - of_steps ^ headings) == []
+    first = page[: page.index("How to read an entry")]
+    assert sorted(headings) == sorted(re.findall(r"\[`\w+`\]\(#(\w+)\)", first))
 
 
 def test_a_slipped_unit_is_found_in_every_limit_that_is_an_angle() -> None:

@@ -41,7 +41,7 @@ _NO_STRENGTH = (
     "and working load limits of shackles are not known"
 )
 #: What a step may ask to be at least and has to come to: less is missed, and no share of it is used up.
-_COME_TO = frozenset({"load_tilt"})
+_COME_TO = frozenset({"load_tilt", "load_yaw", "load_transferred"})
 #: Most checks that the verdict on a lift names.
 _MOST_NAMED = 3
 

@@ -80,7 +80,7 @@ def check_recording(recording: Recording, ending: Collection[str] = ()) -> list[
         One check for each quantity that the lift sets a limit for, or that has to be handed in of every lift
         with a load, hook, sling or vessel, in the order of `LIMITS`; limits that are not known here; one
         check for each requirement of a step; then what no limit is about, such as ropes that parted, ranges
-        that were left and warnings of the recording, which `docs/concepts/checks.md` lists; and that a run
+        that were left and warnings of the recording, which `docs/reference/checks.md` lists; and that a run
         lifts nothing, holds nothing still or ends before its plan.
     """
     _hold_steps(recorded(recording), ending)

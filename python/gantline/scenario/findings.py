@@ -26,6 +26,17 @@ class Findings:
         """Note a problem at a path of the file."""
         self.problems.append(self.scenario.problem(path, sentence))
 
+    def refuse_explicit(self, what: str, instead: str = "") -> None:
+        """Note what the baseline `explicit` cannot simulate, if the lift asks for it.
+
+        Args:
+            what: Things of the lift, as `pins`.
+            instead: What would be right too.
+        """
+        if self.scenario.simulation.integrator == "explicit":
+            sentence = f"'explicit' knows no {what}; 'adaptive' or 'del' is right here"
+            self.add(("simulation", "integrator"), f"{sentence}, or {instead}" if instead else sentence)
+
     def raise_any(self) -> None:
         """Stop if anything was found.
 

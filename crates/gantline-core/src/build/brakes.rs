@@ -36,7 +36,7 @@ pub(super) fn build_brakes(
 /// Dry friction of the joint of a body, if it has any.
 fn friction_of_joint(spec: &SystemSpec, tree: &Tree, index: usize) -> Result<Option<Brake>, BuildError> {
     let given = &spec.bodies[index];
-    let (JointSpec::Hinge(joint) | JointSpec::Slider(joint)) = &given.joint else { return Ok(None) };
+    let Some(joint) = given.joint.axis() else { return Ok(None) };
     at_least_zero(&given.name, "the joint's friction", joint.friction)?;
     if joint.friction <= 0.0 || joint.drive.is_some() {
         return Ok(None);

@@ -13,8 +13,8 @@ use crate::plan::{
     Switching, Until,
 };
 use crate::spec::{
-    AxisJointSpec, BodySpec, EmergencySpec, ForceSpec, JointSpec, MoveSpec, ReelSpec, StepSpec, StopAtSpec,
-    SystemSpec, UntilSpec,
+    BodySpec, EmergencySpec, ForceSpec, JointSpec, MoveSpec, ReelSpec, StepSpec, StopAtSpec, SystemSpec,
+    UntilSpec,
 };
 use crate::system::{ContactGroup, DriveJoint, Rows};
 use crate::tree::Tree;
@@ -312,15 +312,7 @@ pub(super) fn build_pinnings(
     spec: &SystemSpec,
     constraints: &[AnyConstraint],
 ) -> Result<Vec<Switching>, BuildError> {
-    let starts_in = |name: &str| {
-        let body = spec.bodies.iter().find(|body| body.name == name)?;
-        let (JointSpec::Hinge(AxisJointSpec { pin, .. }) | JointSpec::Slider(AxisJointSpec { pin, .. })) =
-            &body.joint
-        else {
-            return None;
-        };
-        *pin
-    };
+    let starts_in = |name: &str| spec.bodies.iter().find(|body| body.name == name)?.joint.axis()?.pin;
     let mut pinnings: Vec<Switching> = Vec::new();
     for (index, constraint) in constraints.iter().enumerate() {
         if let AnyConstraint::Pin(pin) = constraint {

@@ -14,7 +14,7 @@ use crate::constraint::stop::Stop;
 use crate::contact::plane::Plane;
 use crate::contact::spot::Spot;
 use crate::rope::seat::Seat;
-use crate::spec::{BodySpec, ContactSpec, JointSpec, StopsSpec, SystemSpec};
+use crate::spec::{BodySpec, ContactSpec, StopsSpec, SystemSpec};
 use crate::system::{BodyShape, ContactGroup};
 use crate::tree::joint::Joint;
 use crate::tree::kinematics::Kinematics;
@@ -84,7 +84,7 @@ pub(super) fn flow_named<'a>(element: &str, tree: &'a Tree, name: &str) -> Resul
 
 /// The stops of a body's joint.
 fn build_stops(given: &BodySpec, index: usize, tree: &Tree) -> Result<Vec<Stop>, BuildError> {
-    let (JointSpec::Hinge(joint) | JointSpec::Slider(joint)) = &given.joint else { return Ok(Vec::new()) };
+    let Some(joint) = given.joint.axis() else { return Ok(Vec::new()) };
     let Some(StopsSpec { lower, upper, stiffness, damping_time, loaded }) = &joint.stops else {
         return Ok(Vec::new());
     };
@@ -119,7 +119,7 @@ fn build_stops(given: &BodySpec, index: usize, tree: &Tree) -> Result<Vec<Stop>,
 fn build_pins(spec: &SystemSpec, tree: &Tree) -> Result<Vec<Pin>, BuildError> {
     let mut pins = Vec::new();
     for (given, body) in spec.bodies.iter().zip(&tree.bodies) {
-        let (JointSpec::Hinge(joint) | JointSpec::Slider(joint)) = &given.joint else { continue };
+        let Some(joint) = given.joint.axis() else { continue };
         let Some(starts_in) = joint.pin else { continue };
         if joint.drive.is_some() {
             return error(&given.name, "its joint has a drive and a pin; what is driven has no pin");

@@ -39,17 +39,14 @@ pub(super) fn build_tree(spec: &SystemSpec) -> Result<Tree, BuildError> {
     let mut tree = Tree::new(bodies, DVec3::from_array(spec.gravity));
     for (index, given) in spec.bodies.iter().enumerate() {
         let dof = tree.bodies[index].first_velocity;
-        match &given.joint {
-            JointSpec::Hinge(joint) | JointSpec::Slider(joint) => {
-                at_least_zero(&given.name, "the joint's damping", joint.damping)?;
-                tree.damping[dof] = joint.damping;
-            }
-            JointSpec::Flow { inertia, damping, .. } => {
-                at_least_zero(&given.name, "its damping", *damping)?;
-                at_least_zero(&given.name, "its inertia", *inertia)?;
-                (tree.damping[dof], tree.armature[dof]) = (*damping, *inertia);
-            }
-            _ => {}
+        if let Some(joint) = given.joint.axis() {
+            at_least_zero(&given.name, "the joint's damping", joint.damping)?;
+            tree.damping[dof] = joint.damping;
+        }
+        if let JointSpec::Flow { inertia, damping, .. } = &given.joint {
+            at_least_zero(&given.name, "its damping", *damping)?;
+            at_least_zero(&given.name, "its inertia", *inertia)?;
+            (tree.damping[dof], tree.armature[dof]) = (*damping, *inertia);
         }
     }
     Ok(tree)

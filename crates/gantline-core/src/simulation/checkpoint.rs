@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::method::Method;
 use super::{Command, Counters, Saved, SetupError, Simulation, Waypoint};
 use crate::event::EventLog;
 use crate::record::Samples;
@@ -158,9 +157,7 @@ impl Simulation {
         self.waypoints = checkpoint.waypoints;
         self.before.copy_from(&self.state);
         self.frame.update(&self.system, &self.state);
-        if let Method::Adaptive(adaptive) = &mut self.method {
-            adaptive.forget();
-        }
+        self.method.forget();
         Ok(())
     }
 }

@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::method::Method;
 use super::{SetupError, Simulation};
 use crate::build::plan::build_emergency;
 use crate::plan::Order;
@@ -65,9 +64,7 @@ impl Simulation {
             timeline.command(time, &order);
         }
         self.commands.push(Command { time, name, motion, speed, acceleration });
-        if let Method::Adaptive(adaptive) = &mut self.method {
-            adaptive.forget();
-        }
+        self.method.forget();
         Ok(())
     }
 

@@ -62,6 +62,14 @@ impl Method {
         }
     }
 
+    /// Forgets what belongs to the state of the last step, which something else has changed since.
+    pub fn forget(&mut self) {
+        match self {
+            Self::Del(_) | Self::Explicit(_) => {}
+            Self::Adaptive(adaptive) => adaptive.forget(),
+        }
+    }
+
     /// Motion and forces at a share of the step that has been made.
     pub fn course(&mut self, system: &System, span: &Span, share: f64, sample: &mut Sample) {
         match self {

@@ -192,14 +192,25 @@ pub enum JointSpec {
 }
 
 impl JointSpec {
+    /// What it says of its axis, where it has one by which a drive, stops, a pin and friction hold a body.
+    pub fn axis(&self) -> Option<&AxisJointSpec> {
+        match self {
+            Self::Hinge(joint) | Self::Slider(joint) => Some(joint),
+            Self::Fixed {}
+            | Self::Ball { .. }
+            | Self::Point { .. }
+            | Self::Free { .. }
+            | Self::Flow { .. }
+            | Self::Content { .. } => None,
+        }
+    }
+
     /// Name of the drive that prescribes its motion, where it has one.
     pub fn drive(&self) -> Option<&String> {
         match self {
-            Self::Hinge(AxisJointSpec { drive, .. })
-            | Self::Slider(AxisJointSpec { drive, .. })
-            | Self::Flow { drive, .. } => drive.as_ref(),
+            Self::Flow { drive, .. } => drive.as_ref(),
             Self::Content { drive } => Some(drive),
-            _ => None,
+            _ => self.axis()?.drive.as_ref(),
         }
     }
 }

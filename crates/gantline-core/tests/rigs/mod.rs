@@ -71,6 +71,11 @@ impl Draw {
     }
 }
 
+/// How many kinds of joints [`joint`] draws.
+const JOINTS: usize = 6;
+/// Bodies of a rig: one with each kind of joint, and one more.
+pub const BODIES: usize = JOINTS + 1;
+
 fn joint(draw: &mut Draw, kind: usize) -> JointSpec {
     let axis = |draw: &mut Draw| AxisJointSpec {
         axis: draw.direction(),
@@ -123,9 +128,9 @@ fn flow(name: &str, inertia: f64, velocity: f64) -> BodySpec {
 pub fn rig(seeds: &[f64]) -> SystemSpec {
     let mut draw = Draw::new(seeds);
     let mut bodies: Vec<BodySpec> = Vec::new();
-    for index in 0..7 {
+    for index in 0..BODIES {
         let parent = draw.choice(index + 1).checked_sub(1).map(|parent| bodies[parent].name.clone());
-        let kind = if index < 6 { (index + 1) % 6 } else { draw.choice(6) };
+        let kind = if index < JOINTS { (index + 1) % JOINTS } else { draw.choice(JOINTS) };
         let mass = 10.0_f64.powf(1.0 + draw.number());
         let size = 0.2 + draw.number().abs();
         let diagonal = [1.0 + 0.3 * draw.number(), 1.2, 0.9].map(|x| x * mass * size);
@@ -183,7 +188,7 @@ pub fn system_of(bodies: Vec<BodySpec>) -> SystemSpec {
 }
 
 fn body(draw: &mut Draw) -> Option<String> {
-    draw.choice(8).checked_sub(1).map(|index| format!("b{index}"))
+    draw.choice(BODIES + 1).checked_sub(1).map(|index| format!("b{index}"))
 }
 
 /// A rope that nothing cuts or breaks; without a length it is just taut.

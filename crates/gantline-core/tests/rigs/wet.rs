@@ -13,7 +13,7 @@ use gantline_core::tree::bias::NewtonEuler;
 use glam::DVec3;
 
 use super::hulls::sphere;
-use super::{Draw, flow, rig};
+use super::{BODIES, Draw, flow, rig};
 
 /// Central differences as in the tests of mechanics; forces of water are up to some 1e4 here.
 pub const STEP: f64 = 1e-5;
@@ -36,7 +36,7 @@ fn square(draw: &mut Draw, size: f64) -> [[f64; 6]; 6] {
 fn mooring(spec: &mut SystemSpec, draw: &mut Draw, k: usize) -> ForceSpec {
     let up = -DVec3::from_array(spec.gravity).normalize();
     let down = DVec3::from_array(draw.scaled(10.0)) - up * 40.0;
-    let body = format!("b{}", draw.choice(7));
+    let body = format!("b{}", draw.choice(BODIES));
     let winch = format!("winch{k}");
     let drum = flow(&winch, 3.0, draw.number());
     spec.bodies.push(BodySpec { parent: Some(body.clone()), ..drum });

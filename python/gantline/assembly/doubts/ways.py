@@ -7,13 +7,12 @@ from collections.abc import Iterator, Mapping
 from gantline.assembly.doubts.wound import doubtful_turns
 from gantline.assembly.parts import Parts
 from gantline.scenario import Scenario
-from gantline.scenario.consistency.travel import Bounds, bounds_after
+from gantline.scenario.consistency.travel import Bounds, moved_by
 from gantline.scenario.cranes.hooks import Hook
 from gantline.scenario.errors import Doubt
 from gantline.scenario.findings import Path
 from gantline.scenario.plan.lead import LeadStep
 from gantline.scenario.plan.leading import gone_along
-from gantline.scenario.plan.movers import mover
 from gantline.scenario.plan.positions import Places, boom_angles_at_end, places_of_cranes
 from gantline.scenario.plan.steps import HookStep
 from gantline.units import format_quantity
@@ -44,26 +43,18 @@ def doubtful_ways(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
             yield from (Doubt(path, sentence) for sentence in told)
         if not isinstance(step, HookStep):
             continue
-        for text in dict.fromkeys(step.moved):
-            one = mover(scenario, step.kind, text)
-            if one is None or one.start is None:
-                continue
-            angle, is_known = (0.0, True) if one.head is None else angles[one.head.boom]
-            head_up = 0.0 if one.head is None else one.head.rise(angle)
-            before = where.get(one.name, (one.start, one.start))
-            where[one.name] = after = bounds_after(step, before, head_up)
-            key = "to" if step.to is not None else "by" if step.by is not None else step.verb
-            path = ("plan", place, key)
-            turns = doubtful_turns(step, scenario.hooks[one.name], one, before, after)
-            yield from (Doubt(path, sentence) for sentence in turns)
-            top = tops[one.name]
-            if top is not None and step.sign > 0 and before[0] <= top + _ROUNDING < after[0]:
-                high = _too_high(f"step '{step.step}' hoists {one.name}", after[0] + head_up, top + head_up)
-                yield Doubt(path, f"{high}; hoist it less far")
-            below = _below(scenario, after[1] + head_up)
-            if is_known and step.sign < 0 and below is not None:
-                sentence = f"step '{step.step}' lowers {one.name} to {below} below the ground, or deeper"
-                yield Doubt(path, f"{sentence}: nothing stops it there; lower it less far")
+        for one in moved_by(scenario, place, step, angles, where):
+            name, after, up = one.mover.name, one.after, one.head_up
+            turns = doubtful_turns(step, scenario.hooks[name], one.mover, one.before, after)
+            yield from (Doubt(one.path, sentence) for sentence in turns)
+            top = tops[name]
+            if top is not None and step.sign > 0 and one.before[0] <= top + _ROUNDING < after[0]:
+                high = _too_high(f"step '{step.step}' hoists {name}", after[0] + up, top + up)
+                yield Doubt(one.path, f"{high}; hoist it less far")
+            below = _below(scenario, after[1] + up)
+            if one.is_known and step.sign < 0 and below is not None:
+                sentence = f"step '{step.step}' lowers {name} to {below} below the ground, or deeper"
+                yield Doubt(one.path, f"{sentence}: nothing stops it there; lower it less far")
 
 
 def _led(

@@ -311,10 +311,8 @@ def check_moorings(findings: Findings) -> None:
             )
             continue
         _check_rope(findings, path, line, kinds[line.rope])
-    has_catenary = any(line.type == "catenary" for line in lines.values())
-    if has_catenary and scenario.simulation.integrator == "explicit":
-        sentence = "'explicit' knows no catenaries; 'adaptive' or 'del' is right, or 'type: spring'"
-        findings.add(("simulation", "integrator"), sentence)
+    if any(line.type == "catenary" for line in lines.values()):
+        findings.refuse_explicit("catenaries", instead="'type: spring'")
 
 
 def _check_rope(findings: Findings, path: Path, line: MooringLine, kind: RopeMaterial) -> None:

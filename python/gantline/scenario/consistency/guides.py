@@ -16,9 +16,8 @@ def check_guides(findings: Findings) -> None:
     if scenario.guides and scenario.load is None:
         sentence = "there is no 'load' for guides to bring to its place"
         findings.add(("guides",), f"{sentence}; what bodies touch belongs under 'mechanics'")
-    if scenario.guides and scenario.simulation.integrator == "explicit":
-        sentence = "'explicit' knows no guides; 'adaptive' or 'del' is right"
-        findings.add(("simulation", "integrator"), sentence)
+    if scenario.guides:
+        findings.refuse_explicit("guides")
     for name, guide in (scenario.guides or {}).items():
         if guide.holder is not None and (wrong := _no_holder(scenario, guide.holder)) is not None:
             findings.add(("guides", name, "held_by"), wrong)

@@ -30,9 +30,8 @@ def check_hinges(findings: Findings) -> None:
     if hinges and scenario.start == "settled":
         sentence = "'settled' is for a load that lies free, and a hinge holds this one"
         findings.add(("start",), f"{sentence}; 'start: rest' is right")
-    if hinges and scenario.simulation.integrator == "explicit":
-        sentence = "'explicit' knows no hinges of loads; 'adaptive' or 'del' is right"
-        findings.add(("simulation", "integrator"), sentence)
+    if hinges:
+        findings.refuse_explicit("hinges of loads")
     _check_plan(findings)
 
 

@@ -7,18 +7,21 @@ followed as bounds: what passes its limit for sure is a mistake of the plan, wha
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any
 
 from gantline.scenario.cranes.goliath import Goliath
 from gantline.scenario.cranes.hooks import trolley_name
 from gantline.scenario.findings import Findings, Path
+from gantline.scenario.model import Scenario
 from gantline.scenario.plan.lead import LeadStep
 from gantline.scenario.plan.leading import gone_along
 from gantline.scenario.plan.movers import Mover, mover
 from gantline.scenario.plan.positions import Places, boom_angles_at_end, places_of_cranes
 from gantline.scenario.plan.steps import HookStep, Kind, MovingStep
 
-__all__ = ["Bounds", "bounds_after", "check_travel", "said"]
+__all__ = ["Bounds", "Moved", "bounds_after", "check_travel", "moved_by", "said"]
 
 #: Rounding of positions that steps add up [m].
 _ROUNDING = 1e-9
@@ -33,6 +36,27 @@ _DEGREES = {
     "speed": ("deg/min", 60 * math.degrees(1)),
     "acceleration": ("deg/s^2", math.degrees(1)),
 }
+
+
+@dataclass(frozen=True)
+class Moved:
+    """What a step moves, and between which positions it is.
+
+    Attributes:
+        mover: What is moved.
+        path: Where the file says how far.
+        before: Where it is before the step.
+        after: Where the step leaves it.
+        head_up: How far the boom head that a hook hangs from has gone up [m].
+        is_known: Whether the angle of that boom is known.
+    """
+
+    mover: Mover
+    path: Path
+    before: Bounds
+    after: Bounds
+    head_up: float
+    is_known: bool
 
 
 def said(kind: Kind, value: float, of: str) -> str:
@@ -51,23 +75,11 @@ def check_travel(findings: Findings) -> None:
             _lead(findings, ("plan", place, key), step, before_step[place], where)
         if not isinstance(step, MovingStep):
             continue
-        for text in dict.fromkeys(step.moved):
-            one = mover(findings.scenario, step.kind, text)
-            if one is None or one.start is None:
-                continue
-            # Hooks at booms as their drums count them: a height less what the boom head has gone up.
-            angle, is_known = (0.0, True) if one.head is None else angles[one.head.boom]
-            head_up = 0.0 if one.head is None else one.head.rise(angle)
-            before = where.get(one.name, (one.start, one.start))
-            where[one.name] = after = bounds_after(step, before, head_up)
-            key = (
-                "to" if getattr(step, "to", None) is not None else "by" if step.by is not None else step.verb
-            )
-            path: Path = ("plan", place, key)
+        for one in moved_by(findings.scenario, place, step, angles, where):
             if isinstance(step, HookStep):
-                _check_direction(findings, path, step, _raised(before, head_up))
-            if is_known:
-                _check_range(findings, path, one, _raised(after, head_up))
+                _check_direction(findings, one.path, step, _raised(one.before, one.head_up))
+            if one.is_known:
+                _check_range(findings, one.path, one.mover, _raised(one.after, one.head_up))
         aside = place + 1 < len(plan) and getattr(plan[place + 1], "starts", "") == "with_previous"
         if not aside:
             _check_distances(findings, ("plan", place), where)
@@ -87,6 +99,31 @@ def _lead(findings: Findings, path: Path, step: LeadStep, before: Places, where:
         _check_range(findings, path, led.hoist, _raised(where[led.hoist.name], head_up))
         ends = [(led.boom, end.angle), (led.upper, end.slew), (led.track, end.travel)]
         where |= {one.name: (at, at) for one, at in ends if one is not None}
+
+
+def moved_by(
+    scenario: Scenario, place: int, step: MovingStep, angles: Places, where: dict[str, Bounds]
+) -> Iterator[Moved]:
+    """What a step moves of that which has a start, one after the other.
+
+    Args:
+        scenario: The lift.
+        place: Of the step in the plan.
+        step: The step.
+        angles: Of booms at its end, and whether they are known.
+        where: Between which positions things are so far; each that is moved is put where the step leaves it.
+    """
+    for text in dict.fromkeys(step.moved):
+        one = mover(scenario, step.kind, text)
+        if one is None or one.start is None:
+            continue
+        # Hooks at booms as their drums count them: a height less what the boom head has gone up.
+        angle, is_known = (0.0, True) if one.head is None else angles[one.head.boom]
+        head_up = 0.0 if one.head is None else one.head.rise(angle)
+        before = where.get(one.name, (one.start, one.start))
+        where[one.name] = after = bounds_after(step, before, head_up)
+        key = "to" if getattr(step, "to", None) is not None else "by" if step.by is not None else step.verb
+        yield Moved(one, ("plan", place, key), before, after, head_up, is_known)
 
 
 def _raised(bounds: Bounds, by: float) -> Bounds:

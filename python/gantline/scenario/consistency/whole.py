@@ -71,9 +71,8 @@ def check(scenario: Scenario) -> None:
         check_chain_hoists(findings, rigging)
         check_waits(findings, rigging)
         check_kept_plumb(findings, rigging)
-        if scenario.simulation.integrator == "explicit" and pins_of(scenario, rigging).at_start:
-            sentence = "'explicit' knows no pins; 'adaptive' or 'del' is right"
-            findings.add(("simulation", "integrator"), sentence)
+        if pins_of(scenario, rigging).at_start:
+            findings.refuse_explicit("pins")
     except ScenarioError as error:
         findings.problems.extend(error.problems)
     for hook in scenario.hooks.values():
@@ -197,13 +196,10 @@ def _check_simulation(findings: Findings) -> None:
         if key in settings.model_fields_set and key not in INTEGRATOR_KEYS[settings.integrator]:
             sentence = f"'{key}' belongs to {' and '.join(kinds)}, this lift has '{settings.integrator}'"
             findings.add(("simulation", key), f"{sentence}; leave it out or name the other integrator")
-    if settings.integrator == "explicit" and _has_friction(findings.scenario):
-        sentence = "'explicit' knows no friction of sheaves and joints and no brakes"
-        findings.add(("simulation", "integrator"), f"{sentence}; 'adaptive' or 'del' is right here")
-    if settings.integrator == "explicit" and (met := _what_meets(findings.scenario)) is not None:
-        findings.add(
-            ("simulation", "integrator"), f"'explicit' knows no {met}; 'adaptive' or 'del' is right here"
-        )
+    if _has_friction(findings.scenario):
+        findings.refuse_explicit("friction of sheaves and joints and no brakes")
+    if (met := _what_meets(findings.scenario)) is not None:
+        findings.refuse_explicit(met)
     step = None if settings.integrator == "adaptive" else settings.step
     for key, sentence in wrong_times(duration, step, findings.scenario.sample_interval):
         findings.add(("simulation", key), sentence)

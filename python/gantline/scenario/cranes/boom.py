@@ -279,10 +279,8 @@ def boom_name(crane: str) -> str:
     return f"{crane}.boom"
 
 
-def placed_boom(name: str, crane: object, vessels: Mapping[str, Vessel]) -> PlacedBoom | None:
-    """The boom of a crane with what bears it; None of a crane without one."""
-    if not isinstance(crane, FloatingCrane):
-        return None
+def placed_boom(name: str, crane: FloatingCrane, vessels: Mapping[str, Vessel]) -> PlacedBoom:
+    """The boom of a floating crane with what bears it."""
     if crane.slewing_axis is not None:
         return _slewing_boom(name, crane, crane.slewing_axis)
     pins = crane.boom.heel_pins

@@ -41,6 +41,7 @@ from gantline.scenario.rope_weight import RopeWeightWord
 from gantline.scenario.sheave import SheaveWords
 
 __all__ = [
+    "CRANE_TYPES",
     "Equalizer",
     "EqualizerFrame",
     "EqualizerParts",
@@ -54,8 +55,8 @@ __all__ = [
     "Travel",
 ]
 
-#: Crane types that this version can simulate.
-_CRANES = ("fixed_hook", "goliath", "floating_crane", "crawler")
+#: Crane types that this version can simulate; the first refuses what is none of them.
+CRANE_TYPES = ("fixed_hook", "goliath", "floating_crane", "crawler")
 #: What other words for a type of crane mean.
 _MEANT = {
     **dict.fromkeys(("sheerleg", "sheerlegs", "pedestal_crane"), "'type: floating_crane'"),
@@ -189,7 +190,7 @@ class FixedHook(Element):
         kind = data.get("type")
         if kind == "fixed_hook":
             return
-        known = ", ".join(f"'{name}'" for name in _CRANES)
+        known = ", ".join(f"'{name}'" for name in CRANE_TYPES)
         if "type" not in data:
             own = cls.keys()
             misspelt = closest("type", [key for key in data if key not in own])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import assert_never
 
 from gantline.scenario.cranes.boom import FloatingCrane, boom_name
 from gantline.scenario.cranes.crane import FixedHook
@@ -48,4 +49,6 @@ def crane_parts(cranes: Mapping[str, AnyCrane]) -> list[tuple[str, str, _Path]]:
                 found.append((upper_body(name), "what slews of a crane", path))
             found.append((boom_name(name), "the boom of a crane", (*path, "boom")))
             found += [(f"{name}.{hook}", "a hook", (*path, "hooks", hook)) for hook in crane.hooks]
+        elif not isinstance(crane, FixedHook):
+            assert_never(crane)
     return found

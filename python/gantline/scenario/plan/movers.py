@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import assert_never
 
 from gantline.scenario.afloat.mooring import MooringLine
 from gantline.scenario.cranes.boom import FloatingCrane
+from gantline.scenario.cranes.crane import FixedHook
 from gantline.scenario.cranes.crane_types import AnyCrane
 from gantline.scenario.cranes.crawler import Crawler
 from gantline.scenario.cranes.goliath import Goliath, Traverse
@@ -156,16 +158,19 @@ def _booms(scenario: Scenario) -> Iterator[tuple[str, Mover]]:
 
 def _of_crane(name: str, crane: AnyCrane, kind: Kind) -> Iterator[tuple[str, Mover]]:
     """What of a crane travels, slews or traverses."""
-    if kind == "crane" and isinstance(crane, Crawler) and crane.travel is not None:
-        yield name, _along(name, kind, crane.travel, 0.0)
-    if kind == "crane" and isinstance(crane, Goliath) and crane.travel is not None:
-        yield name, _along(name, kind, crane.travel, crane.position)
-    if kind == "upper" and isinstance(crane, Crawler | FloatingCrane) and crane.slewing is not None:
-        yield name, _along(upper_body(name), kind, crane.slewing, crane.slew)
-    if kind == "trolley" and isinstance(crane, Goliath):
-        for trolley, given in crane.trolleys.items():
+    if isinstance(crane, Goliath):
+        if kind == "crane" and crane.travel is not None:
+            yield name, _along(name, kind, crane.travel, crane.position)
+        for trolley, given in crane.trolleys.items() if kind == "trolley" else ():
             of = trolley_name(name, trolley)
             yield of, _along(of, kind, given.traverse, given.position)
+    elif isinstance(crane, Crawler | FloatingCrane):
+        if kind == "crane" and isinstance(crane, Crawler) and crane.travel is not None:
+            yield name, _along(name, kind, crane.travel, 0.0)
+        if kind == "upper" and crane.slewing is not None:
+            yield name, _along(upper_body(name), kind, crane.slewing, crane.slew)
+    elif not isinstance(crane, FixedHook):
+        assert_never(crane)
 
 
 def _head(scenario: Scenario, hook: Hook) -> Head | None:
