@@ -37,8 +37,14 @@ load:
   lugs: {L: {at: [0 m, 0 m, 3 m], capacity: 25 t, main_plate: yz}}
 mechanics:
   ropes:
-    left: {rope: stay, length: 5 m, route: [{type: end, body: world, at: [-3 m, 0 m, 12 m]}, {type: end, body: box, lug: L}]}
-    right: {rope: stay, length: 5 m, route: [{type: end, body: box, lug: L}, {type: end, body: world, at: [3 m, 0 m, 12 m]}]}
+    left:
+      rope: stay
+      length: 5 m
+      route: [{type: end, body: world, at: [-3 m, 0 m, 12 m]}, {type: end, body: box, lug: L}]
+    right:
+      rope: stay
+      length: 5 m
+      route: [{type: end, body: box, lug: L}, {type: end, body: world, at: [3 m, 0 m, 12 m]}]
 plan:
   - {step: hold, hold: until_end}
 """
@@ -74,7 +80,7 @@ def test_a_case_that_moves_the_centre_of_gravity_leaves_the_lug_on_the_load(cent
     """From the datum of the load the rope ends at the lug: at cog + at = (-4, 0, 3) m."""
     scenario = parse_scenario(BAR).changed({"load.centre_of_gravity.at": f"[{centre}, 0 m, 1.5 m]"})
     [rope] = [one for one in assemble(scenario).document["ropes"] if one["name"] == "down_1"]
-    at = np.array(rope["route"][-1]["at"]) + (float(centre.removesuffix(" m")), 0.0, 1.5)
+    at = np.add(rope["route"][-1]["at"], [float(centre.removesuffix(" m")), 0.0, 1.5])
     assert at == pytest.approx((-4.0, 0.0, 3.0), abs=1e-12)
 
 
@@ -104,6 +110,18 @@ def test_ropes_at_one_lug_pull_as_vectors_and_each_out_of_the_plate() -> None:
     assert out["lug_out_of_plane_angle"].value == pytest.approx(math.atan2(3.0, 4.0), rel=1e-3)
 
 
+def test_ropes_that_pull_against_each_other_load_a_lug_as_one_of_them_does() -> None:
+    """Level ends 6 m away leave each the tension T, together a hundredth of the weight: the lug bears T."""
+    text = changed(
+        _TWO, ("[-3 m, 0 m, 12 m]", "[-5 m, 0 m, 8.5 m]"), ("[3 m, 0 m, 12 m]", "[5 m, 0 m, 8.5 m]")
+    )
+    rest = at_rest(text)
+    tension = rest.column("rope_tension", "left")[-1]
+    assert tension > 5 * 20e3 * G
+    found = checks(rest)["lug_load_of_capacity"]
+    assert found.value == pytest.approx(1.1 * tension / (25e3 * G), rel=1e-9)
+
+
 def test_a_sling_beside_a_rope_at_one_lug_pulls_with_it() -> None:
     """A slack sling in the same lug leaves it the ropes' force, one in which all hangs has the same weight."""
     hook = (
@@ -117,6 +135,7 @@ def test_a_sling_beside_a_rope_at_one_lug_pulls_with_it() -> None:
 
 
 def test_what_cannot_be_is_refused() -> None:
+    """A lug and a place, a lug that is not there, and a body that has none."""
     both = refused(BAR.replace("body: module, lug: L1", "body: module, lug: L1, at: [0 m, 0 m, 0 m]"))
     assert "an end is made fast to a 'lug', or is 'at' a place; leave one of both out" in both
     other = refused(BAR.replace("body: module, lug: L1", "body: module, lug: L3"))

@@ -175,15 +175,16 @@ def _force_of_ropes(
     ropes: Mapping[str, str],
     during: BoolArray,
 ) -> Force:
-    """What ropes of `mechanics` pull at a lug, several and slings as vectors of one time.
+    """What ropes of `mechanics` pull at a lug.
 
-    A rule's factor for skew is none of theirs: nothing tells how lengths of such ropes would be off.
+    Several, and slings, count as vectors of one time, and no less than one of them alone. A rule's factor for skew is none of theirs: nothing tells how lengths of such ropes would be off.
     """
     if len(ropes) == 1 and not ends:
         return rope_force(recording, next(iter(ropes)), during)
     pulls = [pull_at_lug(recording, sling, end, at) for sling, end in ends]
     pulls += [pull_at_end(recording, rope, end) for rope, end in ropes.items()]
-    return sum_force(recording, np.linalg.norm(np.sum(pulls, axis=0), axis=1), at[0], during)
+    sizes = np.linalg.norm([np.sum(pulls, axis=0), *pulls], axis=2)
+    return sum_force(recording, sizes.max(axis=0), at[0], during)
 
 
 def _together(recording: Recording, at: tuple[str, str], ends: Sequence[tuple[Sling, int]]) -> FloatArray:
