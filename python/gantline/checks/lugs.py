@@ -79,8 +79,8 @@ def _leads(recording: Recording, *, of_all: bool) -> Iterator[tuple[str, str, st
         for end, of, name in sling.at_lugs():
             yield sling.rope, of, name, series.sling_direction(recording, sling, end)
     for load, lug, ropes in _with_ropes(recording) if of_all else ():
-        for rope, end in ropes.items():
-            yield rope, load.name, lug, _direction(recording, rope, end)
+        for rope, which in ropes.items():
+            yield rope, load.name, lug, _direction(recording, rope, which)
 
 
 def _assumed(recording: Recording, during: BoolArray) -> Iterator[Caution]:
@@ -164,7 +164,7 @@ def lug_forces(recording: Recording, during: BoolArray) -> Iterator[LugForce]:
         force = with_upper_ends(recording, [one for one in own if _is_above((of, lug), one)], force)
         yield LugForce(of, lug, ends, force)
     for (of, lug), ropes in with_ropes.items():
-        ends = at.get((of, lug), ())
+        ends = at.get((of, lug), [])
         yield LugForce(of, lug, ends, _force_of_ropes(recording, (of, lug), ends, ropes, during), ropes)
 
 
@@ -177,14 +177,19 @@ def _force_of_ropes(
 ) -> Force:
     """What ropes of `mechanics` pull at a lug.
 
-    Several, and slings, count as vectors of one time, and no less than one of them alone. A rule's factor for skew is none of theirs: nothing tells how lengths of such ropes would be off.
+    Several, and slings, count as vectors of one time, those that pull up and those that pull down for
+    themselves, and no less than one of them alone. A rule's factor for skew is none of theirs: nothing tells
+    how lengths of such ropes would be off.
     """
     if len(ropes) == 1 and not ends:
         return rope_force(recording, next(iter(ropes)), during)
-    pulls = [pull_at_lug(recording, sling, end, at) for sling, end in ends]
-    pulls += [pull_at_end(recording, rope, end) for rope, end in ropes.items()]
-    sizes = np.linalg.norm([np.sum(pulls, axis=0), *pulls], axis=2)
-    return sum_force(recording, sizes.max(axis=0), at[0], during)
+    of_slings = [pull_at_lug(recording, sling, end, at) for sling, end in ends]
+    pulls = np.array([*of_slings, *(pull_at_end(recording, rope, end) for rope, end in ropes.items())])
+    is_up = pulls[:, :, 2:] >= 0.0
+    sides = [np.sum(pulls, axis=0, where=is_side) for is_side in (is_up, ~is_up)]
+    together = np.linalg.norm(sides, axis=2).sum(axis=0)
+    alone = np.linalg.norm(pulls, axis=2).max(axis=0)
+    return sum_force(recording, np.maximum(together, alone), at[0], during)
 
 
 def _together(recording: Recording, at: tuple[str, str], ends: Sequence[tuple[Sling, int]]) -> FloatArray:
