@@ -125,7 +125,8 @@ def test_ropes_that_pull_against_each_other_load_a_lug_as_one_of_them_does() -> 
 def test_a_sling_beside_a_rope_at_one_lug_pulls_with_it() -> None:
     """A slack sling in one lug leaves it the ropes' force; one in which all hangs has the same weight."""
     hook = (
-        "cranes:\n  H: {type: fixed_hook, at: [0 m, 0 m, 14 m], hoist: {speed: 1 m/min, acceleration: 0.1 m/s^2}}\n"
+        "cranes:\n  H: {type: fixed_hook, at: [0 m, 0 m, 14 m],"
+        " hoist: {speed: 1 m/min, acceleration: 0.1 m/s^2}}\n"
         "slings: {S: {from: H, to: box.L, length: LONG, rope: stay}}\n"
     )
     for long in ("6.05 m", "5.995 m"):
