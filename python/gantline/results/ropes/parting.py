@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results.afloat.moorings import MooringLine
+from gantline.results.loads.pulls import upright_pull
 from gantline.results.recording import Recording
 from gantline.results.ropes.tag_lines import TagLine
 from gantline.results.variable import BoolArray
@@ -16,7 +17,7 @@ from gantline.results.variable import BoolArray
 DETACHED = "detached"
 #: Kinds of events after which a rope carries nothing any more.
 PARTING = ("cut", "broken", DETACHED)
-#: Kinds of partings that are as planned: slings taken off, lines that a step lets go of.
+#: Kinds of partings that are as planned: slings taken off, lines and lashings that a step lets go of.
 PLANNED = (DETACHED, "let go")
 #: Kind of the event from which on a sling may carry.
 ATTACHED = "attached"
@@ -30,7 +31,7 @@ class Parting:
 
     Attributes:
         rope: Its name.
-        kind: `cut`, `broken`, or as planned `detached`, `let go` of a mooring or tag line.
+        kind: `cut`, `broken`, or as planned `detached`, `let go` of a mooring or tag line, or of a lashing.
         time: When [s].
         tension: What it carried: of a broken rope the tension at which it broke, of another that of
             the last sample before [N].
@@ -76,6 +77,8 @@ def partings(recording: Recording) -> list[Parting]:
     rig = recording.rig
     lines: list[MooringLine | TagLine] = [*rig.mooring_lines, *rig.tag_lines]
     let_go = {line.rope: [begins.get(step) for step in line.let_go_in] for line in lines}
+    lashed = {rope: load for load in rig.loads for rope in load.let_go_in}
+    let_go |= {rope: [begins.get(step) for step in load.let_go_in[rope]] for rope, load in lashed.items()}
     always = {line.rope for line in rig.tag_lines if line.is_let_go}
     for time, kind, rope in recording.events():
         if kind == ATTACHED:
@@ -83,11 +86,13 @@ def partings(recording: Recording) -> list[Parting]:
         if kind not in PARTING or rope in gone:
             continue
         gone.add(rope)
-        before = int(np.searchsorted(recording.time, time + _AT_ONCE, side="right")) - 1
-        tension = float(recording.column("rope_tension", rope)[max(before, 0)])
+        before = max(int(np.searchsorted(recording.time, time + _AT_ONCE, side="right")) - 1, 0)
+        tension = float(recording.column("rope_tension", rope)[before])
+        # What bears a load is no lashing.
+        bears = rope in lashed and upright_pull(recording, lashed[rope], rope)[before] > 0.0
         if kind == "broken":
             tension = breaks_at.get(rope) or tension
-        elif rope in always or time in let_go.get(rope, ()):
+        elif not bears and (rope in always or time in let_go.get(rope, ())):
             # One that was lost before its step lets go of it is lost.
             kind = "let go"
         found.append(Parting(rope, kind, time, tension))
