@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -45,6 +45,7 @@ from gantline.scenario.gear import Shackle
 from gantline.scenario.loads.lug import Lug
 from gantline.scenario.plan.bounds import Bound
 from gantline.scenario.plan.lead import LeadStep
+from gantline.scenario.plan.parting import steps_that_cut
 from gantline.scenario.plan.steps import AlongStep, HoldStep, MovingStep, PumpStep
 from gantline.scenario.rigging import EqualizerRigging, SlingRigging
 
@@ -192,6 +193,7 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         **({"ends_of_ropes": ends} if (ends := dict(ropes_ending_at(scenario, load.name))) else {}),
         **({"ropes_at_lugs": at_lugs} if (at_lugs := ropes_at_lugs(scenario)) else {}),
         **({"tied_to": tied} if (tied := ropes_tied_to(scenario, load.name)) else {}),
+        **({"let_go_in": cut} if (cut := _let_go_in(scenario, tied)) else {}),
         "contact_group": load.name if contacts else None,
         "in_water": None if load.in_water is None else in_water_name(load.name),
         **({} if load.in_water is None else {"water_density": (scenario.water or Water()).density}),
@@ -202,6 +204,11 @@ def _load(scenario: Scenario, lifted: LiftedLoad, parts: Parts) -> Json:
         "centre_of_gravity_from_datum": [float(part) for part in centre],
         "centre_envelope": [float(part) for part in load.centre_of_gravity.envelope],
     }
+
+
+def _let_go_in(scenario: Scenario, ropes: Iterable[str]) -> Json:
+    """Steps that cut ropes as they begin, of those that some do."""
+    return {rope: steps for rope in ropes if (steps := steps_that_cut(scenario, rope))}
 
 
 def _lug(scenario: Scenario, lug: Lug, at: Sequence[float]) -> Json:

@@ -78,6 +78,7 @@ class Load(HasLugs):
         ropes_at_lugs: The same of those that are made fast to lugs, by these.
         tied_to: What holds the other end of those that no drum hauls, where that is the world, a vessel, or
             fixed to one of these.
+        let_go_in: Steps of the plan that let go of those, by rope.
         centre_envelope: How far its centre of gravity may be elsewhere, plus and minus along its axes [m].
         in_water: Name of what it displaces among the hulls; None where no water acts on it.
         water_density: Of the water that it displaces [kg/m^3].
@@ -101,6 +102,7 @@ class Load(HasLugs):
     ends_of_ropes: Mapping[str, str] = field(default_factory=dict)
     ropes_at_lugs: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     tied_to: Mapping[str, str] = field(default_factory=dict)
+    let_go_in: Mapping[str, Sequence[str]] = field(default_factory=dict)
     centre_envelope: Vector = (0.0, 0.0, 0.0)
     in_water: str | None = None
     water_density: float = 1025.0

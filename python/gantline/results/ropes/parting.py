@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gantline.results.afloat.moorings import MooringLine
+from gantline.results.loads.pulls import upright_pull
 from gantline.results.recording import Recording
 from gantline.results.ropes.tag_lines import TagLine
 from gantline.results.variable import BoolArray
@@ -16,12 +17,17 @@ from gantline.results.variable import BoolArray
 DETACHED = "detached"
 #: Kinds of events after which a rope carries nothing any more.
 PARTING = ("cut", "broken", DETACHED)
-#: Kinds of partings that are as planned: slings taken off, lines that a step lets go of.
-PLANNED = (DETACHED, "let go")
+#: Kind of parting of what stands for mud or suction below a load that is hoisted off it.
+CAME_FREE = "came free"
+#: Kinds of partings that are as planned: slings taken off, lines and lashings that a step lets go of.
+PLANNED = (DETACHED, "let go", CAME_FREE)
 #: Kind of the event from which on a sling may carry.
 ATTACHED = "attached"
 #: A sample at the time of an event shows the rope before it parted; rounding of that time [s].
 _AT_ONCE = 1e-9
+#: Share of a load that its hooks bear at least while it is hoisted [1]: what holds it down may come free
+#: before all of it has come off a bed that gives way.
+_HOISTED = 0.01
 
 
 @dataclass(frozen=True)
@@ -30,7 +36,8 @@ class Parting:
 
     Attributes:
         rope: Its name.
-        kind: `cut`, `broken`, or as planned `detached`, `let go` of a mooring or tag line.
+        kind: `cut`, `broken`, or as planned `detached`, `let go` of a mooring or tag line, or of a lashing,
+            `came free` of what stands for mud.
         time: When [s].
         tension: What it carried: of a broken rope the tension at which it broke, of another that of
             the last sample before [N].
@@ -76,6 +83,8 @@ def partings(recording: Recording) -> list[Parting]:
     rig = recording.rig
     lines: list[MooringLine | TagLine] = [*rig.mooring_lines, *rig.tag_lines]
     let_go = {line.rope: [begins.get(step) for step in line.let_go_in] for line in lines}
+    lashed = {rope: load for load in rig.loads for rope in load.let_go_in}
+    let_go |= {rope: [begins.get(step) for step in load.let_go_in[rope]] for rope, load in lashed.items()}
     always = {line.rope for line in rig.tag_lines if line.is_let_go}
     for time, kind, rope in recording.events():
         if kind == ATTACHED:
@@ -83,15 +92,33 @@ def partings(recording: Recording) -> list[Parting]:
         if kind not in PARTING or rope in gone:
             continue
         gone.add(rope)
-        before = int(np.searchsorted(recording.time, time + _AT_ONCE, side="right")) - 1
-        tension = float(recording.column("rope_tension", rope)[max(before, 0)])
+        before = max(int(np.searchsorted(recording.time, time + _AT_ONCE, side="right")) - 1, 0)
+        tension = float(recording.column("rope_tension", rope)[before])
+        # What bears a load is no lashing.
+        bears = rope in lashed and upright_pull(recording, lashed[rope], rope)[before] > 0.0
         if kind == "broken":
             tension = breaks_at.get(rope) or tension
-        elif rope in always or time in let_go.get(rope, ()):
+            kind = CAME_FREE if _stands_for_mud(recording, rope, before) else kind
+        elif not bears and (rope in always or time in let_go.get(rope, ())):
             # One that was lost before its step lets go of it is lost.
             kind = "let go"
         found.append(Parting(rope, kind, time, tension))
     return found
+
+
+def _stands_for_mud(recording: Recording, rope: str, before: int) -> bool:
+    """Whether a rope held down, at a sample, a load that is hoisted, and is of no known strength.
+
+    One that fastens it while it stands is a lashing, and lost.
+    """
+    rig = recording.rig
+    if any(one.name == rope and one.minimum_breaking_force is not None for one in rig.ropes):
+        return False
+    for load in rig.loads:
+        if rope in load.tied_to and load.name in recording.coordinates.get("load", ()):
+            hoisted = recording.column("load_transferred", load.name)[before] >= _HOISTED
+            return bool(hoisted and upright_pull(recording, load, rope)[before] <= 0.0)
+    return False
 
 
 def while_there(recording: Recording, ropes: Sequence[str], gone_by: Sequence[str] = PARTING) -> BoolArray:

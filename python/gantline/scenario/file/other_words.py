@@ -172,6 +172,29 @@ _LET_GO = (
     "beside what it does a step lets go of a tag line by 'cut: tag.west', "
     "of a slack sling by 'detach: sling.S1'"
 )
+_LASHED = (
+    "what holds a load to a deck or the ground are ropes under 'mechanics', each from it to there, with "
+    "'length: as_routed', until a step lets go of them: 'cut: [lash.1, lash.2]'"
+)
+_LASHINGS = (
+    "fastened_to",
+    "fixed_to",
+    "lashed_to",
+    "lashing",
+    "lashings",
+    "sea_fastening",
+    "sea_fastenings",
+    "seafastened_to",
+    "seafastening",
+    "seafastenings",
+    "tie_downs",
+    "tied_to",
+)
+_STUCK = (
+    "what holds a load to its bed or grillage is a rope under 'mechanics' from it to the world or the deck, "
+    "with 'length: as_routed' and, in 'breaks_at', the force at which it comes free"
+)
+_SUCTION = ("break_out_force", "breakout", "breakout_force", "hull_suction", "mud", "mud_suction", "suction")
 #: Sailors and forecasts say where it comes from.
 _COMES_FROM = ("coming_from", "from", "from_direction")
 _GOES_TO = (
@@ -216,6 +239,8 @@ INSTEAD = {
     "a lift file": {
         **dict.fromkeys(("bodies", "body_contacts", "contacts", "drums"), _MECHANICS),
         **dict.fromkeys(("jacks", "strand_jacks", "winches"), "they are 'drums' under 'mechanics'"),
+        **dict.fromkeys(_LASHINGS, _LASHED),
+        **dict.fromkeys(_SUCTION, _STUCK),
     },
     "an equalizer": dict.fromkeys(_OF_ITS_SHEAVES, _SHEAVES),
     "an equalizer type": dict.fromkeys(_OF_ITS_SHEAVES, _SHEAVES),
@@ -258,6 +283,8 @@ INSTEAD = {
     "the load": {
         **dict.fromkeys(("ballast", "content", "contents", "flooded", "liquid", "trapped_water"), _TANKS),
         **dict.fromkeys(_IN_WATER, _WET),
+        **dict.fromkeys(_LASHINGS, _LASHED),
+        **dict.fromkeys(_SUCTION, _STUCK),
     },
 }
 #: What steps do, by other words.

@@ -7,11 +7,13 @@
 //! what nothing moves stays where it was: of neutral motions the nearest in the metric of M.
 //!
 //! Wind and current push without a potential. What they do in a step is their work along it. Where that leads no further,
-//! since the matrix has the symmetric half of what they change by, [`relax`] goes on.
+//! since the matrix has the symmetric half of what they change by, [`relax`] goes on. What that half has moved along
+//! neutral motions [`back`] brings back.
 //!
 //! λ never falls below [`LEAST`], so that neutral motions do not make the matrix singular; the last steps converge
 //! by λ/ω² each, ω the slowest motion that is not neutral.
 
+mod back;
 mod model;
 mod relax;
 
@@ -99,6 +101,8 @@ pub struct Search {
     is_near: bool,
     /// What it has taken since the start.
     pub effort: Effort,
+    /// Sum of the steps of one descent.
+    gone: Vec<f64>,
     guard: Guard,
     acts: Vec<bool>,
     /// Forces of rows that do not act: what holds gives way with its bound, this way or that.
@@ -130,6 +134,7 @@ impl Search {
             is_linearised: false,
             is_near: false,
             effort: Effort::default(),
+            gone: vec![0.0; size],
             guard: Guard::new(system),
             acts: vec![false; rows],
             known: vec![0.0; rows],
@@ -153,6 +158,13 @@ impl Search {
         state: &mut State,
         bearings: &mut [Bearing],
     ) -> Result<(), Stuck> {
+        self.gone.fill(0.0);
+        self.go_down(system, state, bearings)?;
+        self.come_back(system, state, bearings);
+        Ok(())
+    }
+
+    fn go_down(&mut self, system: &System, state: &mut State, bearings: &mut [Bearing]) -> Result<(), Stuck> {
         self.here.q.copy_from_slice(&state.q);
         self.coils.clone_from(&state.coils);
         self.here.place(system);
@@ -194,6 +206,7 @@ impl Search {
     /// Takes the step to `there`.
     fn go_there(&mut self, state: &mut State) {
         self.effort.steps += 1;
+        self.gone.iter_mut().zip(&self.step).for_each(|(gone, step)| *gone += step);
         std::mem::swap(&mut self.here, &mut self.there);
         (self.is_near, self.is_linearised) = (false, false);
         state.q.copy_from_slice(&self.here.q);

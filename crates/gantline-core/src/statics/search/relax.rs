@@ -52,16 +52,33 @@ impl Search {
         if self.here.residual(system) <= BALANCED {
             return true;
         }
-        self.here.q.copy_from_slice(&start);
-        state.q.copy_from_slice(&start);
+        self.return_to(&start, system, state, bearings);
+        false
+    }
+
+    /// Everything as it was at `start`.
+    pub(super) fn return_to(
+        &mut self,
+        start: &[f64],
+        system: &System,
+        state: &mut State,
+        bearings: &[Bearing],
+    ) {
+        self.here.q.copy_from_slice(start);
+        state.q.copy_from_slice(start);
         self.here.place(system);
         self.evaluate(system, state, bearings);
-        false
     }
 
     /// Sets `there` to where the next step leads, with rows on the sides where they are; λ is raised until nothing turns too
     /// far. False where none will do.
-    fn step_whole(&mut self, system: &System, state: &State, bearings: &[Bearing], lambda: &mut f64) -> bool {
+    pub(super) fn step_whole(
+        &mut self,
+        system: &System,
+        state: &State,
+        bearings: &[Bearing],
+        lambda: &mut f64,
+    ) -> bool {
         self.matrix.extra.fill(0.0);
         while *lambda <= MOST {
             let Self { matrix, here, force, right, step, tension, .. } = self;
