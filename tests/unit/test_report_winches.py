@@ -48,10 +48,14 @@ def test_gauges_read_what_hangs_from_the_jacks() -> None:
         assert float(row["static"]) == pytest.approx(hangs, abs=0.1)
         assert float(row["readings"][3]) == pytest.approx(hangs, abs=0.2)
         assert float(row["used"]) == pytest.approx(float(row["peak"]) / 3.0, abs=0.1)
+        # Anchor plates of 300 t have a half of the bundle less.
+        assert float(row["lug_used"]) == pytest.approx((float(row["peak"]) - BUNDLE / 2) / 3.0, abs=0.1)
 
 
 def test_the_page_has_the_table_and_stops_by_it() -> None:
-    assert "Winches and jacks: what their gauges should read" in render_report(run())
+    page = render_report(run())
+    assert "Winches and jacks: what their gauges should read" in page
+    assert page.count("of lug <i>%</i>") == 1
     assert stop_if(Subject(run()))[0] == (
         "a gauge differs by more than 10 % from its reading in the table “Winches and jacks”"
     )

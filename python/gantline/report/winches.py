@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from gantline.checks import Gauge, values_of, winch_gauges
+from gantline.checks import Gauge, lug_figures, values_of, winch_gauges
 from gantline.report.carried import load_cell, mass_of
 from gantline.report.subject import Subject, as_given, number
 from gantline.results import series
@@ -25,7 +25,7 @@ def gauges_with_room(subject: Subject) -> tuple[list[Gauge], int]:
 
 
 def winch_rows(subject: Subject) -> tuple[list[dict[str, Any]], int]:
-    """Readings of gauges of winches and jacks [t], peaks, and what these are of what is rated.
+    """Readings of gauges of winches and jacks [t], peaks, and what these are of what is rated, and of lugs.
 
     Readings are of the part that is wound up; peak and share are those of the checks, of the tightest part at
     its upper end.
@@ -34,7 +34,14 @@ def winch_rows(subject: Subject) -> tuple[list[dict[str, Any]], int]:
         The rows in the order of the lift file, and how many ropes are left out.
     """
     gauges, left_out = gauges_with_room(subject)
-    return [_row(subject, gauge) for gauge in gauges], left_out
+    lugs = _shares_of_lugs(subject) if gauges else {}
+    return [_row(subject, gauge) | {"lug_used": lugs.get(gauge.rope)} for gauge in gauges], left_out
+
+
+def _shares_of_lugs(subject: Subject) -> dict[str, str]:
+    """What of the capacity of the lug that it is made fast to is used, by rope; of those that have one."""
+    known = [one for one in lug_figures(subject.recording) if one.used is not None]
+    return {rope: number(one.used, "%", 1) for one in known for rope in one.slings}
 
 
 def _peak(subject: Subject, rope: str) -> float:
