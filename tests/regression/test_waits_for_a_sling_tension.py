@@ -29,8 +29,8 @@ HOIST = "hoist: hook, speed: 3 m/min, start_at: 0 s, brake_from: 10 s"
         ),
         (
             "haul: S2, speed: 1 m/min, until: {sling_tension: {sling: S2, above: 200 kN}}",
-            "plan[1].until.sling_tension: 'sling_tension' is not a key of until: no step waits for the "
-            "tension of a sling; end it 'by' the length that 'gantline statics' finds, or wait for "
+            "plan[1].until.sling_tension: 'sling_tension' is not a key of until: no step waits for a "
+            "tension; of slings end it 'by' the length that 'gantline statics' finds, or wait for "
             "'hoist_load' or 'load_tilt'",
         ),
     ],
