@@ -174,7 +174,8 @@ _TONS: Final = "a short ton is 0.9072 t, a long ton 1.016 t"
 _NUMBER: Final = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 _QUANTITY: Final = re.compile(rf"({_NUMBER})\s*(\S.*)?", re.ASCII)
 #: A number whose thousands are marked, or which has three digits behind a decimal comma; and what follows it.
-_GROUPED: Final = re.compile(r"([+-]?[0-9]{1,3})([, ])([0-9]{3}(?:\2[0-9]{3})*)\s*([^0-9\s,.].*)", re.ASCII)
+#: Programs mark them as `1_000`, Switzerland as `1'000`.
+_GROUPED: Final = re.compile(r"([+-]?[0-9]{1,3})([, _'])([0-9]{3}(?:\2[0-9]{3})*)\s*([^0-9\s,.].*)", re.ASCII)
 #: One of several quantities that are written as one, `1 min 30 s`.
 _PART: Final = re.compile(r"([0-9]+\.?[0-9]*)\s*([A-Za-z%]+)\s*", re.ASCII)
 #: A power without its sign, `m/s2`.

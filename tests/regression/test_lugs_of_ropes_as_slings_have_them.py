@@ -37,3 +37,10 @@ def test_one_sentence_says_what_is_right(written: str, says: str) -> None:
         parse_scenario(LIFT.replace(END, f"{{type: end, {written}}}"))
     assert str(found.value).endswith(f"mechanics.ropes.down_1.route[2].{says}")
     assert len(found.value.problems) == 1
+
+
+def test_tag_lines_are_at_a_place() -> None:
+    """They have no lug: all their keys were listed."""
+    line = "{lug: L1, to: [10 m, 5 m, 0 m], rope: sling, pull: 5 kN}"
+    with pytest.raises(ScenarioError, match="'lug' is not a key of a tag line; did you mean 'at'"):
+        parse_scenario(LIFT + f"tag_lines: {{a: {line}}}\n")

@@ -1,9 +1,9 @@
 """Overhead cranes as a stranger writes them: words of other crews, and rails left on the floor.
 
 `rail_level` left out, or mistyped as 140 m, was taken in silence: the girder was then 15 m below, or 126 m
-above, the sheaves of its own falls, its end carriages were watched there, and its corners had the pull of falls
-out of plumb with that lever. `type: overhead` and `eot` were no crane, a limit `wheel_load` none of the limits,
-`wheel_base` no key; under `watch`, `hall.legs` was asked whether it meant the hook `hall.B`.
+above, the sheaves of its own falls, its end carriages were watched there, and its corners had the pull of
+falls out of plumb with that lever. `type: overhead` and `eot` were no crane, a limit `wheel_load` none of the
+limits, `wheel_base` no key; under `watch`, `hall.legs` was asked whether it meant the hook `hall.B`.
 """
 
 from __future__ import annotations
