@@ -81,9 +81,9 @@ def rope_class(name: str) -> RopeClass:
         KeyError: If there is no such class or designation.
     """
     known = _by_any_name()
-    if not isinstance(name, str) or name not in known:
+    if str(name) not in known:
         raise KeyError(f"no class of ropes is {name!r}; there are {', '.join(rope_classes())}")
-    return known[name]
+    return known[str(name)]
 
 
 @cache

@@ -78,11 +78,9 @@ def _pairs(parameters: Sequence[Any]) -> list[tuple[str, str]]:
     Raises:
         TypeError: If one is no pair of a kind and a name.
     """
-    several = (
-        [parameters]
-        if isinstance(parameters, str)
-        else listed(parameters, "a list of parameters", 'such as [("length", "sling.S1")]')
-    )
+    several: list[Any] = [parameters]
+    if not isinstance(parameters, str):
+        several = listed(parameters, "a list of parameters", 'such as [("length", "sling.S1")]')
     for one in several:
         if isinstance(one, str) or not isinstance(one, Sequence) or len(one) != 2:
             like = 'pairs such as ("length", "sling.S1")'
