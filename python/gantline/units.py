@@ -14,6 +14,8 @@ from collections.abc import Iterable
 from decimal import ROUND_HALF_UP, Context, Decimal
 from typing import Final
 
+from gantline.arguments import needed
+
 __all__ = [
     "DIMENSIONS",
     "UnitError",
@@ -282,8 +284,13 @@ def quantity(text: str, dimension: str) -> float:
         The value [SI unit of the dimension].
 
     Raises:
+        KeyError: if there is no such dimension.
+        TypeError: if it is no text, such as a number without a unit.
         UnitError: if the text is no finite number with a unit of this dimension.
     """
+    if dimension not in DIMENSIONS:
+        raise KeyError(f"no dimension is {dimension!r}; there are {', '.join(DIMENSIONS)}")
+    needed(text, str, "a text", example(dimension))
     shown = text if len(text) <= _LONGEST else text[:_LONGEST] + "..."
     match = _QUANTITY.fullmatch(text.strip())
     if match is None:

@@ -4,7 +4,7 @@
 os.PathLike object, not NoneType", `recording[["rope_tension", "hook_load"]]`, `now` and `command` with
 "unhashable type: 'list'", `sensitivities(3)`, `box_hull(100.0)` and `outcome_of(None)` with "'float' object
 is not iterable", hulls and comparisons that were none with "object has no attribute 'closure'", and
-`rope_class("6x36IWRC")` with that name alone.
+`rope_class("6x36IWRC")` and `quantity("3 m", "lenght")` with that name alone.
 
 `righting_arms` took degrees for radians: at a heel of 30, in place of 0.5236, an upright barge had the arm of
 4.8 turns.
@@ -23,6 +23,7 @@ import gantline
 from gantline import checks, export, hydro, plot
 from gantline.results import Recording
 from gantline.rope_data import rope_class
+from gantline.units import quantity
 
 BOX = hydro.box_hull([100.0, 30.0, 8.0])
 MASS, CENTRE = 1e7, [50.0, 0.0, 1.0]
@@ -108,6 +109,13 @@ def test_points_that_are_none() -> None:
 def test_a_class_of_ropes_that_is_none() -> None:
     with pytest.raises(KeyError, match=r"no class of ropes is '6x36IWRC'; there are .*6x36 IWRC"):
         rope_class("6x36IWRC")
+
+
+def test_quantities_of_no_dimension_and_without_a_unit() -> None:
+    with pytest.raises(KeyError, match="no dimension is 'lenght'; there are length, mass, "):
+        quantity("3 m", "lenght")
+    with pytest.raises(TypeError, match="a text is needed, not float; a length is written like '23 m'"):
+        quantity(_any(3.0), "length")
 
 
 def test_angles_of_heel_are_in_radians() -> None:
