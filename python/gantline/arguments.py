@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 from numbers import Real
+from os import PathLike
+from pathlib import Path
 from typing import Any, TypeGuard, TypeVar
 
-__all__ = ["direction", "is_number", "needed", "number", "told"]
+__all__ = ["direction", "is_number", "listed", "needed", "number", "path_of", "told"]
 
 T = TypeVar("T")
 _Told = TypeVar("_Told", bound=Callable[..., Any])
@@ -28,6 +30,37 @@ def needed(value: object, kind: type[T], what: str, right: str) -> T:
     if not isinstance(value, kind):
         raise TypeError(f"{what} is needed, not {type(value).__name__}; {right}")
     return value
+
+
+def listed(value: object, what: str, right: str) -> list[Any]:
+    """Several things as a list.
+
+    Args:
+        value: What was handed in.
+        what: What it has to be in words, such as "a list of tanks".
+        right: What one is like, half a sentence.
+
+    Raises:
+        TypeError: If it is not several, or a text.
+    """
+    if not isinstance(value, Iterable) or isinstance(value, str):
+        raise TypeError(f"{what} is needed, not {type(value).__name__}; {right}")
+    return list(value)
+
+
+def path_of(value: object, what: str) -> Path:
+    """A path as one.
+
+    Args:
+        value: What was handed in.
+        what: What it is of in words, such as "a file to write".
+
+    Raises:
+        TypeError: If it is none.
+    """
+    if not isinstance(value, str | PathLike):
+        raise TypeError(f"{what} is needed, not {type(value).__name__}; a text such as 'lift', or a Path")
+    return Path(value)
 
 
 def is_number(value: object) -> TypeGuard[float]:

@@ -326,6 +326,7 @@ class Simulation:
         Raises:
             KeyError: If there is no such variable or name.
         """
+        needed(variable, str, "the name of a variable", "such as 'rope_tension'")
         if self._present is None or self._present[0] != self.time:
             self._present = self.time, self._core.present()
         present = present_of(self._present[1], self._names, self._rig, variable)

@@ -14,6 +14,8 @@ from collections.abc import Iterable
 from decimal import ROUND_HALF_UP, Context, Decimal
 from typing import Final
 
+from gantline.arguments import needed
+
 __all__ = [
     "DIMENSIONS",
     "UnitError",
@@ -174,7 +176,8 @@ _TONS: Final = "a short ton is 0.9072 t, a long ton 1.016 t"
 _NUMBER: Final = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 _QUANTITY: Final = re.compile(rf"({_NUMBER})\s*(\S.*)?", re.ASCII)
 #: A number whose thousands are marked, or which has three digits behind a decimal comma; and what follows it.
-_GROUPED: Final = re.compile(r"([+-]?[0-9]{1,3})([, ])([0-9]{3}(?:\2[0-9]{3})*)\s*([^0-9\s,.].*)", re.ASCII)
+#: Programs mark them as `1_000`, Switzerland as `1'000`.
+_GROUPED: Final = re.compile(r"([+-]?[0-9]{1,3})([, _'])([0-9]{3}(?:\2[0-9]{3})*)\s*([^0-9\s,.].*)", re.ASCII)
 #: One of several quantities that are written as one, `1 min 30 s`.
 _PART: Final = re.compile(r"([0-9]+\.?[0-9]*)\s*([A-Za-z%]+)\s*", re.ASCII)
 #: A power without its sign, `m/s2`.
@@ -281,8 +284,13 @@ def quantity(text: str, dimension: str) -> float:
         The value [SI unit of the dimension].
 
     Raises:
+        KeyError: if there is no such dimension.
+        TypeError: if it is no text, such as a number without a unit.
         UnitError: if the text is no finite number with a unit of this dimension.
     """
+    if dimension not in DIMENSIONS:
+        raise KeyError(f"no dimension is {dimension!r}; there are {', '.join(DIMENSIONS)}")
+    needed(text, str, "a text", example(dimension))
     shown = text if len(text) <= _LONGEST else text[:_LONGEST] + "..."
     match = _QUANTITY.fullmatch(text.strip())
     if match is None:

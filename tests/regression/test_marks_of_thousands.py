@@ -1,7 +1,7 @@
 """`24,000 kg` was told to have a decimal comma, and with the point that was asked for it is 24 kg.
 
-`24 000 kg` was told that '000 kg' is not a unit of mass. Three digits behind a comma may be either: both
-ways of writing it are told, and neither is taken.
+`24 000 kg` was told that '000 kg' is not a unit of mass, `24_000 kg` that '_000 kg' is none. Three digits
+behind a comma may be either: both ways of writing it are told, and neither is taken.
 """
 
 from __future__ import annotations
@@ -21,6 +21,8 @@ from gantline.units import UnitError, quantity
         ),
         ("1,250,000 kg", "'1,250,000 kg': thousands are written without a mark, '1250000 kg'"),
         ("24 000 kg", "'24 000 kg': thousands are written without a mark, '24000 kg'"),
+        ("24_000 kg", "'24_000 kg': thousands are written without a mark, '24000 kg'"),
+        ("1'250'000 kg", "'1'250'000 kg': thousands are written without a mark, '1250000 kg'"),
         ("1 250 000 kg", "'1 250 000 kg': thousands are written without a mark, '1250000 kg'"),
     ],
 )

@@ -56,6 +56,8 @@ _HOOK = 0.1
 _PLACES = 8
 #: The same of a load whose shape has several parts: as many as the corners of both ends of a round one.
 _PLACES_OF_PARTS = 16
+#: What a girder stands on, and what the same is called of a crane of the other kind.
+_STANDS = {"legs": "end_carriages", "end_carriages": "legs"}
 
 
 def add_shapes(parts: Parts, scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None) -> None:
@@ -252,7 +254,13 @@ def _known(parts: Parts, scenario: Scenario, path: tuple[PathPart, ...], name: s
         known = dict.fromkeys(words[0] for words in parted)
         known |= dict.fromkeys(scenario.hooks) if path[0] == "watch" else {}
         known |= {".".join(words[:count]): None for words in parted for count in range(2, len(words) + 1)}
-        right = nearest(name, known) if known else "give it one: 'shape: {box: [1 m, 1 m, 1 m]}'"
+        crane, _, part = name.rpartition(".")
+        stand = f"{crane}.{_STANDS.get(part)}"
+        right = (
+            nearest(stand if stand in known else name, known)
+            if known
+            else "give it one: 'shape: {box: [1 m, 1 m, 1 m]}'"
+        )
         sentence = f"'{name}' has no shape; {right}"
         raise scenario.error(path, sentence)
     return found

@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass
 from enum import StrEnum
 from typing import Any
 
+from gantline.arguments import listed
 from gantline.results.alike import ROUNDING, first_largest
 from gantline.units import format_quantity, length_digits, telling_digits
 
@@ -169,8 +170,8 @@ def outcome_of(checks: Sequence[Check]) -> Outcome:
     Raises:
         TypeError: If these are no checks, such as a recording.
     """
-    if not all(isinstance(check, Check) for check in checks):
-        right = "gantline.checks.check_recording gives those of a recording"
+    right = "gantline.checks.check_recording gives those of a recording"
+    if not all(isinstance(check, Check) for check in listed(checks, "a list of checks", right)):
         raise TypeError(f"a list of checks is needed, not {type(checks).__name__}; {right}")
     if _is_nothing(checks):
         return Outcome.NO_VERDICT

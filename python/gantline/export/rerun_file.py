@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.arguments import path_of
 from gantline.export.surroundings import surroundings
 from gantline.replacing import replaced
 from gantline.results.recording import Recording, recorded
@@ -59,10 +60,11 @@ def write_rerun(recording: Recording, path: str | Path) -> Path:
         ) from None
     if not len(recording.time):
         raise ValueError("this recording has nothing to show")
+    target = path_of(path, "a file to write")
     # The package only warns where a file cannot be written.
-    with replaced(Path(path)) as trial:
+    with replaced(target) as trial:
         _write(rerun, recording, trial)
-    return Path(path)
+    return target
 
 
 def _write(rerun: Any, recording: Recording, path: Path) -> None:

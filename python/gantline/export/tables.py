@@ -8,6 +8,7 @@ from itertools import product
 from math import prod
 from pathlib import Path
 
+from gantline.arguments import path_of
 from gantline.replacing import replaced
 from gantline.results.recording import Recording, no_variable, recorded
 from gantline.results.variable import FloatArray
@@ -91,7 +92,7 @@ def csv_file(path: str | Path) -> Path:
     Raises:
         TableError: If it ends as that of a file of another kind.
     """
-    file = Path(path)
+    file = path_of(path, "a file to write")
     if file.suffix.lower() in _NO_CSV:
         raise TableError(f"{file}: a table in CSV is {file.stem}.csv, which spreadsheets open")
     return file
@@ -132,6 +133,7 @@ def write_parquet(recording: Recording, path: str | Path, variables: Sequence[st
         TableError: If a variable is not there, or pyarrow is not installed.
         OSError: If it cannot be written there.
     """
+    target = path_of(path, "a file to write")
     try:
         import pyarrow
         from pyarrow import parquet
@@ -141,6 +143,6 @@ def write_parquet(recording: Recording, path: str | Path, variables: Sequence[st
         ) from None
     found = pyarrow.table(dict(columns(recording, variables)))
     # Files of Python say what is wrong with a disk in words of the system, those of the package in its own.
-    with replaced(Path(path)) as trial, trial.open("wb") as file:
+    with replaced(target) as trial, trial.open("wb") as file:
         parquet.write_table(found, file)
-    return Path(path)
+    return target

@@ -19,9 +19,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gantline.arguments import number
+from gantline.arguments import needed, number
 from gantline.hydro.attitude import Attitude
-from gantline.hydro.hull import Hull
+from gantline.hydro.hull import Hull, hull_of
 from gantline.hydro.hydrostatics import SEA_WATER, Hydrostatics, hydrostatics
 
 __all__ = ["CannotFloatError", "Energy", "Floating", "energy_at", "float_free", "settle"]
@@ -111,7 +111,10 @@ def point(given: npt.ArrayLike) -> npt.NDArray[np.float64]:
     Raises:
         ValueError: if it is none.
     """
-    centre = np.asarray(given, dtype=np.float64)
+    try:
+        centre = np.asarray(given, dtype=np.float64)
+    except (TypeError, ValueError):  # a text, say, or lists of several lengths
+        centre = np.zeros(0)
     if centre.shape != (3,):
         raise ValueError(f"centre_of_gravity: {given!r} is no point; x, y and z [m] are needed")
     return centre
@@ -190,10 +193,13 @@ def float_free(
 
     Raises:
         CannotFloatError: if it weighs more than all its volume displaces.
-        TypeError: if the mass is no number.
+        TypeError: if the mass is no number, the hull none, or the start no attitude.
         ValueError: if the centre of gravity is no point.
     """
+    hull_of(hull)
     number(mass, "mass", "kilograms")
+    if start is not None:
+        needed(start, Attitude, "an attitude", "gantline.hydro.Attitude(4.0) has a draft of 4 m")
     volume, whole = mass / density, hull.closure.volume
     if not 0 < volume < whole:
         raise CannotFloatError(

@@ -10,8 +10,9 @@ import numpy as np
 import numpy.typing as npt
 
 from gantline import _core
+from gantline.arguments import needed
 
-__all__ = ["Closure", "Hull"]
+__all__ = ["Closure", "Hull", "hull_of"]
 
 Array = npt.NDArray[np.float64]
 Triangles = npt.NDArray[np.int64]
@@ -130,3 +131,12 @@ class Hull:
     def surface(self, normal: npt.ArrayLike, height: float) -> dict[str, Any]:
         """The skin below that plane, see `gantline._core.Hull`."""
         return self._core.surface([float(part) for part in np.asarray(normal)], float(height))
+
+
+def hull_of(value: Hull) -> Hull:
+    """What is a hull, as it is; for functions that take one, which would end inside otherwise.
+
+    Raises:
+        TypeError: If it is none, such as its file.
+    """
+    return needed(value, Hull, "a hull", "gantline.hydro.read_hull reads the file of one")

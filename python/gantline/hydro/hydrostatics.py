@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from gantline.arguments import needed
 from gantline.hydro.attitude import Attitude
-from gantline.hydro.hull import Hull
+from gantline.hydro.hull import Hull, hull_of
 
 __all__ = ["SEA_WATER", "Hydrostatics", "hydrostatics"]
 
@@ -143,8 +143,9 @@ def hydrostatics(hull: Hull, attitude: Attitude, density: float = SEA_WATER) -> 
     """Hydrostatics of a hull in an attitude; the density of the water in [kg/m^3].
 
     Raises:
-        TypeError: If it is no attitude, such as a draft alone.
+        TypeError: If it is no hull, or no attitude, such as a draft alone.
     """
+    hull_of(hull)
     needed(attitude, Attitude, "an attitude", "gantline.hydro.Attitude(4.0) has a draft of 4 m")
     normal, height = attitude.normal, attitude.height
     below, skin = hull.below(normal, height), hull.surface(normal, height)

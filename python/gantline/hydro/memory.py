@@ -23,6 +23,7 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
+from gantline.arguments import needed, number
 from gantline.hydro.database.model import AXES, Coupling, DatabaseError, HydrodynamicDatabase
 
 __all__ = ["Memory", "Misfit", "fit_memory"]
@@ -152,6 +153,9 @@ def fit_memory(database: HydrodynamicDatabase, density: float) -> Memory:
     Raises:
         DatabaseError: if the frequencies are too few, or added mass and damping do not go together.
     """
+    right = "gantline.hydro.read_database reads one"
+    needed(database, HydrodynamicDatabase, "a hydrodynamic database", right)
+    number(density, "density", "kilograms a cubic metre")
     heard = database.frequencies >= _SLOWEST * (1 - 1e-9)
     _check(database, database.frequencies[heard])
     database = replace(

@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from gantline.arguments import path_of
 from gantline.cad import Assumptions, CadError, read_surface
 from gantline.cad.mesh import TriangleMesh
 from gantline.cad.mesh_file import MESH_FORMATS, mesh_format
@@ -43,7 +44,7 @@ def read_hull(
     Raises:
         HullError: if there is no such file, or it holds no hull.
     """
-    text = str(given)
+    text = str(path_of(given, "the file of a hull")) if not isinstance(given, str) else given
     try:
         if unit is not None and unit not in DIMENSIONS["length"]:
             raise HullError(f"'{unit}' is no unit of length; there are {', '.join(DIMENSIONS['length'])}")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy.typing as npt
 from gantline.arguments import number
 from gantline.hydro.attitude import Attitude
 from gantline.hydro.floating import CannotFloatError, energy_at, point, settle
-from gantline.hydro.hull import Hull
+from gantline.hydro.hull import Hull, hull_of
 from gantline.hydro.hydrostatics import SEA_WATER
 
 __all__ = ["Heeled", "Righting", "RightingArms", "righting_arms"]
@@ -133,15 +133,31 @@ def righting_arms(
 
     Raises:
         CannotFloatError: if it weighs more than all its volume displaces.
-        TypeError: if the mass is no number.
-        ValueError: if the centre of gravity is no point.
+        TypeError: if the mass or an angle is no number, or the hull none.
+        ValueError: if the centre of gravity is no point, or an angle more than half a turn.
     """
+    hull_of(hull)
     number(mass, "mass", "kilograms")
+    angles = _angles(heel)
     centre = point(centre_of_gravity) + np.array([0.0, 0.0, correction])
     righting = Righting(hull, mass, centre, density=density)
-    angles = np.atleast_1d(np.asarray(heel, dtype=float))
     arm, trim = np.zeros_like(angles), np.zeros_like(angles)
     for index in np.argsort(np.abs(angles), kind="stable"):
         there = righting.at(float(angles[index]))
         arm[index], trim[index] = there.arm, there.trim
     return RightingArms(angles, arm, trim)
+
+
+def _angles(heel: object) -> Array:
+    """Angles of heel, one or several, (n,) [rad].
+
+    Raises:
+        TypeError: If one is no number.
+        ValueError: If one is more than half a turn, as those in degrees are.
+    """
+    several = heel if isinstance(heel, Iterable) and not isinstance(heel, str) else [heel]
+    angles = np.array([number(one, "heel", "radians") for one in several])
+    for angle in angles[np.abs(angles) > np.pi]:
+        degrees = f"{angle:g} degrees are {np.radians(angle):.4g}"
+        raise ValueError(f"heel: {angle:g} rad is more than half a turn; angles are in radians, {degrees}")
+    return angles

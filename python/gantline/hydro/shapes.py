@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from gantline.arguments import number
+from gantline.arguments import listed, number
 from gantline.hydro.hull import Hull
 
 __all__ = ["box_hull", "raked_barge", "wigley_hull"]
@@ -82,7 +82,7 @@ def wigley_hull(
 
 
 def _sides(name: str, size: Sequence[float]) -> tuple[float, float, float]:
-    for side in size:
+    for side in listed(size, f"{name}: a list of its sides", "length, breadth and depth [m]"):
         number(side, f"{name}: a side", "metres")
     if len(size) != 3 or not all(np.isfinite(side) and side > 0 for side in size):
         raise ValueError(

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from gantline.arguments import listed, needed, number
 from gantline.hydro.shapes import box_hull
 
 __all__ = ["Liquid", "Tank", "free_surface_correction", "liquid_in_box"]
@@ -54,8 +55,14 @@ def free_surface_correction(tanks: Iterable[Tank], mass: float) -> tuple[float, 
     Args:
         tanks: those that are slack.
         mass: displacement of the vessel, what is in the tanks included [kg].
+
+    Raises:
+        TypeError: if it is no number, or these are no tanks.
     """
-    slack = list(tanks)
+    slack = listed(tanks, "a list of tanks", "[gantline.hydro.Tank(20.0, 10.0)] has one")
+    for one in slack:
+        needed(one, Tank, "a tank", "gantline.hydro.Tank(20.0, 10.0) has a surface of 20 m by 10 m")
+    number(mass, "mass", "kilograms")
     transverse = sum(tank.density * tank.transverse for tank in slack) / mass
     return transverse, sum(tank.density * tank.longitudinal for tank in slack) / mass
 

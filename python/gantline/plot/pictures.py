@@ -13,6 +13,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL.Image import Image, fromarray
 
+from gantline.arguments import needed, path_of
 from gantline.plot import by_equalizer, traces, views
 from gantline.plot.comparison import comparison_figures
 from gantline.plot.energy import energy
@@ -101,14 +102,15 @@ def save_comparison_pictures(comparison: Comparison, directory: str | Path) -> l
     Raises:
         OSError: If they cannot be written there.
     """
+    needed(comparison, Comparison, "a comparison", "gantline.compare makes one of two recordings")
     return write_pictures(comparison_figures(comparison), directory)
 
 
 def write_pictures(pictures: Iterable[tuple[str, Figure]], directory: str | Path) -> list[Path]:
     """Write figures as PNG files of their names, each at once: first under another name, then renamed."""
-    paths = []
+    folder, paths = path_of(directory, "a folder to write into"), []
     for name, figure in pictures:
-        path = Path(directory) / f"{name}.png"
+        path = folder / f"{name}.png"
         picture = _drawn(figure)
         with replaced(path) as trial:
             picture.save(trial, format="png")

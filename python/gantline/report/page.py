@@ -10,6 +10,7 @@ from pathlib import Path
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
 
+from gantline.arguments import path_of
 from gantline.replacing import replace_text
 from gantline.report.chain_hoists import ChainHoists
 from gantline.report.compensators import Compensators
@@ -146,7 +147,7 @@ def write_report(recording: Recording, path: str | Path, *, beside: Beside | Non
         BundleMissing: If the player is not built in this installation.
         ValueError: If the recording cannot be drawn, or has no samples.
     """
-    target = Path(path)
+    target = path_of(path, "a file to write")
     text = render_report(recorded(recording), beside=beside or read_beside(target.parent, recording))
     replace_text(target, text)
     return target

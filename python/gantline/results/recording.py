@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from gantline.arguments import needed
+from gantline.arguments import needed, path_of
 from gantline.results.kinds import EVENT_KINDS
 from gantline.results.rig import Rig
 from gantline.results.status import INCOMPLETE, READY
@@ -121,6 +121,9 @@ class Recording:
             return self._variables[name]
         except KeyError:
             raise KeyError(no_variable(name, self._variables)) from None
+        except TypeError:  # as tables take lists
+            found = f"the name of one variable is needed, not {type(name).__name__}"
+            raise TypeError(f"{found}; 'dataset' of a recording takes lists") from None
 
     def __contains__(self, name: object) -> bool:
         return name in self._variables
@@ -304,7 +307,7 @@ class Recording:
         """
         from gantline.results.file.netcdf import save_recording
 
-        file = Path(path)
+        file = path_of(path, "a file to write")
         if file.suffix.lower() in _OTHER_KINDS:
             right = "gantline.export.write_csv and write_parquet write tables of its variables"
             raise ValueError(f"{file}: a recording is a NetCDF4 file, {file.stem}.nc; {right}")

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from gantline.results.recording import Recording
+from gantline.results.recording import Recording, recorded
 from gantline.units import format_quantity
 
 __all__ = ["Apart", "Figure", "Refinement", "refinement_of"]
@@ -166,7 +166,7 @@ def in_per_cent(share: float) -> str:
 
 def refinement_of(recording: Recording) -> Refinement | None:
     """What a recording says of its finer run; None of one that has had none."""
-    said: Mapping[str, Any] | None = recording.attributes.get("refinement")
+    said: Mapping[str, Any] | None = recorded(recording).attributes.get("refinement")
     if said is None:
         return None
     apart = said.get("apart")

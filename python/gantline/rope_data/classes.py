@@ -80,7 +80,10 @@ def rope_class(name: str) -> RopeClass:
     Raises:
         KeyError: If there is no such class or designation.
     """
-    return _by_any_name()[name]
+    known = _by_any_name()
+    if str(name) not in known:
+        raise KeyError(f"no class of ropes is {name!r}; there are {', '.join(rope_classes())}")
+    return known[str(name)]
 
 
 @cache

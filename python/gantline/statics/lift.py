@@ -16,7 +16,7 @@ import numpy as np
 
 from gantline import _core
 from gantline.arguments import direction as direction_of
-from gantline.arguments import is_number, needed, number
+from gantline.arguments import is_number, listed, needed, number
 from gantline.assembly import Assembly, assemble
 from gantline.assembly.afloat.vessels import drifted
 from gantline.assembly.origin import FALLS, refused, with_advice
@@ -78,11 +78,14 @@ def _pairs(parameters: Sequence[Any]) -> list[tuple[str, str]]:
     Raises:
         TypeError: If one is no pair of a kind and a name.
     """
-    for one in parameters:
+    several: list[Any] = [parameters]
+    if not isinstance(parameters, str):
+        several = listed(parameters, "a list of parameters", 'such as [("length", "sling.S1")]')
+    for one in several:
         if isinstance(one, str) or not isinstance(one, Sequence) or len(one) != 2:
             like = 'pairs such as ("length", "sling.S1")'
             raise TypeError(f"parameters: {one!r} is no pair of a kind and a name; a list has {like}")
-    return [(kind, name) for kind, name in parameters]
+    return [(kind, name) for kind, name in several]
 
 
 class Statics:

@@ -34,6 +34,9 @@ _MOST_OF_TIPPING = 0.9
 #: Legs stand on their rails by a third to an eighth of the span; less than a twentieth, and more than twice
 #: the span, is a slip [1].
 _BASES = (0.05, 2.0)
+#: Upper sheaves of trolleys are on the girder or under it: how far they may be above its underside, and below
+#: it, as shares of the span [1], and on top of either [m].
+_SHEAVES_ABOVE, _SHEAVES_BELOW, _SHEAVES_BESIDE = 0.25, 0.1, 3.0
 #: Period of a swell [s], and the share of its heave that a filter may leave before it is none [1].
 _SWELL, _LEFT = 10.0, 0.25
 
@@ -50,6 +53,7 @@ def doubtful_cranes(scenario: Scenario) -> list[Doubt]:
         *_light_parts(scenario),
         *_soft_girders(scenario),
         *_bases(scenario),
+        *_sheaves_off_girders(scenario),
         *_short_filters(scenario),
         *_thin_booms(scenario),
     ]
@@ -265,6 +269,24 @@ def _bases(scenario: Scenario) -> Iterator[Doubt]:
             usual = f"{format_quantity(crane.span / 8, 'm', 0)} to {format_quantity(crane.span / 3, 'm', 0)}"
             sentence = f"{stands}, where {usual} is usual; a digit has slipped"
             yield Doubt(("cranes", name, key, "base"), sentence)
+
+
+def _sheaves_off_girders(scenario: Scenario) -> Iterator[Doubt]:
+    """Each Goliath or overhead crane whose falls would begin in the air, far above or below its girder."""
+    told = set()
+    for name, hook in scenario.hooks.items():
+        crane = (scenario.cranes or {}).get(hook.crane)
+        at = None if hook.reeving is None else hook.reeving.upper_sheaves_at
+        if not isinstance(crane, Goliath) or at is None or hook.crane in told:
+            continue
+        underside = crane.rail_level + crane.girder.underside
+        above, below = (share * crane.span + _SHEAVES_BESIDE for share in (_SHEAVES_ABOVE, _SHEAVES_BELOW))
+        if not -below <= at - underside <= above:
+            told.add(hook.crane)
+            girder = f"the girder of {hook.crane} has its underside at {format_quantity(underside, 'm', 1)}"
+            where = f"the upper sheaves of {name} are at {format_quantity(at, 'm', 1)}, both in the world"
+            right = "'rail_level' is the height of the rails, 'underside' of the girder its own above these"
+            yield Doubt(("cranes", hook.crane), f"{girder}, and {where}; {right}")
 
 
 def _short_filters(scenario: Scenario) -> Iterator[Doubt]:

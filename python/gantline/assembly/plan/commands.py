@@ -85,6 +85,7 @@ def commanded(scenario: Scenario, text: str, motion: str | None) -> Commanded:
     Raises:
         CommandError: If it means nothing, or several things, or something that nothing drives.
     """
+    text = str(text)  # what is no name is refused as one that means nothing
     if motion is not None and motion not in MOTIONS:
         raise CommandError(f"motion: {motion!r} is none; {nearest(str(motion), MOTIONS)}")
     known = {verb: movers(scenario, kind) for verb, kind in MOTIONS.items() if motion in (None, verb)}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from gantline.arguments import path_of
 from gantline.hydro.database.around import ForcesAround
 from gantline.hydro.database.model import AXES, Coupling, DatabaseError, HydrodynamicDatabase
 from gantline.hydro.database.writing import write_database
@@ -36,7 +37,7 @@ def read_database(path: str | Path, body: str | None = None) -> HydrodynamicData
     """
     from gantline.hydro.database.opening import opened
 
-    place = Path(path)
+    place = path_of(path, "the file of a database")
     reader = _reader(place)
     with opened(place):
         found = reader(place)

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.arguments import needed, path_of
 from gantline.hydro.database.model import AXES, DRIFTING, DatabaseError, HydrodynamicDatabase
 from gantline.replacing import ROOM_OF_TABLES, hold_room, replaced
 
@@ -32,7 +33,9 @@ def write_database(database: HydrodynamicDatabase, path: str | Path) -> Path:
     """
     import xarray
 
-    place = Path(path)
+    right = "gantline.hydro.read_database reads one"
+    needed(database, HydrodynamicDatabase, "a hydrodynamic database", right)
+    place = path_of(path, "a file to write")
     if place.suffix.lower() != ".nc":
         raise DatabaseError(f"{place}: has to end in '.nc'")
     if database.others:

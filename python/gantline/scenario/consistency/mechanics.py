@@ -11,6 +11,7 @@ from gantline.scenario.cranes.crane_parts import crane_bodies
 from gantline.scenario.cranes.drum import Drum
 from gantline.scenario.errors import nearest
 from gantline.scenario.findings import Findings, Path
+from gantline.scenario.loads.load import Load
 from gantline.scenario.mechanics import (
     Ball,
     Body,
@@ -316,8 +317,11 @@ def _check_guide(findings: Findings, path: Path, guide: Guide, is_last: bool, kn
         findings.add((*path, "type"), sentence)
     allowed = [*known, "world"]
     if guide.body not in allowed:
-        findings.add((*path, "body"), _no_body(findings.scenario, guide.body, allowed))
-    if isinstance(guide, RopeEnd) and guide.lug is not None:
+        lug = _lug_meant(findings.scenario.load, guide.body) if is_end else None
+        right = f"'{guide.body}' is not a body; an end at that lug is written '{lug}'"
+        sentence = right if lug else _no_body(findings.scenario, guide.body, allowed)
+        findings.add((*path, "body"), sentence)
+    elif isinstance(guide, RopeEnd) and guide.lug is not None:
         _check_lug(findings, (*path, "lug"), guide.body, guide.lug)
     if isinstance(guide, Sheave):
         _check_direction(findings, (*path, "axis"), guide.axis)
@@ -331,12 +335,22 @@ def _check_guide(findings: Findings, path: Path, guide: Guide, is_last: bool, kn
             findings.add((*path, "bulge"), "has to be square to the line from 'enter' to 'leave'")
 
 
+def _lug_meant(load: Load | None, name: str) -> str | None:
+    """An end at the lug that a name means, `module.L1` as slings have it or `L1`; None if it means none."""
+    lug = "" if load is None else name.removeprefix(f"{load.name}.")
+    if load is None or lug not in load.lugs:
+        return None
+    return f"{{type: end, body: {load.name}, lug: {lug}}}"
+
+
 def _check_lug(findings: Findings, path: Path, body: str, lug: str) -> None:
     load = findings.scenario.load
     if load is None or body != load.name:
         findings.add(path, f"'{body}' has no lugs; the load alone has, of other bodies 'at' says where")
     elif lug not in load.lugs:
-        findings.add(path, f"'{lug}' is not a lug of '{body}'; {nearest(lug, load.lugs)}")
+        findings.add(
+            path, f"'{lug}' is not a lug of '{body}'; {nearest(lug.removeprefix(f'{body}.'), load.lugs)}"
+        )
 
 
 def _size(direction: Sequence[float]) -> float:

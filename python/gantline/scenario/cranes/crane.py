@@ -65,7 +65,15 @@ _MEANT = {
         "'type: goliath'",
     ),
     **dict.fromkeys(
-        ("bridge_crane", "eot_crane", "overhead_crane"),
+        (
+            "bridge_crane",
+            "eot",
+            "eot_crane",
+            "hall_crane",
+            "overhead",
+            "overhead_crane",
+            "overhead_travelling_crane",
+        ),
         "'type: goliath' with 'end_carriages' in place of legs, and the 'rail_level' that these run at,",
     ),
     **dict.fromkeys(("crawler_crane", "mobile_crane"), "'type: crawler'"),

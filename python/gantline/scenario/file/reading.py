@@ -57,7 +57,11 @@ def load_scenario(path: str | Path) -> Scenario:
     if _is_folder(file):
         if not (file / FILE_NAME).is_file():
             holds = "with a recording" if any(file.glob("*.nc")) else f"without {FILE_NAME}"
-            sentence = f"is a folder {holds}; a lift file or its folder is needed"
+            others = [one for one in file.glob("*.y*ml") if one.is_file()]
+            right = (
+                f"did you mean {others[0]}?" if len(others) == 1 else "a lift file or its folder is needed"
+            )
+            sentence = f"is a folder {holds}; {right}"
             raise ScenarioError(str(file), [Problem(None, "", sentence)])
         file = file / FILE_NAME
     source = str(file)
