@@ -270,7 +270,8 @@ class Search:
     def _no_effect(self, slope: Floats, value: Floats) -> str:
         worst = int(np.argmax(np.abs(value)))
         strongest = float(np.linalg.norm(slope, axis=1)[worst])
-        effect = f"{self._what} do not act on what is wanted"
+        name = self.now.rows[worst].name.partition(" [")[0]
+        effect = f"{self._what} do not act on what is wanted: {name}"
         if strongest > _NO_EFFECT:
             effect = f"{self._what} cannot do all of what is wanted at once"
         return f"{effect}{self._slack()}{_hint(self.now.hanging.rig)}"
