@@ -152,7 +152,8 @@ def test_where_they_go_apart_there_is_no_drift_and_the_least_change_is_taken() -
 
 def test_one_hook_of_two_moves_with_its_trolley_alone(answer: HookAnswer) -> None:
     """Without drift it takes both trolleys and the crane; where nothing stands, one trolley will do."""
-    with pytest.raises(CannotBeError, match=r"^places of hooks do not act on what is wanted: the place along y$"):
+    says = r"^places of hooks do not act on what is wanted: the place along y$"
+    with pytest.raises(CannotBeError, match=says):
         plumb_hooks(lift(), hooks=["gol.A"])
     gone = plumb_hooks(
         lift("  - {step: apart, traverse: gol.two, speed: 2 m/min, by: 0.4 m}"), hooks=["gol.A"]
