@@ -17,10 +17,11 @@ from gantline.simulation import simulate
 from of_recording import checks_of
 
 HELD = 200e3  # [N]
+COMES = "comes_free: true"
 
 
 def run(
-    said: str = "comes_free: true", stiffness: float = 100e6, duration: float = 15.0, length: float = 1.0
+    said: str = COMES, stiffness: float = 100e6, duration: float = 15.0, length: float = 1.0
 ) -> Recording:
     """A box on the ground with a rope below it, of `length` [m], that holds it down until that has `HELD`.
 
@@ -74,6 +75,17 @@ def test_it_came_free(stiffness: float) -> None:
     assert not checks_of(done, "rope_parted")
 
 
+def test_it_has_neither_lug_nor_breaking_force() -> None:
+    """Both checks asked for these, and warned that nothing was known of the mud; of a lashing they do."""
+    names = ("rope_factor_on_breaking_force", "lug_load_of_capacity")
+    mud, lashing = (
+        [one.remark for name in names for one in checks_of(run(said), name)] for said in (COMES, "")
+    )
+    assert len(mud) == len(lashing) == 2
+    assert not any("mud" in remark for remark in mud)
+    assert all("mud" in remark for remark in lashing)
+
+
 def test_a_lashing_that_nobody_let_go_of_is_lost() -> None:
     """Of no known strength, as turnbuckles are that have a stiffness alone."""
     done = run("")
@@ -90,7 +102,7 @@ def test_what_breaks_while_the_load_stands_is_lost() -> None:
 
 def test_what_cannot_come_free_is_refused() -> None:
     """It does so at a force, and of the load."""
-    text = lift("comes_free: true")
+    text = lift(COMES)
     with pytest.raises(ScenarioError, match="what 'comes_free' does so at a force; give it in 'breaks_at'"):
         parse_scenario(text.replace(f"breaks_at: {HELD} N", "breaks_at: never"))
     with pytest.raises(ScenarioError, match="what 'comes_free' holds the load down, and ends at it"):

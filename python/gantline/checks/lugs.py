@@ -111,8 +111,12 @@ def _assumed(recording: Recording, during: BoolArray) -> Iterator[Caution]:
 
 
 def ropes_that_bear(recording: Recording, load: Load, lack: str) -> Iterator[Missing]:
-    """Ropes of `mechanics` that carry a load, or hang from it, with what they lack for a check."""
-    for rope in load.other_ropes:
+    """Ropes of `mechanics` that carry a load, or hang from it, with what they lack for a check.
+
+    What stands for mud or suction is made fast to nothing.
+    """
+    mud = {rope.name for rope in recording.rig.ropes if rope.comes_free}
+    for rope in (one for one in load.other_ropes if one not in mud):
         peak, time = series.rope_peak(recording, rope)
         if peak > BEARS * load.weight:
             upright = np.interp(time, recording.time, upright_pull(recording, load, rope))
