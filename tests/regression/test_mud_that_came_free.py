@@ -14,6 +14,7 @@ from gantline.results.recording import Recording
 from gantline.results.ropes.parting import partings
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import simulate
+from gantline.statics import Statics
 from of_recording import checks_of
 
 HELD = 200e3  # [N]
@@ -73,6 +74,24 @@ def test_it_came_free(stiffness: float) -> None:
     (mud,) = partings(done)
     assert (mud.kind, mud.tension) == ("came free", HELD)
     assert not checks_of(done, "rope_parted")
+
+
+def test_equilibria_have_it_until_it_would_come_free() -> None:
+    """The hook has risen by x = 0.05 m + 0.1 m/s (t - 1 s). With slings slack by 50 mm at the start, of
+    k = 90 MN / 10.05 m, the lug hangs where x - 50 mm - T/k says, the centre of gravity 2 m below it.
+
+    With mud on it, of 100 MN/m, T = W + M and the box has risen by M / 100 MN/m: M = 96 kN after 1.78 s. At
+    the end 1235 % of the weight were held down, and no case of a lift off a bed could be a go.
+    """
+    weight, k, mud = 60e3 * 9.81, 90e6 / 10.05, 100e6
+    statics = Statics(parse_scenario(lift(COMES)))
+    held = statics.equilibrium(time=1.78).recording.column("rope_tension", "mud")[-1]
+    assert held == pytest.approx((0.078 - weight / k) / (1 / k + 1 / mud), rel=1e-6)
+    rest = statics.equilibrium(time=15.0).recording
+    assert rest.column("rope_tension", "mud")[-1] == 0.0
+    assert rest.column("body_position", "box")[-1, 2] == pytest.approx(1.95 - weight / k, rel=1e-6)
+    assert not checks_of(rest, "rope_parted")
+    assert not checks_of(rest, "let_go_below")
 
 
 def test_it_has_neither_lug_nor_breaking_force() -> None:
