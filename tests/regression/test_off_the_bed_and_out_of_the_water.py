@@ -50,6 +50,7 @@ mechanics:
       rope: mud
       length: as_routed
       breaks_at: 200 kN
+      comes_free: true
       route: [{type: end, body: world, at: [0 m, 0 m, -8 m]}, {type: end, body: wreck, at: [0 m, 0 m, -1 m]}]
 """
 

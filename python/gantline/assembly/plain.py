@@ -124,14 +124,17 @@ def ropes_ending_at(scenario: Scenario, body: str) -> list[list[str]]:
     ]
 
 
-def ropes_at_lugs(scenario: Scenario) -> dict[str, dict[str, str]]:
-    """Ropes of `mechanics` made fast to lugs of the load, by these, each with which of its ends is."""
+def ropes_at_lugs(scenario: Scenario) -> dict[str, list[list[str]]]:
+    """Ropes of `mechanics` made fast to lugs of the load, by these, each with which of its ends is.
+
+    One that comes back to its lug is there twice.
+    """
     ropes = (scenario.mechanics.ropes if scenario.mechanics is not None else None) or {}
-    found: dict[str, dict[str, str]] = {}
+    found: dict[str, list[list[str]]] = {}
     for name, rope in ropes.items():
         for which, guide in (("first", rope.route[0]), ("last", rope.route[-1])):
             if isinstance(guide, RopeEnd) and guide.lug is not None:
-                found.setdefault(guide.lug, {})[name] = which
+                found.setdefault(guide.lug, []).append([name, which])
     return found
 
 

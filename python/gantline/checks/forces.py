@@ -79,21 +79,28 @@ def _sling_forces(recording: Recording, during: BoolArray, window: BoolArray | N
 
 
 def force_together(
-    recording: Recording, slings: Sequence[Sling], together: FloatArray, during: BoolArray
+    recording: Recording,
+    slings: Sequence[Sling],
+    together: FloatArray,
+    during: BoolArray,
+    ropes: Sequence[str] = (),
 ) -> Force:
-    """Static and dynamic force of several slings that pull at one place, as they are at one time.
+    """Static and dynamic force of slings and ropes that pull at one place, as they are at one time.
 
     Static is that of the time that the loads hung still at which it is largest. Factors and contingency raise
-    the sling forces; of their sum counts the share that the slings pull together, and no less than the force
-    of one alone. A peak between samples counts where one sling alone had it.
+    the force of each; of their sum counts the share that they pull together, and no less than the force of
+    one alone. A peak between samples counts where one alone had it.
 
     Args:
         recording: The recording.
-        slings: At least one.
+        slings: The slings.
         together: What they pull together in their directions, shape (time,) [N].
         during: Samples whose peak counts.
+        ropes: Ropes that are no slings, each as often as ends of it are there; one at least of them and of
+            slings.
     """
-    size = np.sum([series.sling_tension(recording, sling) for sling in slings], axis=0)
+    tensions = [series.sling_tension(recording, sling) for sling in slings]
+    size = np.sum([*tensions, *(recording.column("rope_tension", rope) for rope in ropes)], axis=0)
     alone: list[Force] = []
     found: list[Force] = []
     windows: list[BoolArray | None] = [*series.quiet_windows(recording)]
@@ -102,12 +109,14 @@ def force_together(
     for window in windows or [None]:
         forces = sling_forces(recording, during, window)
         alone = [forces[sling.name] for sling in slings]
+        alone += [rope_force(recording, rope, during, window) for rope in ropes]
         sums = 0.0 if window is None else float(size[window].sum())
         share = 1.0 if window is None or sums <= 0.0 else float(together[window].sum()) / sums
         found += [_sum(alone, share), *(replace(one, peak=None, time=None) for one in alone)]
     force = max(found, key=lambda one: one.rule or one.static or 0.0)
     force = _with_peak_of(recording, force, together, during)
-    ratio = max(design_ratio(recording, sling.to_load, force.window) for sling in slings)
+    loads = {sling.to_load for sling in slings} or {None}
+    ratio = max(design_ratio(recording, load, force.window) for load in loads)
     # Peaks of each alone are the same whatever the window.
     highest = max([force, *alone], key=lambda one: one.raised_peak or 0.0)
     force = replace(
@@ -139,11 +148,17 @@ def _sum(forces: Sequence[Force], share: float) -> Force:
     )
 
 
-def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
+def rope_force(recording: Recording, rope: str, during: BoolArray, still: BoolArray | None = None) -> Force:
     """Static and dynamic force of a rope that is no sling; of the tightest segment over lossy sheaves.
 
     What a load weighs more in water than it leaves to be borne comes into hoist ropes as it comes into their
     hook, with hook block and falls beside it, and into none that hold vessels or keep a heading.
+
+    Args:
+        recording: The recording.
+        rope: Its name.
+        during: Samples whose peak counts.
+        still: Time that the loads hung still, of which static is asked; that with the most if not given.
     """
     sheaves = [sheave for sheave in recording.rig.sheaves if sheave.rope == rope]
     segments = {segment for sheave in sheaves for segment in sheave.segments}
@@ -153,7 +168,12 @@ def rope_force(recording: Recording, rope: str, during: BoolArray) -> Force:
     forces = []
     for column in columns:
         outer = rope in recording.rig.outer_ropes
-        window = series.greatest_static(recording, column)[1] if outer else window_of_most(recording, column)
+        if still is not None:
+            window = still
+        elif outer:
+            window = series.greatest_static(recording, column)[1]
+        else:
+            window = window_of_most(recording, column)
         ratio = design_ratio(recording, window=window)
         if hooks or outer:
             ratio = max(design_ratio(recording), _hoist_ratio(recording, hooks, window))

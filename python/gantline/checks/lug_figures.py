@@ -84,7 +84,7 @@ def _figures(recording: Recording, one: LugForce) -> LugFigures:
     remarks += ["main plate assumed to stand in xz" if lug is not None and lug.plate_is_assumed else ""]
     return LugFigures(
         lug=one.element,
-        slings=(*(sling.name for sling, _ in one.ends), *one.ropes),
+        slings=(*(sling.name for sling, _ in one.ends), *dict.fromkeys(rope for rope, _ in one.ropes)),
         at=(math.nan, math.nan, math.nan) if lug is None else lug.at,
         static=force.static,
         force=size,
@@ -102,7 +102,7 @@ def _direction(recording: Recording, one: LugForce, body: str) -> FloatArray:
     pull = np.zeros((len(recording.time), 3))
     for sling, end in one.ends:
         pull += pull_at_lug(recording, sling, end, (one.of, one.name))
-    for rope, which in one.ropes.items():
+    for rope, which in one.ropes:
         pull += pull_at_end(recording, rope, which)
     own = np.einsum("tij,ti->tj", axes(recording.column("body_orientation", body)), pull)
     if one.force.moment is not None:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,7 +13,6 @@ from gantline.checks.forces import (
     force_together,
     rope_force,
     sling_forces,
-    sum_force,
     with_upper_ends,
 )
 from gantline.checks.measure import Caution, Finding, Missing, carrying, extreme, named
@@ -43,7 +42,7 @@ def out_of_plane_angle(recording: Recording, during: BoolArray) -> Iterator[Find
                 inside = carrying(recording, sling.rope, during)
                 yield from extreme(recording, angles[of, lug], inside, element)
     for load, lug, ropes in _with_ropes(recording):
-        for rope, end in ropes.items():
+        for rope, end in ropes:
             angle = series.to_main_plate(recording, load.name, lug, _direction(recording, rope, end))
             if angle is None:
                 yield Missing(f"{load.name}.{lug}", "main plate not known")
@@ -61,8 +60,8 @@ def _direction(recording: Recording, rope: str, end: str) -> FloatArray:
     return unit
 
 
-def _with_ropes(recording: Recording) -> Iterator[tuple[Load, str, Mapping[str, str]]]:
-    """Lugs at which ropes of `mechanics` are made fast: the load, the lug, and each rope with its end."""
+def _with_ropes(recording: Recording) -> Iterator[tuple[Load, str, Sequence[Sequence[str]]]]:
+    """Lugs at which ropes of `mechanics` are made fast: the load, the lug, and ends of ropes."""
     for load in recording.rig.loads:
         for lug, ropes in load.ropes_at_lugs.items():
             yield load, lug, ropes
@@ -79,7 +78,7 @@ def _leads(recording: Recording, *, of_all: bool) -> Iterator[tuple[str, str, st
         for end, of, name in sling.at_lugs():
             yield sling.rope, of, name, series.sling_direction(recording, sling, end)
     for load, lug, ropes in _with_ropes(recording) if of_all else ():
-        for rope, which in ropes.items():
+        for rope, which in ropes:
             yield rope, load.name, lug, _direction(recording, rope, which)
 
 
@@ -112,8 +111,12 @@ def _assumed(recording: Recording, during: BoolArray) -> Iterator[Caution]:
 
 
 def ropes_that_bear(recording: Recording, load: Load, lack: str) -> Iterator[Missing]:
-    """Ropes of `mechanics` that carry a load, or hang from it, with what they lack for a check."""
-    for rope in load.other_ropes:
+    """Ropes of `mechanics` that carry a load, or hang from it, with what they lack for a check.
+
+    What stands for mud or suction is made fast to nothing.
+    """
+    mud = {rope.name for rope in recording.rig.ropes if rope.comes_free}
+    for rope in (one for one in load.other_ropes if one not in mud):
         peak, time = series.rope_peak(recording, rope)
         if peak > BEARS * load.weight:
             upright = np.interp(time, recording.time, upright_pull(recording, load, rope))
@@ -129,7 +132,7 @@ class LugForce:
         of: The load or spreader that has it.
         name: Its name there.
         ends: The slings made fast to it, each with the number of its lower end, 0 at its upper one.
-        ropes: Ropes of `mechanics` made fast to it, each with which of its ends is, `first` or `last`.
+        ropes: Ends of ropes of `mechanics` made fast to it: the rope, and which end, `first` or `last`.
         force: Their forces together: as vectors on each side of the lug, as sizes above and below it; with
             what upper ends of slings below it weigh.
     """
@@ -138,7 +141,7 @@ class LugForce:
     name: str
     ends: Sequence[tuple[Sling, int]]
     force: Force
-    ropes: Mapping[str, str] = field(default_factory=dict)
+    ropes: Sequence[Sequence[str]] = ()
 
     @property
     def element(self) -> str:
@@ -172,24 +175,24 @@ def _force_of_ropes(
     recording: Recording,
     at: tuple[str, str],
     ends: Sequence[tuple[Sling, int]],
-    ropes: Mapping[str, str],
+    ropes: Sequence[Sequence[str]],
     during: BoolArray,
 ) -> Force:
     """What ropes of `mechanics` pull at a lug.
 
     Several, and slings, count as vectors of one time, those that pull up and those that pull down for
-    themselves, and no less than one of them alone. A rule's factor for skew is none of theirs: nothing tells
+    themselves, and no less than one of them alone. A rule's factor for skew is one of slings: nothing tells
     how lengths of such ropes would be off.
     """
-    if len(ropes) == 1 and not ends:
-        return rope_force(recording, next(iter(ropes)), during)
+    names = [rope for rope, _ in ropes]
+    if len(names) == 1 and not ends:
+        return rope_force(recording, names[0], during)
     of_slings = [pull_at_lug(recording, sling, end, at) for sling, end in ends]
-    pulls = np.array([*of_slings, *(pull_at_end(recording, rope, end) for rope, end in ropes.items())])
+    pulls = np.array([*of_slings, *(pull_at_end(recording, rope, end) for rope, end in ropes)])
     is_up = pulls[:, :, 2:] >= 0.0
     sides = [np.sum(pulls, axis=0, where=is_side) for is_side in (is_up, ~is_up)]
     together = np.linalg.norm(sides, axis=2).sum(axis=0)
-    alone = np.linalg.norm(pulls, axis=2).max(axis=0)
-    return sum_force(recording, np.maximum(together, alone), at[0], during)
+    return force_together(recording, [sling for sling, _ in ends], together, during, names)
 
 
 def _together(recording: Recording, at: tuple[str, str], ends: Sequence[tuple[Sling, int]]) -> FloatArray:
@@ -241,7 +244,7 @@ def load_of_capacity(recording: Recording, during: BoolArray) -> Iterator[Findin
         else:
             yield from over(one.force, lug.capacity, one.element, raised)
     for load in recording.rig.loads:
-        at_lugs = {rope for ropes in load.ropes_at_lugs.values() for rope in ropes}
+        at_lugs = {rope for ropes in load.ropes_at_lugs.values() for rope, _ in ropes}
         lacking = ropes_that_bear(recording, load, "has no lug")
         yield from (one for one in lacking if one.element not in at_lugs)
         for line in recording.rig.tag_lines:

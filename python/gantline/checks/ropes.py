@@ -45,12 +45,17 @@ def sling_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
 
 def rope_factor(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     """Minimum breaking force of a rope over its peak tension, or its static one with the design weight."""
-    for rope in recording.rig.ropes:
+    for rope in _of_rope(recording):
         yield from _factor(recording, during, rope.name, rope.minimum_breaking_force, rope.name)
     if any(sling.minimum_breaking_force is not None for sling in recording.rig.slings) and not _has_safety(
         recording
     ):
         yield Caution(_NO_SAFETY)
+
+
+def _of_rope(recording: Recording) -> list[Rope]:
+    """All ropes but what stands for mud or suction, which has no breaking force to stay below."""
+    return [rope for rope in recording.rig.ropes if not rope.comes_free]
 
 
 def _has_safety(recording: Recording) -> bool:
@@ -116,7 +121,7 @@ def load_of_breaking_force(recording: Recording, during: BoolArray) -> Iterator[
     absent = _absent(recording)
     forces = sling_forces(recording, during)
     slings = {sling.rope: sling for sling in recording.rig.slings}
-    for rope in recording.rig.ropes:
+    for rope in _of_rope(recording):
         if moors_by_its_limit(recording, rope.name):
             continue
         if absent:

@@ -273,6 +273,7 @@ class Rope(FromJson):
         nodes: Number of nodes if it is distributed, else 0.
         end_mass: What each end carries of the mass [kg], if there are nodes.
         over_eyes: Whether it bends about eyes, or sheaves of luffing tackles, whose diameter nobody says.
+        comes_free: Whether it stands for mud or suction, that comes free of the load where it breaks.
     """
 
     name: str
@@ -290,6 +291,7 @@ class Rope(FromJson):
     nodes: int = 0
     end_mass: float | None = None
     over_eyes: bool = False
+    comes_free: bool = False
 
     def strain(self, tension: float) -> tuple[float, float] | None:
         """Strain under a tension [N] at rest and what it grows by with that [1/N]; None if it is not known.

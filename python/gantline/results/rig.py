@@ -75,7 +75,7 @@ class Load(HasLugs):
         lugs: Lugs by name.
         other_ropes: Ropes that are no slings and end at it or run over it.
         ends_of_ropes: Which end of those that end at it does so, `first` or `last`.
-        ropes_at_lugs: The same of those that are made fast to lugs, by these.
+        ropes_at_lugs: By lug, which end of which rope is made fast there: pairs of rope and end.
         tied_to: What holds the other end of those that no drum hauls, where that is the world, a vessel, or
             fixed to one of these.
         let_go_in: Steps of the plan that let go of those, by rope.
@@ -100,7 +100,7 @@ class Load(HasLugs):
     lugs: Mapping[str, Lug] = field(default_factory=dict)
     other_ropes: Sequence[str] = ()
     ends_of_ropes: Mapping[str, str] = field(default_factory=dict)
-    ropes_at_lugs: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    ropes_at_lugs: Mapping[str, Sequence[Sequence[str]]] = field(default_factory=dict)
     tied_to: Mapping[str, str] = field(default_factory=dict)
     let_go_in: Mapping[str, Sequence[str]] = field(default_factory=dict)
     centre_envelope: Vector = (0.0, 0.0, 0.0)

@@ -335,8 +335,20 @@ class MechanicsRope(Element):
     rope_weight: RopeWeightWord | None = Field(None, description=WEIGHT_SHOWN)
     rope_nodes: RopeNodes | None = Field(None, description=NODES_SHOWN)
     breaks_at: BreaksAt | None = Field(None, description=f"{BREAKS_SHOWN} As its rope if not given.")
+    comes_free: Flag = Field(
+        False,
+        description="It stands for mud or suction that holds the load to its bed: where it breaks as the "
+        "load is hoisted that came free, and no rope parted.",
+    )
     cut_at: Time | None = Field(None, description=CUT_SHOWN)
     route: list[Guide] = Field(min_length=2, description="Ends, and sheaves and eyes between them, in order.")
+
+    @model_validator(mode="after")
+    def _at_a_force(self) -> MechanicsRope:
+        if self.comes_free and self.breaks_at in (None, "never"):
+            sentence = "what 'comes_free' does so at a force; give it in 'breaks_at', such as '600 kN'"
+            raise refuse(sentence, "comes_free")
+        return self
 
 
 class Plane(Element):

@@ -42,6 +42,7 @@ from gantline.statics.answers import (
     Sensitivity,
     likely,
 )
+from gantline.statics.come_free import come_free, without
 from gantline.statics.linear import LinearModel, linear_model
 from gantline.statics.motion import drums_of, in_words
 from gantline.statics.pieces import Pieces
@@ -116,6 +117,7 @@ class Statics:
             self._core = _core.Statics(self.assembly.document_text())
         except ValueError as problem:
             raise refused(self.scenario, str(problem)) from problem
+        self._whole = self._core
         self._lock = RLock()
         self._goes_on = goes_on
         self._last: Losses | NoEquilibriumError | None = None
@@ -143,7 +145,8 @@ class Statics:
         """The equilibrium that lies downhill of the start of the lift.
 
         Brakes, locking pins and dry friction given in newtons hold what they hold at the start, pins that the
-        plan puts in where the lift at rest has come to by then.
+        plan puts in where the lift at rest has come to by then. What stands for mud or suction is gone where
+        it would carry what it comes free at.
 
         Args:
             time: Time of the plan [s], at which drives are where it says; None for the end of the lift. A
@@ -173,11 +176,17 @@ class Statics:
             raise ValueError(f"increment: {increment!r} has a part that is not finite")
         way = None if slide is None else direction_of(slide, "slide")
         self._last = None
-        try:
-            found = self._core.settle(moment, start, losses, way, self._goes_on)
-        except RuntimeError as problem:
-            raise self._nowhere(moment, *problem.args) from None
-        return self._found(found, losses)
+        self._core, gone = self._whole, set[str]()
+        while True:
+            try:
+                found = self._core.settle(moment, start, losses, way, self._goes_on)
+            except RuntimeError as problem:
+                raise self._nowhere(moment, *problem.args) from None
+            free = self._come_free()
+            if free <= gone:
+                return self._found(found, losses)
+            gone |= free
+            self._core = _core.Statics(without(self.assembly.document, gone))
 
     @_one_at_a_time
     def equilibrium_of(self, state: bytes, *, losses: Losses = "held") -> Equilibrium:
@@ -314,6 +323,7 @@ class Statics:
         other = copy(self)
         try:
             other._core, other._lock = self._core.heavier(added, losses), RLock()
+            other._whole = other._core
         except RuntimeError as problem:
             raise NoEquilibriumError(self._core.time(), *problem.args) from None
         return other, other._recording("at rest with more weight")
@@ -333,6 +343,13 @@ class Statics:
         """That there is none; noted, so that nothing is asked about it."""
         self._last = NoEquilibriumError(moment, element, with_advice(self.scenario, element, cause))
         return self._last
+
+    def _come_free(self) -> set[str]:
+        """Ropes that stand for mud or suction, and carry too much for it where the core has come to rest."""
+        if not any(rope.comes_free for rope in self.rig.ropes):
+            return set()
+        tensions = self._core.columns()["rope_tension"][-1]
+        return come_free(self.rig, dict(zip(self._core.names()["rope"], tensions, strict=True)))
 
     def _found(self, found: dict[str, Any], losses: Losses) -> Equilibrium:
         self._last = losses

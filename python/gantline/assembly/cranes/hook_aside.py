@@ -37,14 +37,14 @@ def hook_aside(
         missing: By how much [m].
         lugs: Positions of lugs in the load's body frame, by name [m].
     """
-    hooks = list(dict.fromkeys(_hooks_over(rigging, sling)))
+    hooks = set(_hooks_over(rigging, sling))
     if len(hooks) != 1 or scenario.load is None:
         return ""
-    hook = hooks[0]
+    [hook] = hooks
     borne = [
         parts.place(scenario.load.name, lugs[lug])
         for one in rigging.slings.values()
-        if hook in _hooks_over(rigging, one)
+        if set(_hooks_over(rigging, one)) == hooks  # below a beam in several hooks lugs are of none of them
         for lug in one.lugs
     ]
     if not borne:

@@ -105,14 +105,14 @@ def _free_of_the_bed(scenario: Scenario, load: Load) -> Iterator[Doubt]:
         return
     ropes = {} if scenario.mechanics is None else scenario.mechanics.ropes or {}
     held = (
-        rope.breaks_at is not None and {rope.route[0].body, rope.route[-1].body} == {"world", load.name}
+        rope.comes_free and {rope.route[0].body, rope.route[-1].body} == {"world", load.name}
         for rope in ropes.values()
     )
     if not any(held):
         sentence = (
             f"{load.name} comes off a bed under water, and no mud or suction holds it there: its hook load "
-            "is that off clean rock; a rope of 'mechanics' from the world to it that 'breaks_at' a force "
-            "stands for what the bed holds with"
+            "is that off clean rock; a rope of 'mechanics' from the world to it that 'breaks_at' a force, "
+            "with 'comes_free: true', stands for what the bed holds with"
         )
         yield Doubt(("load", "stands_on"), sentence)
 

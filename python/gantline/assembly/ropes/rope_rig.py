@@ -63,6 +63,8 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
     # A rope that is simulated and not known here would be held against no breaking force, without a word.
     assert set(parts.rope_names) <= set(kinds)
     lengths = _of_constant_length(rigging, parts)
+    plain = scenario.mechanics.ropes if scenario.mechanics is not None else None
+    come_free = {name for name, rope in (plain or {}).items() if rope.comes_free}
     # What stands for the gas of a compensator is no rope that could break.
     gases = {gas_rope(name) for name in scenario.compensators or {}}
     return [
@@ -82,6 +84,7 @@ def rope_rig(scenario: Scenario, rigging: Rigging, parts: Parts) -> list[Json]:
             "nodes": weight.nodes,
             "end_mass": end_mass(mass, weight.nodes) if weight.nodes else None,
             **({"over_eyes": True} if name in over_eyes else {}),
+            **({"comes_free": True} if name in come_free else {}),
         }
         for name, (kind, weight) in kinds.items()
         if name not in gases

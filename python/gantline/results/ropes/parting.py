@@ -107,12 +107,12 @@ def partings(recording: Recording) -> list[Parting]:
 
 
 def _stands_for_mud(recording: Recording, rope: str, before: int) -> bool:
-    """Whether a rope held down, at a sample, a load that is hoisted, and is of no known strength.
+    """Whether a rope that stands for mud or suction held down, at a sample, a load that is hoisted.
 
-    One that fastens it while it stands is a lashing, and lost.
+    The lift file alone tells it from a lashing that nobody let go of, which is lost.
     """
     rig = recording.rig
-    if any(one.name == rope and one.minimum_breaking_force is not None for one in rig.ropes):
+    if not any(one.name == rope and one.comes_free for one in rig.ropes):
         return False
     for load in rig.loads:
         if rope in load.tied_to and load.name in recording.coordinates.get("load", ()):

@@ -67,6 +67,10 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
             _check_guide(findings, (*path, "route", place), guide, is_last, known)
         if name in taken:
             findings.add(path, f"'{name}' is already the name of a rope of the rigging; use another name")
+        held = None if scenario.load is None else scenario.load.name
+        if rope.comes_free and held not in (rope.route[0].body, rope.route[-1].body):
+            sentence = "what 'comes_free' holds the load down, and ends at it; this rope does not"
+            findings.add((*path, "comes_free"), sentence)
     _check_drums(findings, mechanics)
     rigid = _rigid_with(mechanics)
     for name, rope in (mechanics.ropes or {}).items():

@@ -197,7 +197,7 @@ _LASHINGS = (
 )
 _STUCK = (
     "what holds a load to its bed or grillage is a rope under 'mechanics' from it to the world or the deck, "
-    "with 'length: as_routed' and, in 'breaks_at', the force at which it comes free"
+    "with 'length: as_routed', 'comes_free: true' and, in 'breaks_at', the force at which it does"
 )
 _SUCTION = ("break_out_force", "breakout", "breakout_force", "hull_suction", "mud", "mud_suction", "suction")
 #: Sailors and forecasts say where it comes from.
