@@ -21,7 +21,7 @@ from gantline.report.plots import Attitude
 from gantline.report.subject import Subject
 from gantline.results import Recording
 from gantline.results.rig import Rig
-from gantline.scenario import ScenarioError, load_scenario, shipped
+from gantline.scenario import ScenarioError, load_scenario, parse_scenario, shipped
 from gantline.statics import Statics
 from gantline.viewer.curves import curves
 from json_lift import plain_lift
@@ -138,3 +138,21 @@ def test_quiet_windows_average_over_gusts(swung: Recording, tmp_path: Path) -> N
     """As long as gusts take to grow; steady wind asks for no more than still air."""
     assert swung.rig.time_to_average == 20.0
     assert Rig.from_json(assemble(load_scenario(windy(tmp_path, {}))).rig).time_to_average == 0.0
+
+
+@pytest.mark.parametrize(
+    ("profile", "answer"),
+    [
+        ("{}", "needs 'terrain: sea', or 'roughness: 3 mm' or 'exponent: 0.14' instead"),
+        ("{terrain: sea, exponent: 0.1}", "'terrain' says already how wind grows; leave one out"),
+        ("{terrain: town, height: 5 m}", "below 10 m wind does not grow over that; measured at 5 m"),
+        ("{alpha: 0.14}", "a power of the height is an 'exponent'"),
+        ("{terrain: forest}", "'sea', 'flat', 'fields', 'suburbs' or 'town'"),
+    ],
+)
+def test_a_profile_that_cannot_be_is_refused(profile: str, answer: str) -> None:
+    """What is missing, said twice, or without growth where it was measured."""
+    wind = f"wind: {{speed: 8 m/s, direction: 0 deg, profile: {profile}}}\n"
+    with pytest.raises(ScenarioError) as found:
+        parse_scenario(spoiled("load:\n", f"{wind}load:\n"))
+    assert answer in str(found.value)

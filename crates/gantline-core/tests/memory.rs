@@ -268,7 +268,16 @@ fn of_two_wave_forces_the_first_says_the_axes() {
     spec.forces.push(ForceSpec::Memory { name, body: body.clone(), at, terms });
     let (name, added) = ("viscous".to_owned(), "added".to_owned());
     spec.forces.push(ForceSpec::AddedMass { name: added, body: body.clone(), at, matrix });
-    spec.forces.push(ForceSpec::Drag { name, body, at, damping: matrix, quadratic, stream, gusty: false });
+    spec.forces.push(ForceSpec::Drag {
+        name,
+        body,
+        at,
+        damping: matrix,
+        quadratic,
+        stream,
+        profile: None,
+        gusty: false,
+    });
     for k in 0..2 {
         let ForceSpec::Wave { name, body, at, directions, phasors, .. } = wave(&mut draw, k, "b0") else {
             unreachable!()

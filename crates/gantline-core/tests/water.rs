@@ -269,7 +269,7 @@ proptest! {
                 v: &state.v,
                 past: &[],
             };
-            let steady = Drag { gusts: None, ..drag.clone() };
+            let steady = Drag { gusts: None, profile: None, ..drag.clone() };
             let still = Drag { stream: DVec3::ZERO, ..steady.clone() };
             let (one, other) = (steady.wrench(&at(twist)), still.wrench(&at(Twist { linear: twist.linear - drag.stream, ..twist })));
             let scale = 1.0 + one.force.length() + one.moment.length();

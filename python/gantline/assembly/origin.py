@@ -108,11 +108,12 @@ def _blown(scenario: Scenario) -> str:
     load, wind = scenario.load, scenario.wind
     if load is None or not isinstance(wind, Wind):
         return ""
-    push = wind.push(load.areas_in("wind"), load.heading)
+    there = scenario.wind_share(load.position[2])
+    push = wind.push(load.areas_in("wind"), load.heading, there)
     share = push / (load.weight.simulated * scenario.simulation.gravity)
     if share < _BLOWN:
         return ""
-    speed, force = format_quantity(wind.speed, "m/s", 1), format_quantity(push, "kN", 0)
+    speed, force = format_quantity(there * wind.speed, "m/s", 1), format_quantity(push, "kN", 0)
     return f"; the wind of {speed} pushes {load.name} with {force}, {share * 100:.0f} % of its weight"
 
 

@@ -34,7 +34,6 @@ from gantline.assembly.ropes.tag_lines import tag_rig
 from gantline.assembly.shapes import watch_name, watched_hook
 from gantline.assembly.yard import turning_body, upper_lump
 from gantline.scenario import Rigging, Scenario
-from gantline.scenario.afloat.stream import Wind
 from gantline.scenario.afloat.tanks import SEA, ends_of_pump, load_tanks, tanks_of
 from gantline.scenario.afloat.water import Water
 from gantline.scenario.cranes.compensator import gas_rope, rod_of
@@ -63,7 +62,7 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         "gravity": scenario.simulation.gravity,
         "loads": [_load(scenario, lifted, parts)] if lifted is not None else [],
         **({} if parts.sea is None else {"sea": {**parts.sea, "trains": _wave_trains(scenario)}}),
-        **({"wind": wind_rig(wind, parts.gusts)} if isinstance(wind := scenario.wind, Wind) else {}),
+        **wind_rig(scenario, parts.gusts),
         **_current(scenario),
         **({"vessels": vessels} if (vessels := vessel_rig(scenario, parts)) else {}),
         **mooring_rig(scenario),
@@ -308,7 +307,9 @@ def _wind_at(scenario: Scenario, crane: str) -> Json:
     given = (scenario.cranes or {})[crane]
     if not isinstance(given, FixedHook):
         return {}
-    return {"wind_limit": given.wind_limit, "wind": wind_of_limit(scenario)}
+    upper = None if given.reeving is None else given.reeving.upper_sheaves_at
+    top = given.at[2] if upper is None else upper
+    return {"wind_limit": given.wind_limit, "wind": wind_of_limit(scenario, top)}
 
 
 def _other_ropes(scenario: Scenario, load: str) -> list[str]:

@@ -489,7 +489,8 @@ def _wind(subject: Subject) -> list[str]:
     if rig.wind is not None:
         gusts = rig.wind.gust_speed
         what, most = ("wind is", rig.wind.speed) if gusts is None else ("gusts are", gusts)
-        found.append(f"{what} over {show(most, 'm/s', 1)}, or from elsewhere")
+        where = rig.wind.height_in_words
+        found.append(f"{what} over {show(most, 'm/s', 1)}{where}, or from elsewhere")
     return found
 
 

@@ -175,7 +175,9 @@ class Attitude(_Plots):
             _plot("Height of the centre of gravity above its start", "height", "m", height=180, smallest=0.01)
         )
         if "wind_at_load" in subject.recording:
-            found.append(_plot("Wind at the load, gusts included", "wind", "m/s", height=180, smallest=0.1))
+            wind = subject.rig.wind
+            gusty = ", gusts included" if wind is not None and wind.gusts is not None else ""
+            found.append(_plot(f"Wind at the load{gusty}", "wind", "m/s", height=180, smallest=0.1))
         return found
 
     def missing(self, subject: Subject) -> str:

@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, PrivateAttr
 
+from gantline.hydro.wind import WindProfile
 from gantline.scenario.afloat.mooring import Fender, MooringLine, is_moored, lines_at
 from gantline.scenario.afloat.stream import Current, Wind, WindOfLift
 from gantline.scenario.afloat.vessel import Vessel
@@ -248,6 +249,18 @@ class Scenario(Element):
     def hooks(self) -> dict[str, Hook]:
         """Hooks of all cranes by their full names."""
         return hooks_of(self.cranes or {}, self.hook_types or {})
+
+    @property
+    def wind_profile(self) -> WindProfile | None:
+        """How the wind grows above the lower of ground and water; None where it does not."""
+        if not isinstance(self.wind, Wind) or self.wind.profile is None:
+            return None
+        levels = [one.level for one in (self.ground, self.water) if one is not None]
+        return self.wind.profile.above(min(levels, default=0.0))
+
+    def wind_share(self, z: float) -> float:
+        """Mean wind at a height z of the world [m] over its speed in the lift file."""
+        return 1.0 if self.wind_profile is None else float(self.wind_profile.share(z))
 
     @property
     def left_out_at_rest(self) -> list[str]:

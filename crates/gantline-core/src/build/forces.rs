@@ -16,12 +16,13 @@ use crate::force::damping::Damping;
 use crate::force::drag::Drag;
 use crate::force::level_mass::LevelMass;
 use crate::force::mooring::Mooring;
+use crate::force::profile::{Growth, Profile};
 use crate::force::slow::Slow;
 use crate::force::square::Square;
 use crate::force::tank::{Pumped, Tank};
 use crate::force::trains::Trains;
 use crate::hull::{Hull, Mesh};
-use crate::spec::{ForceSpec, JointSpec, PumpedSpec, SystemSpec};
+use crate::spec::{ForceSpec, GrowthSpec, JointSpec, ProfileSpec, PumpedSpec, SystemSpec};
 use crate::tree::Tree;
 
 /// Difference of a matrix from its transpose, relative to its largest entry.
@@ -144,9 +145,10 @@ fn build_force(
                 tree.gravity,
             )?))
         }
-        ForceSpec::Drag { body, at, damping, quadratic, stream, gusty, .. } => {
+        ForceSpec::Drag { body, at, damping, quadratic, stream, profile, gusty, .. } => {
             let resistances = (damping, quadratic);
-            AnyForce::Drag(build_drag(name, find(body)?, *at, resistances, *stream, gusty.then_some(gusts))?)
+            let fluid = (*stream, profile.as_ref(), gusty.then_some(gusts));
+            AnyForce::Drag(build_drag(name, find(body)?, *at, resistances, fluid)?)
         }
     })
 }
@@ -209,14 +211,13 @@ fn build_added_mass(
     Ok(AddedMass { name: name.to_owned(), body, at: DVec3::from_array(at), matrix: built })
 }
 
-/// Resistance, linear and by the square of the velocity, in a stream [m/s], with gusts where it has some.
+/// Resistance, linear and by the square of the velocity, in a stream [m/s], with what it has of growth and gusts.
 fn build_drag(
     name: &str,
     body: usize,
     at: [f64; 3],
     (damping, quadratic): (&[[f64; 6]; 6], &[f64; 6]),
-    stream: [f64; 3],
-    gusts: Option<&Arc<Trains>>,
+    (stream, profile, gusts): ([f64; 3], Option<&ProfileSpec>, Option<&Arc<Trains>>),
 ) -> Result<Drag, BuildError> {
     finite(name, "its point", &at)?;
     finite(name, "the velocity of its fluid", &stream)?;
@@ -236,8 +237,34 @@ fn build_drag(
         linear: DVec3::from_slice(&quadratic[..3]),
         angular: DVec3::from_slice(&quadratic[3..]),
         stream,
+        profile: profile.map(|given| build_profile(name, given)).transpose()?,
         gusts: gusts.cloned(),
     })
+}
+
+fn build_profile(name: &str, given: &ProfileSpec) -> Result<Profile, BuildError> {
+    let ProfileSpec { level, height, lowest, growth } = *given;
+    finite(name, "the level that heights count from", &[level])?;
+    positive(name, "the lowest height of its wind", lowest)?;
+    positive(name, "the height of its wind", height)?;
+    let growth = match growth {
+        GrowthSpec::Logarithm(roughness) => {
+            positive(name, "the roughness under its wind", roughness)?;
+            if roughness >= lowest.min(height) {
+                let heights = format!("{height} m and {lowest} m");
+                return error(
+                    name,
+                    format!("the roughness of {roughness} m is no less than its heights, {heights}"),
+                );
+            }
+            Growth::Logarithm(roughness)
+        }
+        GrowthSpec::Power(exponent) => {
+            at_least_zero(name, "the exponent of its wind", exponent)?;
+            Growth::Power(exponent)
+        }
+    };
+    Ok(Profile { level, height, lowest, growth })
 }
 
 /// The coordinate of the content of a tank on a body, and the level from which it is pumped.

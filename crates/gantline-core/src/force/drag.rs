@@ -9,8 +9,8 @@
 //!
 //! ν holds the velocity of a point P of the body against the fluid and the angular velocity, in the body's axes; forces
 //! act at P. u is the velocity of the fluid. It does not turn along with the body: a turn δθ changes ν by Rᵀ (δθ × u). In
-//! a steady stream that is all that the force knows of the body's place; in gusts u = (1 + η/U) U, U the mean, and η, of
-//! [`Trains`], is another at another place and time.
+//! a steady stream that is all that the force knows of the body's place. Wind grows with height by s(z) of a [`Profile`], and
+//! in gusts has η, of [`Trains`], on top, another at another place and time: u = (s + η/U) U, U the mean where s is 1.
 //!
 //! The power F·v splits into what is lost, F·(v − u) + M·ω, never positive, and the work F·u of what drives the fluid.
 
@@ -18,6 +18,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
+use super::profile::Profile;
 use super::square::{Square, skew};
 use super::trains::{Passing, Trains};
 use super::{At, Force, Tangent};
@@ -39,8 +40,10 @@ pub struct Drag {
     pub linear: DVec3,
     /// c of the three rotations [N m s²].
     pub angular: DVec3,
-    /// u [m/s], world axes, in gusts its mean.
+    /// U [m/s], world axes.
     pub stream: DVec3,
+    /// s; 1 at any height if none.
+    pub profile: Option<Profile>,
     /// η [m/s] along the stream.
     pub gusts: Option<Arc<Trains>>,
 }
@@ -60,9 +63,26 @@ impl Drag {
         Some((self.stream.normalize_or_zero(), passing))
     }
 
+    /// s at P, and its slope [1/m].
+    fn share(&self, at: &At) -> (f64, f64) {
+        self.profile.map_or((1.0, 0.0), |profile| profile.share(at.pose.point(self.at).z))
+    }
+
     /// u.
     fn fluid(&self, at: &At) -> DVec3 {
-        self.gust(at).map_or(self.stream, |(along, gust)| self.stream + along * gust.value)
+        let mean = self.stream * self.share(at).0;
+        self.gust(at).map_or(mean, |(along, gust)| mean + along * gust.value)
+    }
+
+    /// Derivative of u over the place of P, by columns; none where it is the same everywhere.
+    fn spread(&self, at: &At) -> Option<DMat3> {
+        if self.profile.is_none() && self.gusts.is_none() {
+            return None;
+        }
+        let upwards = self.stream * self.share(at).1;
+        let aside = self.gust(at).map(|(along, gust)| gust.gradient.to_array().map(|slope| along * slope));
+        let [x, y] = aside.unwrap_or([DVec3::ZERO; 2]);
+        Some(DMat3::from_cols(x, y, upwards))
     }
 
     /// Derivatives of the wrench over the velocity of the body.
@@ -102,9 +122,8 @@ impl Force for Drag {
         // δν = δθ × u − δu, and the same at every point of the body.
         let mut moved = DMat3::ZERO;
         let mut turned = skew(self.fluid(at)) * -1.0;
-        if let Some((along, gust)) = self.gust(at) {
-            let [x, y] = gust.gradient.to_array();
-            moved = DMat3::from_cols(along * -x, along * -y, DVec3::ZERO);
+        if let Some(spread) = self.spread(at) {
+            moved = spread * -1.0;
             turned -= moved * skew(at.pose.rotation * self.at);
         }
         let place = Square {

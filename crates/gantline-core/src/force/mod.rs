@@ -20,6 +20,7 @@ pub mod mean_drift;
 pub mod memory;
 pub mod mooring;
 pub mod orbital;
+pub mod profile;
 pub mod slow;
 pub mod square;
 pub mod submerged;

@@ -48,6 +48,9 @@ pub enum ForceSpec {
         /// Velocity of the fluid [m/s], world axes; of wind with gusts the mean.
         #[serde(default)]
         stream: [f64; 3],
+        /// How it grows with height, if it does.
+        #[serde(default)]
+        profile: Option<ProfileSpec>,
         /// Whether the gusts of the system come on top, along the stream.
         #[serde(default)]
         gusty: bool,
@@ -135,6 +138,30 @@ pub enum ForceSpec {
         #[serde(default)]
         settled: bool,
     },
+}
+
+/// How the speed of a stream grows with height; it is what it is said to be at one height.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ProfileSpec {
+    /// z from which heights count [m].
+    pub level: f64,
+    /// Height at which the stream is what it is said to be [m].
+    pub height: f64,
+    /// Below this height it is as there [m].
+    pub lowest: f64,
+    /// How it grows.
+    pub growth: GrowthSpec,
+}
+
+/// By what the speed of a stream grows with height.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum GrowthSpec {
+    /// The logarithm of the height over this roughness [m].
+    Logarithm(f64),
+    /// This power of the height.
+    Power(f64),
 }
 
 /// Cells of a load in water, all alike, in layers of four: at ± `half` along x and y of the body.

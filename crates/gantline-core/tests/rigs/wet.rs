@@ -3,8 +3,8 @@
 use gantline_core::build::build;
 use gantline_core::force::AnyForce;
 use gantline_core::spec::{
-    BodySpec, ComponentSpec, DriveSpec, ForceSpec, LatticeSpec, MooringSpec, PhasorSpec, PumpedSpec,
-    SystemSpec, TrainsSpec,
+    BodySpec, ComponentSpec, DriveSpec, ForceSpec, GrowthSpec, LatticeSpec, MooringSpec, PhasorSpec,
+    ProfileSpec, PumpedSpec, SystemSpec, TrainsSpec,
 };
 use gantline_core::state::State;
 use gantline_core::stepper::frame::Frame;
@@ -57,6 +57,10 @@ fn mooring(spec: &mut SystemSpec, draw: &mut Draw, k: usize) -> ForceSpec {
     }))
 }
 
+/// Everything is above its lowest height.
+const GROWING: ProfileSpec =
+    ProfileSpec { level: -20.0, height: 20.0, lowest: 1.0, growth: GrowthSpec::Logarithm(0.3) };
+
 /// The random rig with dented hulls and tanks, added mass and drag on bodies somewhere in its tree.
 pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
     let mut spec = rig(seeds);
@@ -92,8 +96,9 @@ pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
             at: at(&mut draw),
             damping: square(&mut draw, 20.0),
             quadratic: std::array::from_fn(|_| 10.0 * draw.number().abs()),
-            // One stands, the other streams and comes in gusts.
+            // One stands, the other streams, grows with height and comes in gusts.
             stream: if k == 0 { [0.0; 3] } else { draw.scaled(2.0) },
+            profile: (k == 1).then_some(GROWING),
             gusty: k == 1,
         };
         let has_tank = body(&mut draw);
@@ -155,6 +160,7 @@ pub fn wet(seeds: &[f64]) -> (System, State, Frame) {
             damping: square(&mut draw, 20.0),
             quadratic: [0.0; 6],
             stream: [0.0; 3],
+            profile: None,
             gusty: false,
         };
         let lattice = |draw: &mut Draw, layers: usize| LatticeSpec {

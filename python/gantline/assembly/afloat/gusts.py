@@ -6,7 +6,7 @@ n S(n)/σ² = 6.8 x (1 + 10.2 x)^(−5/3) with x = n L/U, n in hertz: EN 1991-1-
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -98,23 +98,33 @@ def gusts(wind: Wind) -> Json:
     return {"components": Train.of(record, regular.frequency / wind.speed).document, "rise_time": _RISE_TIME}
 
 
-def wind_of_limit(scenario: Scenario) -> float | None:
-    """Speed of the wind that is held against limits, of gusts where it has any [m/s]; None if not said."""
+def wind_of_limit(scenario: Scenario, top: float) -> float | None:
+    """Speed of the wind that is held against limits, of gusts where it has any [m/s]; None if not said.
+
+    Args:
+        scenario: the lift.
+        top: z of the top of a crane [m], where its maker means it.
+    """
     wind = scenario.wind
     if isinstance(wind, Wind):
-        return _gust_speed(wind)
+        return _gust_speed(wind) + wind.speed * (scenario.wind_share(top) - 1.0)
     return 0.0 if wind == "none" else wind
 
 
-def wind_rig(wind: Wind, record: Json | None) -> Json:
-    """What results need to know of the wind; SI.
+def wind_rig(scenario: Scenario, record: Json | None) -> Json:
+    """What results need to know of the wind; SI. Nothing where it has no direction.
 
     Args:
-        wind: as the lift file has it.
-        record: its gusts as the core has them.
+        scenario: the lift.
+        record: gusts of its wind as the core has them.
     """
+    wind, profile = scenario.wind, scenario.wind_profile
+    if not isinstance(wind, Wind):
+        return {}
     found: Json = {"speed": wind.speed, "direction": wind.direction}
-    if record is None or wind.gusts is None:
-        return found
-    strength = {"gust_speed": _gust_speed(wind), "turbulence": _deviation(wind) / wind.speed}
-    return found | strength | {"seed": wind.gusts.seed, "gusts": record}
+    if profile is not None:
+        found["profile"] = asdict(profile)
+    if record is not None and wind.gusts is not None:
+        found |= {"gust_speed": _gust_speed(wind), "turbulence": _deviation(wind) / wind.speed}
+        found |= {"seed": wind.gusts.seed, "gusts": record}
+    return {"wind": found}

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from gantline.assembly.afloat.gusts import gusts, wind_of_limit
+from gantline.assembly.cranes.boom import boom_top
 from gantline.assembly.doubts.streams import doubtful_streams
 from gantline.assembly.loads.lifted import LiftedLoad
 from gantline.assembly.parts import Json, Parts
+from gantline.hydro.wind import WindProfile
 from gantline.scenario import Scenario
 from gantline.scenario.afloat.stream import AIR, StreamArea, Wind
 from gantline.scenario.afloat.tanks import bodies_afloat
@@ -29,11 +32,11 @@ _STANDS = (0.0, 0.0, 0.0)
 
 
 class _Fluid(NamedTuple):
-    """Air or water: density [kg/m^3], velocity, in gusts the mean [m/s], and whether gusts come on top."""
+    """Air or water: density [kg/m^3], velocity, in gusts the mean [m/s], what else forces know of it."""
 
     density: float
     velocity: tuple[float, float, float] = _STANDS
-    is_gusty: bool = False
+    beside: Mapping[str, Any] = MappingProxyType({})
 
 
 def add_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> None:
@@ -42,7 +45,8 @@ def add_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> 
     wind, current = scenario.wind, scenario.current
     air = _Fluid(AIR)
     if isinstance(wind, Wind):
-        air = _Fluid(wind.density, wind.velocity, wind.gusts is not None)
+        gusty: Json = {} if wind.gusts is None else {"gusty": True}
+        air = _Fluid(wind.density, wind.velocity, {**_growing(scenario.wind_profile), **gusty})
         parts.gusts = None if wind.gusts is None else gusts(wind)
     water = _Fluid((scenario.water or Water()).density, _STANDS if current is None else current.velocity)
     for name, (body, origin) in origins.items():
@@ -52,8 +56,17 @@ def add_streams(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None) -> 
         load, origin = scenario.load, lifted.centre
         parts.forces += _pushed(load.name, "wind", load.areas_in("wind"), origin, air)
         parts.forces += _pushed(load.name, "current", load.areas_in("current"), origin, water)
-    parts.doubts += _idle(parts, scenario) + _strong(scenario)
+    parts.doubts += _idle(parts, scenario) + _strong(parts, scenario)
     parts.doubts += doubtful_streams(parts, scenario, lifted)
+
+
+def _growing(profile: WindProfile | None) -> Json:
+    """How wind grows with height, as the core has it."""
+    if profile is None:
+        return {}
+    by = {"power": profile.exponent} if profile.roughness is None else {"logarithm": profile.roughness}
+    heights = {"level": profile.level, "height": profile.height, "lowest": profile.lowest}
+    return {"profile": {**heights, "growth": by}}
 
 
 def _idle(parts: Parts, scenario: Scenario) -> list[Doubt]:
@@ -95,16 +108,16 @@ def _left_out(scenario: Scenario, kind: str) -> list[str]:
     return [name for name, one in vessels if one.current_areas is None and one.wave_motion is None]
 
 
-def _strong(scenario: Scenario) -> list[Doubt]:
+def _strong(parts: Parts, scenario: Scenario) -> list[Doubt]:
     """Wind in which cranes with booms do not lift, of those without a `wind_limit`."""
-    cranes = (scenario.cranes or {}).items()
-    booms = [
-        name
-        for name, crane in cranes
-        if isinstance(crane, Crawler | FloatingCrane) and crane.wind_limit is None
-    ]
-    speed = wind_of_limit(scenario) or 0.0
-    if not booms or speed <= _LIFTS_UP_TO:
+    cranes = scenario.cranes or {}
+    booms = {
+        placed.crane: wind_of_limit(scenario, boom_top(parts, placed)) or 0.0
+        for placed in scenario.booms.values()
+        if isinstance(crane := cranes[placed.crane], Crawler | FloatingCrane) and crane.wind_limit is None
+    }
+    speed = max(booms.values(), default=0.0)
+    if speed <= _LIFTS_UP_TO:
         return []
     usual = (
         f"{format_quantity(_LIFTS_UP_TO, 'm/s', 0)} is usual where their makers say nothing else (ISO 4302)"
@@ -138,7 +151,7 @@ def _pushed(
                 "damping": [[0.0] * 6] * 6,
                 "quadratic": quadratic,
                 "stream": list(fluid.velocity),
-                **({"gusty": True} if fluid.is_gusty else {}),
+                **fluid.beside,
             }
         )
     return found

@@ -273,12 +273,17 @@ def boom_rig(scenario: Scenario, parts: Parts) -> list[Json]:
             "reach_from": list(placed.reach_from),
             "base_from": [-value for value in parts.bodies[placed.base]["centre_of_gravity"]],
             "wind_limit": _wind_limit(scenario, placed),
-            "wind": wind_of_limit(scenario),
+            "wind": wind_of_limit(scenario, boom_top(parts, placed)),
             "hooks": [hook_rig(parts, scenario.hooks[f"{placed.crane}.{hook}"]) for hook in placed.hooks],
             **_slew_rig(placed),
         }
         for placed in scenario.booms.values()
     ]
+
+
+def boom_top(parts: Parts, placed: PlacedBoom) -> float:
+    """How high a boom goes when it is upright, z of the world [m]."""
+    return float(parts.place(placed.base, placed.heel)[2]) + placed.boom.length
 
 
 def _vessel_of(scenario: Scenario, placed: PlacedBoom) -> str:

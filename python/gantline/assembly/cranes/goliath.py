@@ -143,7 +143,7 @@ def crane_rig(scenario: Scenario, parts: Parts) -> list[Json]:
             "hook_approach": crane.hook_approach,
             "hook_distance": crane.hook_distance,
             "wind_limit": crane.wind_limit,
-            "wind": wind_of_limit(scenario),
+            "wind": wind_of_limit(scenario, crane.rail_level + crane.girder.underside),
             "trolleys": [
                 {
                     "name": trolley_name(name, trolley),

@@ -152,7 +152,8 @@ def _wind_moment(scenario: Scenario, lifted: LiftedLoad) -> float:
     moment = 0.0
     for area in load.areas_in("wind").values():
         if area.along in way:
-            pressure = 0.5 * wind.density * wind.speed**2 * area.coefficient * area.area
+            speed = wind.speed * scenario.wind_share(load.position[2] + area.at[2])
+            pressure = 0.5 * wind.density * speed**2 * area.coefficient * area.area
             force = pressure * way[area.along]
             x, y, _ = (float(part) for part in np.array(area.at) - lifted.centre)
             moment += x * force if area.along == "y" else -y * force

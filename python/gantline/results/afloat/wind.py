@@ -8,6 +8,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from gantline.hydro.wind import WindProfile
 from gantline.results.afloat.trains import Trains
 from gantline.results.strength import FromJson
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
@@ -45,6 +46,7 @@ class Wind(FromJson):
         turbulence: Standard deviation over mean; None if it is steady.
         seed: Which of its records; None if it is steady.
         gusts: What comes on top of the mean; None if it is steady.
+        profile: How it grows with height; None if it is the same at any.
     """
 
     speed: float
@@ -53,37 +55,53 @@ class Wind(FromJson):
     turbulence: float | None = None
     seed: int | None = None
     gusts: Trains | None = None
+    profile: WindProfile | None = None
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Self:
         """Make one from its JSON object."""
-        given = document.get("gusts")
-        return super().from_json({**document, "gusts": None if given is None else Trains.from_json(given)})
+        gusts, profile = document.get("gusts"), document.get("profile")
+        made = {
+            "gusts": None if gusts is None else Trains.from_json(gusts),
+            "profile": None if profile is None else WindProfile(**profile),
+        }
+        return super().from_json({**document, **made})
+
+    @property
+    def differs(self) -> bool:
+        """Whether it is another at another time or height."""
+        return self.gusts is not None or self.profile is not None
+
+    @property
+    def height_in_words(self) -> str:
+        """At which height it has its speed, after a space; nothing where it is the same at any."""
+        return "" if self.profile is None else f" at {format_quantity(self.profile.height, 'm', 0)}"
 
     @property
     def in_words(self) -> str:
         """Speed, direction, gusts and record."""
         gusty = "" if self.gust_speed is None else f", gusts of {format_quantity(self.gust_speed, 'm/s', 1)}"
         record = "" if self.seed is None else f", record {self.seed}"
-        return f"{_shown(self.speed, self.direction)}{gusty}{record}"
+        return f"{_shown(self.speed, self.direction, self.height_in_words)}{gusty}{record}"
 
     def speed_at(self, time: FloatArray, place: FloatArray) -> FloatArray:
         """Its speed [m/s].
 
         Args:
             time: (samples,) [s].
-            place: world x and y (samples, ..., 2) [m].
+            place: world x, y and z (samples, ..., 3) [m]; x and y do where it is the same at any height.
 
         Returns:
             (samples, ...).
         """
-        if self.gusts is None:
-            return np.full(place.shape[:-1], self.speed)
-        return self.speed + self.gusts.at(time, place)
+        share = np.ones(place.shape[:-1]) if self.profile is None else self.profile.share(place[..., 2])
+        mean: FloatArray = self.speed * share
+        return mean if self.gusts is None else mean + self.gusts.at(time, place[..., :2])
 
 
-def _shown(speed: float, direction: float) -> str:
-    return f"{format_quantity(speed, 'm/s', 1)} towards {format_quantity(direction, 'deg', 0)}"
+def _shown(speed: float, direction: float, height: str = "") -> str:
+    towards = format_quantity(direction, "deg", 0)
+    return f"{format_quantity(speed, 'm/s', 1)}{height} towards {towards}"
 
 
 def wind_at_loads(
@@ -92,7 +110,7 @@ def wind_at_loads(
     loads: Mapping[str, str],
     wind: Wind | None,
 ) -> Derived:
-    """Speed of gusty wind at the centre of gravity of each load; nothing in steady wind.
+    """Speed of the wind at the centre of gravity of each load; nothing where it is the same always.
 
     Args:
         columns: Columns of the core by name.
@@ -100,9 +118,9 @@ def wind_at_loads(
         loads: Bodies of the loads by their names.
         wind: That of the lift; None if it has none with a direction.
     """
-    if wind is None or wind.gusts is None or not loads:
+    if wind is None or not wind.differs or not loads:
         return {}, {}
     bodies = [list(names["body"]).index(body) for body in loads.values()]
-    speed = wind.speed_at(columns["time"], columns["body_position"][:, bodies, :2])
-    described = "speed of the wind, gusts included, at the centre of gravity of a load"
+    speed = wind.speed_at(columns["time"], columns["body_position"][:, bodies, :3])
+    described = "speed of the wind, gusts and growth with height included, at the centre of gravity of a load"
     return {"wind_at_load": Variable(("time", "load"), speed, "m/s", described)}, {"load": list(loads)}

@@ -6,8 +6,9 @@ import math
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Discriminator, Field, Tag, model_validator
 
+from gantline.hydro.wind import WindProfile
 from gantline.scenario.base import Element
 from gantline.scenario.file.tree import MapNode
 from gantline.scenario.quantities import (
@@ -34,6 +35,7 @@ __all__ = [
     "Stream",
     "StreamArea",
     "Wind",
+    "WindGrowth",
     "WindOfLift",
 ]
 
@@ -126,6 +128,53 @@ class Gusts(Element):
             raise refuse("needs 'speed: 16 m/s', the speed of gusts, or 'turbulence: 15 %'")
 
 
+class WindGrowth(Element):
+    """How wind grows with height; its speed is that at one height."""
+
+    what: ClassVar[str] = "the profile of the wind"
+
+    height: PositiveLength = Field(
+        10.0,
+        description="Height over ground or water, the lower of both, at which the wind has its 'speed'; "
+        "10 m if not given, as of forecasts.",
+    )
+    terrain: Literal["sea", "flat", "fields", "suburbs", "town"] | None = Field(
+        None, description="What it blows over, by EN 1991-1-4, table 4.1: categories 0, I, II, III and IV."
+    )
+    roughness: Annotated[float, Quantity("length", "positive")] | None = Field(
+        None, description="Instead: roughness of that, in the logarithm of the height."
+    )
+    exponent: Annotated[float, Number(least=0.0, most=1.0)] | None = Field(
+        None, description="Instead: power of the height by which it grows, such as 0.14."
+    )
+
+    @classmethod
+    def refuse_early(cls, data: MapNode) -> None:
+        """One of terrain, roughness and exponent says how it grows."""
+        given = [key for key in ("terrain", "roughness", "exponent") if key in data]
+        if len(given) > 1:
+            raise refuse(f"'{given[0]}' says already how wind grows; leave one out", given[1])
+        if not given and set(data) <= {"height"}:  # a word of another crew is answered as such
+            raise refuse("needs 'terrain: sea', or 'roughness: 3 mm' or 'exponent: 0.14' instead")
+
+    def above(self, level: float) -> WindProfile:
+        """The profile over ground or water at a level [m]."""
+        if self.terrain is not None:
+            return WindProfile.over_terrain(self.terrain, level, self.height)
+        if self.roughness is not None:
+            return WindProfile.over(self.roughness, level, self.height)
+        assert self.exponent is not None  # validated
+        return WindProfile.by_power(self.exponent, level, self.height)
+
+    @model_validator(mode="after")
+    def _height_is_above_what_it_blows_over(self) -> WindGrowth:
+        lowest = self.above(0.0).lowest
+        if self.height < lowest:
+            sentence = f"below {lowest:g} m wind does not grow over that; measured at {self.height:g} m"
+            raise refuse(f"{sentence} it says nothing of what blows above", "height")
+        return self
+
+
 class Wind(Stream):
     """Wind, steady or in gusts."""
 
@@ -138,18 +187,23 @@ class Wind(Stream):
         None, description="Gusts about 'speed', which is the mean over ten minutes then. None if not given."
     )
 
-    def push(self, areas: Mapping[str, StreamArea], heading: float) -> float:
+    profile: WindGrowth | None = Field(
+        None, description="How it grows with height; the same at any height if not given."
+    )
+
+    def push(self, areas: Mapping[str, StreamArea], heading: float, share: float = 1.0) -> float:
         """Level force of its mean on areas of a body that stands level and still, by (WC1) [N].
 
         Args:
             areas: The areas by name.
             heading: Of the body's x axis, from world x towards y [rad].
+            share: Of its speed that it has there.
         """
         aside = self.direction - heading
         along = {"x": math.cos(aside), "y": math.sin(aside), "z": 0.0}
         forces = {axis: 0.0 for axis in along}
         for area in areas.values():
-            pressure = 0.5 * self.density * self.speed**2
+            pressure = 0.5 * self.density * (share * self.speed) ** 2
             forces[area.along] += pressure * area.coefficient * area.area * along[area.along]
         return math.hypot(*forces.values())
 

@@ -201,6 +201,7 @@ _STUCK = (
 )
 _SUCTION = ("break_out_force", "breakout", "breakout_force", "hull_suction", "mud", "mud_suction", "suction")
 #: Sailors and forecasts say where it comes from.
+_GROWS = ("height", "reference_height", "measured_at", "terrain", "roughness", "exponent", "shear", "alpha")
 _COMES_FROM = ("coming_from", "from", "from_direction")
 _GOES_TO = (
     "'direction' is where it goes to, from world x towards y: what comes from 30 deg has 'direction: 210 deg'"
@@ -270,7 +271,16 @@ INSTEAD = {
             "the wind in which a crane may lift is its own 'wind_limit', held against that of the lift",
         ),
     },
-    "wind": dict.fromkeys(_COMES_FROM, _GOES_TO),
+    "wind": {
+        **dict.fromkeys(_COMES_FROM, _GOES_TO),
+        **dict.fromkeys(_GROWS, "how wind grows with height is its 'profile: {height: 10 m, terrain: sea}'"),
+    },
+    "the profile of the wind": {
+        **dict.fromkeys(("alpha", "power", "shear_exponent"), "a power of the height is an 'exponent'"),
+        **dict.fromkeys(("z0", "roughness_length"), "the roughness of what it blows over is 'roughness'"),
+        **dict.fromkeys(("at", "reference_height", "measured_at"), "where it is measured is its 'height'"),
+        "category": "categories 0 to IV of EN 1991-1-4 are 'terrain: sea', flat, fields, suburbs and town",
+    },
     "current": dict.fromkeys(_COMES_FROM, _GOES_TO),
     "waves": {
         **dict.fromkeys(_COMES_FROM, _GOES_TO),
