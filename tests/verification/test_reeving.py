@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
 from gantline.assembly import assemble
 from gantline.checks import check_recording
+from gantline.checks.check import Verdict
 from gantline.results.recording import Recording
+from gantline.results.ropes.flows import drum_fleet_angle
 from gantline.scenario import ScenarioError, parse_scenario
 from gantline.simulation import Simulation
 from mechanics import G
@@ -222,6 +226,33 @@ def test_turns_and_layers_of_a_drum_are_recorded_and_too_few_fail() -> None:
     [check] = [one for one in checks if one.name == "turns_on_drum"]
     assert check.element == "h8.drum"
     assert check.remark == "1.6 turns are left, and 3 have to stay"
+
+
+def test_a_rope_leads_aside_onto_its_drum_most_at_the_flanges() -> None:
+    """8 turns of 42 mm in a layer of 10, the first sheave 2.5 m off: atan(3 · 0.042/2.5); up past the end of
+    the layer atan(5 · 0.042/2.5) = 4.80 deg, where a sample is within 0.02 turns of it. (WI7)
+    """
+    drum = "layers: 2, wraps_per_layer: 10, wraps_at_start: 8, first_sheave: 2.5 m, rotating_mass: 500 kg"
+    up = "  - {{step: up, hoist: [{hooks}], speed: 6 m/min, by: 4 m}}"
+    recording = lift([8], up, drum=drum, duration=45.0).run()
+    (one,) = recording.rig.drums
+    angle = drum_fleet_angle(one, recording.column("drum_wraps", "h8.drum"))
+    assert angle is not None
+    assert angle[0] == pytest.approx(math.atan(3 * 0.042 / 2.5), rel=1e-12)
+    wraps = recording.column("drum_wraps", "h8.drum")
+    assert angle[-1] == pytest.approx(math.atan(abs(wraps[-1] - 15.0) * 0.042 / 2.5), rel=1e-12)
+    [check] = [one for one in check_recording(recording) if one.name == "drum_fleet_angle"]
+    assert (check.element, check.verdict) == ("h8.drum", Verdict.WARNING)
+    assert check.limit == pytest.approx(math.radians(4.0))
+    assert check.value == pytest.approx(math.atan(5 * 0.042 / 2.5), rel=4e-3)
+    assert wraps[np.searchsorted(recording.time, check.time)] == pytest.approx(10.0, abs=0.02)
+
+
+def test_a_first_sheave_needs_turns_and_layers() -> None:
+    """Without the turns of a layer nothing tells where rope lies across the drum."""
+    up = "  - {{step: up, hoist: [{hooks}], speed: 3 m/min, by: 4 m}}"
+    with pytest.raises(ScenarioError, match="'first_sheave' needs 'wraps_per_layer' beside it"):
+        lift([8], up, drum="first_sheave: 2.5 m, rotating_mass: 500 kg")
 
 
 def test_a_hook_goes_as_far_as_its_plan_says_on_any_layer() -> None:

@@ -38,13 +38,13 @@ FLEET_ANGLE = math.radians(4.0)
 _FLEET_ANGLE_SOURCE = "DGUV Vorschrift 54, notes on section 20"
 
 
-def limits_and_rules(scenario: Scenario, rigging: Rigging, *, has_sheaves: bool) -> Json:
+def limits_and_rules(scenario: Scenario, rigging: Rigging, led: Mapping[str, bool]) -> Json:
     """Limits and factors of the lift file, then of its preset, each with its source.
 
     Args:
         scenario: the lift.
         rigging: what hangs from which hook.
-        has_sheaves: whether a rope runs over sheaves with true tangents.
+        led: limits of fleet angles, and whether there is something that they are of.
     """
     rules = scenario.rules or Rules()
     preset = PRESETS[rules.preset] if rules.preset is not None else Preset("")
@@ -57,9 +57,9 @@ def limits_and_rules(scenario: Scenario, rigging: Rigging, *, has_sheaves: bool)
     sources = {key: own for key in given if key != "rule"}
     of_preset = {key: one for key, one in preset.limits.items() if key not in given}
     assumed = {}
-    if has_sheaves and "fleet_angle" not in given and "fleet_angle" not in of_preset:
-        assumed["fleet_angle"] = FLEET_ANGLE
-        sources["fleet_angle"] = _FLEET_ANGLE_SOURCE
+    for key in (key for key, is_there in led.items() if is_there and key not in {*given, *of_preset}):
+        assumed[key] = FLEET_ANGLE
+        sources[key] = _FLEET_ANGLE_SOURCE
     sources |= {key: one.source for key, one in of_preset.items()}
     named = {"rule": preset.title} if preset.title and "rule" not in given else {}
     return {

@@ -82,14 +82,14 @@ def rig(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, parts: 
         **chain_hoist_rig(scenario, rigging),
         "ropes": rope_rig(scenario, rigging, parts),
         "sheaves": sheaves_with_flow(parts),
-        "drums": drum_rig(scenario),
+        "drums": (drums := drum_rig(scenario)),
         "turning": [name for name, body in parts.bodies.items() if body["joint"]["type"] == "hinge"],
         **_tanks(scenario),
         "wrapped_sheaves": (wrapped := wrapped_sheaves(parts)),
         "ratings": ratings(scenario),
         **({"lifting_by_mechanics": lifting} if (lifting := lifting_by_mechanics(scenario, rigging)) else {}),
         "bends": bends(scenario, parts),
-        **limits_and_rules(scenario, rigging, has_sheaves=bool(wrapped)),
+        **limits_and_rules(scenario, rigging, _led(wrapped, drums)),
         **_equalised_below(scenario),
         "plan": [_step(scenario, step) for step in scenario.plan],
         **_starts_off(rigging),
@@ -300,6 +300,12 @@ def _hook(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) -> Json
         **falls,
         **_wind_at(scenario, hook.crane),
     }
+
+
+def _led(wrapped: Sequence[Json], drums: Sequence[Json]) -> dict[str, bool]:
+    """Limits of fleet angles, each with whether there is a sheave, or a drum, that it is of."""
+    led_to_drums = any(drum["first_sheave"] is not None for drum in drums)
+    return {"fleet_angle": bool(wrapped), "drum_fleet_angle": led_to_drums}
 
 
 def _wind_at(scenario: Scenario, crane: str) -> Json:

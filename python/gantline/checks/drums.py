@@ -14,14 +14,15 @@ from gantline.checks.check import Check, Verdict
 from gantline.checks.force import over
 from gantline.checks.forces import at_upper_end, rope_force
 from gantline.checks.lugs import BEARS
-from gantline.checks.measure import Finding, Missing
+from gantline.checks.measure import Finding, Missing, extreme
 from gantline.results import series
 from gantline.results.alike import first_peak
 from gantline.results.gear import Drum
 from gantline.results.recording import Recording
+from gantline.results.ropes.flows import drum_fleet_angle
 from gantline.results.variable import BoolArray, FloatArray
 
-__all__ = ["lifts_loads", "load_of_rated_capacity", "turns_left", "upright_share"]
+__all__ = ["fleet_angle", "lifts_loads", "load_of_rated_capacity", "turns_left", "upright_share"]
 
 
 def load_of_rated_capacity(recording: Recording, during: BoolArray) -> Iterator[Finding]:
@@ -87,6 +88,18 @@ def _drawn(recording: Recording, rope: str, time: float) -> FloatArray:
     sample = min(int(np.searchsorted(recording.time, time)), len(recording.time) - 1)
     steps: FloatArray = np.diff(recording["rope_point"].values[sample, drawn], axis=0)
     return steps
+
+
+def fleet_angle(recording: Recording, during: BoolArray) -> Iterator[Finding]:
+    """Angle of a rope to the plane of the groove of a drum, of those that say where the first sheave is."""
+    for drum in recording.rig.drums:
+        if drum.first_sheave is None:
+            continue
+        angle = drum_fleet_angle(drum, recording.column("drum_wraps", drum.name))
+        if angle is None:
+            yield Missing(drum.name, "diameter of its rope not known")
+        else:
+            yield from extreme(recording, angle, during, drum.name)
 
 
 def turns_left(recording: Recording) -> list[Check]:

@@ -370,6 +370,13 @@ LIMITS: dict[str, Measure] = {
         ropes.fleet_angle,
         is_listed=True,
     ),
+    "drum_fleet_angle": Measure(
+        "largest angle of a rope to the plane of the groove of its drum",
+        "deg",
+        2,
+        drums.fleet_angle,
+        is_listed=True,
+    ),
     "shackle_load_of_working_load_limit": _utilisation(
         "static load of a shackle / its working load limit, reduced for side load",
         shackles.static_load,

@@ -371,6 +371,9 @@ class Drum(FromJson):
         wraps_per_layer: Turns in a full layer; None of one layer without end.
         layers: Layers that fit on it.
         layer_step: Radius that each further layer adds [m].
+        first_sheave: Distance of the sheave before the middle of a full layer of its rope [m]; None if not
+            said.
+        rope_diameter: Of the rope on it [m]; None where that is not known.
         spare_turns: Turns that have to stay on it; None where nothing is said.
         asks_for_turns: Whether the lift file says so, and no rule in its place.
         ropes: Names of the ropes on it; empty of a hook's drum, which has them as falls.
@@ -385,6 +388,8 @@ class Drum(FromJson):
     wraps_per_layer: float | None = None
     layers: int = 1
     layer_step: float = 0.0
+    first_sheave: float | None = None
+    rope_diameter: float | None = None
     spare_turns: float | None = None
     asks_for_turns: bool = False
     flow: str = ""

@@ -63,6 +63,11 @@ class Limits(Element):
         description="Angle of a carrying rope to the plane of a sheave with true tangents; if not given, "
         "more than 4 deg is a warning.",
     )
+    drum_fleet_angle: PositiveAngle | None = Field(
+        None,
+        description="Angle of a rope to the plane of the groove of a drum with a 'first_sheave'; if not "
+        "given, more than 4 deg is a warning.",
+    )
     sling_factor_on_breaking_force: _Factor | None = Field(
         None,
         description="Least factor of minimum breaking force over peak tension, or static tension with the "

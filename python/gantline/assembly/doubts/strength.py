@@ -58,6 +58,7 @@ _ANGLES = {
     "sling_angle_from_vertical": 89.0,
     "lug_out_of_plane_angle": 90.0,
     "fleet_angle": 30.0,
+    "drum_fleet_angle": 30.0,
 }
 #: A distance that is kept and is less is no distance [m]; of models, less than this share of the load's
 #: longest side [1].

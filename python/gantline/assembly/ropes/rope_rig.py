@@ -241,6 +241,8 @@ def _drum(
         "wraps_per_layer": drum.wraps_per_layer,
         "layers": drum.layers,
         "layer_step": drum.step(rope_diameter),
+        "first_sheave": drum.first_sheave,
+        "rope_diameter": rope_diameter,
         "spare_turns": drum.spare_turns,
         "asks_for_turns": "spare_turns" in drum.model_fields_set,
     }

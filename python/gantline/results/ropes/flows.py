@@ -11,7 +11,7 @@ from gantline.results.gear import Drum, Sheave
 from gantline.results.rig import Rig
 from gantline.results.variable import Columns, Derived, FloatArray, Names, Variable
 
-__all__ = ["drum_warnings", "rope_flows"]
+__all__ = ["drum_fleet_angle", "drum_warnings", "rope_flows"]
 
 #: Part of a turn in which rope climbs onto the next layer, as in the core (`docs/concepts/winch.md`).
 _CLIMB = 0.5
@@ -91,6 +91,23 @@ def drum_wraps(drum: Drum, columns: Columns, names: Names) -> FloatArray:
     turned = columns["joint_position"][:, list(names["joint"]).index(drum.joint)] * -drum.paid_out
     wraps: FloatArray = (drum.wraps_at_start or 0.0) + turned / (math.pi * drum.diameter)
     return wraps
+
+
+def drum_fleet_angle(drum: Drum, wraps: FloatArray) -> FloatArray | None:
+    """Angle of a rope to the plane of its drum's groove where it has so many turns, by (WI7) [rad].
+
+    Args:
+        drum: on which it is.
+        wraps: turns on it; shape as what is returned.
+
+    Returns:
+        None where the first sheave, the width of a layer or the rope's diameter is not known.
+    """
+    if drum.first_sheave is None or drum.wraps_per_layer is None or drum.rope_diameter is None:
+        return None
+    across = np.mod(np.maximum(wraps, 0.0), drum.wraps_per_layer) - 0.5 * drum.wraps_per_layer
+    angle: FloatArray = np.arctan(np.abs(across) * drum.rope_diameter / drum.first_sheave)
+    return angle
 
 
 def drum_warnings(rig: Rig, columns: Columns, names: Names) -> list[str]:

@@ -83,6 +83,11 @@ class RopeOnDrum(Element):
         description="Radius that each further layer adds; 0.87 times the diameter of the rope, which lies in "
         "the grooves of the layer below, if not given.",
     )
+    first_sheave: PositiveLength | None = Field(
+        None,
+        description="Distance of the sheave that a rope comes from, before the middle of its full layer; "
+        "its fleet angle onto the drum is known then.",
+    )
     spare_turns: Annotated[float, Number(least=0.0, most=100.0)] = Field(
         SPARE_TURNS,
         description="Turns that have to stay on it; fewer fail, where nothing is said fewer than 2 are a "
@@ -101,6 +106,9 @@ class RopeOnDrum(Element):
         if self.layers > 1 and missing:
             sentence = f"a drum of {self.layers} layers needs '{missing[0]}' to know the layer"
             raise refuse(f"{sentence}, such as '{missing[0]}: 30'", "layers")
+        if self.first_sheave is not None and missing:
+            sentence = "the fleet angle onto a drum depends on where its rope lies across it: 'first_sheave'"
+            raise refuse(f"{sentence} needs '{missing[0]}' beside it", "first_sheave")
         if self.wraps_per_layer is not None and self.wraps_at_start is None:
             raise refuse("'wraps_per_layer' is given without 'wraps_at_start'", "wraps_per_layer")
         if self.wraps_at_start is not None and self.wraps_per_layer is not None:
