@@ -68,6 +68,15 @@ def told(recording: Recording) -> dict[str, Check]:
     return {one.element: one for one in checks_of(recording, "falls_and_lines_outside")}
 
 
+def test_a_lead_line_leads_elsewhere() -> None:
+    """It goes along the boom to the drum, as long as `lead_line` says, and is drawn plumb below its head: a
+    crane that said how long was told that its falls go through what stands below its hook.
+    """
+    long = ("parts_each", "lead_line: 60 m, parts_each")
+    below = changed(lift(aside=12.0), ("z: [24 m, 25 m]", "z: [5 m, 6 m]"), long)
+    assert told(simulate(parse_scenario(below))) == {}
+
+
 def test_falls_through_a_beam_and_a_tag_line_through_a_column() -> None:
     recording = simulate(parse_scenario(lift()))
     found = told(recording)

@@ -63,11 +63,15 @@ class Through:
 
 @dataclass(frozen=True)
 class _Line:
-    """A rope by what it is called, and the crane by which it hangs; empty of none."""
+    """A rope by what it is called, and the crane by which it hangs; empty of none.
+
+    Falls end in a lead line, drawn plumb from their last sheave wherever it leads to the drum.
+    """
 
     name: str
     rope: str
     crane: str = ""
+    has_lead_line: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,7 +147,7 @@ def lines_through(recording: Recording) -> list[Through]:
     """
     rig = recording.rig
     falls = {fall.rpartition("/")[0]: hook.crane for hook in rig.hooks for fall in hook.falls}
-    lines = [_Line(rope, rope, crane) for rope, crane in falls.items()]
+    lines = [_Line(rope, rope, crane, has_lead_line=True) for rope, crane in falls.items()]
     lines += [_Line(line.rope, line.rope) for line in rig.tag_lines]
     things = [*_things(recording), *(_Thing(load.name, load.body, skin) for load, skin in _loads(recording))]
     looks = looks_at(recording)
@@ -228,6 +232,7 @@ def _ropes_through(
             continue
         picked = looks[series.is_carrying(recording.column("rope_tension", line.rope))[looks]]
         points, _ = _along(recording, line.rope, picked, thing.body)
+        points = points[:, :-1] if line.has_lead_line else points
         meets = np.flatnonzero(_meets_box_about(points, thing.skin))
         chosen = meets[np.linspace(0, len(meets) - 1, min(len(meets), _LOOKS)).astype(int)]
         picked, points = picked[chosen], points[chosen]
