@@ -44,6 +44,7 @@ PICTURES_OF_LIFTS = {
     "heavy_lift_ship": {"stages": "heavy_lift_ship_stages"},
     "crane_barge_in_swell": {"vessels": "waves"},
     "splash_zone": {"hook_load": "splash_zone"},
+    "wind_turbine": {"stages": "wind_turbine_stages", "attitude": "wind_grows"},
 }
 #: What puts a lift in gusts: its load has the areas of its box.
 IN_GUSTS = {
