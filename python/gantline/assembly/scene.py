@@ -19,7 +19,7 @@ from gantline.assembly.loads.guides import guide_shape, guide_structures, stand_
 from gantline.assembly.loads.lifted import LiftedLoad
 from gantline.assembly.loads.supports import every_support, support_contact
 from gantline.assembly.parts import Json, Parts, box_shape
-from gantline.assembly.shapes import frame_shape, load_parts, members, spreader_shape
+from gantline.assembly.shapes import frame_shape, load_parts, members, round_boxes, spreader_shape
 from gantline.assembly.spatial import Array
 from gantline.assembly.yard import lower_end
 from gantline.cad.assumptions import STEEL
@@ -30,7 +30,7 @@ from gantline.scenario.cranes.compensator import gas_rope, rod_of
 from gantline.scenario.cranes.crane_parts import crane_bodies
 from gantline.scenario.extension import ends_below
 from gantline.scenario.loads.guide import guide_body, guide_stand
-from gantline.scenario.loads.structures import Dock, dock_of
+from gantline.scenario.loads.structures import CylinderStructure, Dock, dock_of
 from gantline.scenario.mechanics import Body
 
 __all__ = ["scene"]
@@ -77,7 +77,12 @@ def _water_level(scenario: Scenario) -> float | None:
 def _structures(scenario: Scenario, parts: Parts) -> list[Json]:
     """What stands in the world, of boxes: supports by their contacts, guides, all that is no hole."""
     shapes = {
-        (name, "structure"): [parts.shapes[shape] for shape in members(parts.shapes, name)]
+        (name, "structure"): [
+            {"parts": round_boxes(structure)}
+            if isinstance(structure, CylinderStructure)
+            else parts.shapes[shape]
+            for shape in members(parts.shapes, name)
+        ]
         for name, structure in (scenario.structures or {}).items()
         if scenario.ground is None or not isinstance(structure, Dock)
     }

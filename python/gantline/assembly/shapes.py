@@ -8,6 +8,7 @@ stands for the shape of that name and for all whose names go on after it with a 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -22,6 +23,7 @@ from gantline.assembly.loads.carried import carried
 from gantline.assembly.loads.lifted import LiftedLoad
 from gantline.assembly.loads.supports import every_support, pad_shape, support_contact
 from gantline.assembly.parts import Json, Parts, box_shape
+from gantline.assembly.spatial import about_axis
 from gantline.scenario import Rigging, Scenario
 from gantline.scenario.cranes.compensator import rod_of
 from gantline.scenario.cranes.crane import EqualizerFrame
@@ -30,7 +32,7 @@ from gantline.scenario.cranes.hooks import full_name
 from gantline.scenario.cranes.slewing import upper_body
 from gantline.scenario.errors import PathPart, nearest
 from gantline.scenario.ground import Ground
-from gantline.scenario.loads.structures import Dock, dock_of
+from gantline.scenario.loads.structures import CylinderStructure, Dock, dock_of
 from gantline.scenario.watch import Watch
 
 __all__ = [
@@ -41,6 +43,7 @@ __all__ = [
     "load_parts",
     "members",
     "pair_name",
+    "round_boxes",
     "spreader_shape",
     "watch_name",
     "watched_hook",
@@ -48,13 +51,15 @@ __all__ = [
 
 #: Thickness of the walls and the floor of a dock as things by themselves [m].
 _THICK = 1.0
+#: Sides of what stands for a cylinder: its corners are 0.5 % of the radius outside of it.
+_SIDES = 32
 #: How far the ground reaches around a dock, and how deep below its floor [m].
 _GROUND_REACH, _GROUND_DEPTH = 2000.0, 50.0
 #: Half of what a hook without reeving takes up, whose hook block nothing says [m]: a hand's breadth.
 _HOOK = 0.1
 #: Places at which one load touches one thing at a time, at most; a box on level ground has four.
 _PLACES = 8
-#: The same of a load whose shape has several parts: as many as the corners of both ends of a round one.
+#: The same of a load from CAD, and of what is round: as many as a face of theirs has corners that count.
 _PLACES_OF_PARTS = 16
 #: What a girder stands on, and what the same is called of a crane of the other kind.
 _STANDS = {"legs": "end_carriages", "end_carriages": "legs"}
@@ -96,8 +101,12 @@ def _add_surroundings(parts: Parts, scenario: Scenario) -> None:
             level = 0.0 if ground is None else ground.level
             parts.add_shape(f"{name}.walls", None, _walls(structure, level))
             parts.add_shape(f"{name}.floor", None, [_floor(structure)])
+        elif isinstance(structure, CylinderStructure):
+            parts.add_shape(name, None, [_round(structure)])
         else:
-            parts.add_shape(name, None, [_box(structure.x, structure.y, structure.z)])
+            turn = about_axis((0.0, 0.0, 1.0), structure.heading)
+            box = box_shape(structure.size, structure.middle)
+            parts.add_shape(name, None, [{**box, "orientation": list(turn)} if structure.heading else box])
     pads = {pad["name"]: pad for pad in parts.supports}
     for _, support in every_support(scenario):
         if (pad := pads.get(support_contact(support))) is not None:
@@ -144,6 +153,25 @@ def _box(x: Sequence[float], y: Sequence[float], z: Sequence[float]) -> Json:
     extents = (x, y, z)
     size = [most - least for least, most in extents]
     return box_shape(size, [(most + least) / 2 for least, most in extents])
+
+
+def _round(structure: CylinderStructure) -> Json:
+    """An upright cylinder of the world as a prism about it, whose sides touch it in their middles."""
+    (x, y), part = structure.at, 2 * math.pi / _SIDES
+    out = structure.diameter / 2 / math.cos(part / 2)
+    corners = [
+        (x + out * math.cos((k + 0.5) * part), y + out * math.sin((k + 0.5) * part)) for k in range(_SIDES)
+    ]
+    return {"type": "convex", "vertices": [[*corner, z] for corner in corners for z in structure.z]}
+
+
+def round_boxes(structure: CylinderStructure) -> list[Json]:
+    """The same prism as boxes from each side to the one across, for pictures."""
+    part, low, high = 2 * math.pi / _SIDES, *structure.z
+    size = (structure.diameter, structure.diameter * math.tan(part / 2), high - low)
+    box = box_shape(size, (*structure.at, (low + high) / 2))
+    turns = (list(about_axis((0.0, 0.0, 1.0), k * part)) for k in range(_SIDES // 2))
+    return [{**box, "orientation": turn} for turn in turns]
 
 
 def _around(hole: Dock, reach: tuple[float, float], z: tuple[float, float]) -> list[Json]:
@@ -206,6 +234,8 @@ def add_touching(parts: Parts, scenario: Scenario) -> None:
             parts.pairs += [
                 _pair(pair_name(load.name, shape), load.name, (load.name, shape), law) for shape in shapes
             ]
+            if isinstance(structure, CylinderStructure):
+                parts.pairs[-1]["places"] = _PLACES_OF_PARTS
     contacts = scenario.mechanics.body_contacts if scenario.mechanics is not None else None
     by_itself = {frozenset(pair["shapes"]) for pair in parts.pairs}
     for name, contact in (contacts or {}).items():
@@ -224,9 +254,9 @@ def add_touching(parts: Parts, scenario: Scenario) -> None:
                     raise scenario.error(path, f"{said}: {right}")
                 own = name if len(one) == len(other) == 1 else f"{name}.{first}.{second}"
                 parts.pairs.append(_pair(own, group, (first, second), law))
-    if load is not None and len(parts.shapes[load.name]["parts"]) > 1:
+    if load is not None and any(part["type"] == "convex" for part in parts.shapes[load.name]["parts"]):
         for pair in parts.pairs:
-            pair["places"] = _PLACES_OF_PARTS if load.name in pair["shapes"] else _PLACES
+            pair["places"] = max(pair["places"], _PLACES_OF_PARTS if load.name in pair["shapes"] else 0)
 
 
 def _law(given: object) -> list[float]:

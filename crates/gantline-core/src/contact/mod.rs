@@ -5,6 +5,7 @@ pub mod landing;
 pub mod pad;
 mod parted;
 pub mod plane;
+mod polygon;
 pub mod rim;
 pub mod shape;
 mod spare;

@@ -10,10 +10,11 @@ use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};
 use parry3d_f64::query::{
     self, ContactManifold, DefaultQueryDispatcher, PersistentQueryDispatcher, TrackedContact,
 };
-use parry3d_f64::shape::{PackedFeatureId, PolygonalFeature, SharedShape};
+use parry3d_f64::shape::{PackedFeatureId, SharedShape};
 
 use super::parted::parted;
 use super::plane::Plane;
+use super::polygon::{self, Polygon};
 use super::spare;
 use super::spot::{Crossing, Spot};
 use crate::tree::pose::Pose;
@@ -209,14 +210,17 @@ impl Shape {
 fn fill(
     manifolds: &mut Vec<ContactManifold<(), ()>>,
     between: &ParryPose,
-    [one, other]: [&SharedShape; 2],
+    parts: [&SharedShape; 2],
     reach: f64,
 ) {
     manifolds.clear();
-    let (one, other) = (one.as_ref(), other.as_ref());
+    let [one, other] = parts.map(|part| part.as_ref());
     let made = DefaultQueryDispatcher.contact_manifolds(between, one, other, reach, manifolds, &mut None);
     if made.is_err() {
         manifolds.clear();
+    }
+    for manifold in manifolds.iter_mut() {
+        polygon::fill_whole(manifold, between, parts);
     }
 }
 
@@ -316,30 +320,16 @@ impl Located<'_> {
     }
 
     /// What of the part looks most along `direction`, in the frame of the part; nothing of a mesh.
-    fn feature(&self, direction: Vector) -> Option<PolygonalFeature> {
-        let (map, _) = self.part.as_polygonal_feature_map()?;
-        let mut feature = PolygonalFeature::default();
-        map.local_support_feature(direction, &mut feature);
-        Some(feature)
+    fn feature(&self, direction: Vector) -> Option<Polygon> {
+        Polygon::towards(self.part, direction)
     }
 }
 
 /// Normal of a face, in the frame of its part, where it looks closely along `direction`.
-fn normal_of(feature: &PolygonalFeature, direction: Vector) -> Option<Vector> {
-    if feature.num_vertices < 3 {
-        return None;
-    }
-    let [first, second, third, _] = feature.vertices;
-    let across = (second - first).cross(third - first).try_normalize()?;
+fn normal_of(feature: &Polygon, direction: Vector) -> Option<Vector> {
+    let across = feature.normal()?;
     let normal = if across.dot(direction) < 0.0 { -across } else { across };
     (normal.dot(direction) > ALIGNED).then_some(normal)
-}
-
-/// Direction of an edge of a face, in the frame of its part.
-fn edge_of(feature: &PolygonalFeature, edge: PackedFeatureId) -> Option<Vector> {
-    let number = feature.eids[..feature.num_vertices].iter().position(|own| *own == edge)?;
-    let [from, to] = [number, (number + 1) % feature.num_vertices].map(|corner| feature.vertices[corner]);
-    (to - from).try_normalize()
 }
 
 /// A point of a manifold as a spot. A corner over a face is a point against the plane of that face, so that it stays one
@@ -377,7 +367,7 @@ fn spot_of(
     let subshapes = (u64::from(manifold.subshape1) << 16) ^ u64::from(manifold.subshape2);
     let feature = mixed(parts, mixed(subshapes, features(point.fid1, point.fid2)));
     let spot = Spot { is_near: true, is_swapped, point: taken(place), plane, crossing: None, feature };
-    let edge = |side: usize, edge| seen[side].as_ref().and_then(|seen| edge_of(seen, edge));
+    let edge = |side: usize, edge| seen[side].as_ref().and_then(|seen| seen.side(edge));
     if let [Some(first), Some(second)] = [edge(0, point.fid1), edge(1, point.fid2)] {
         let edges = [own.transform_vector(first), its.transform_vector(second)];
         return crossing(spot, edges, frames);

@@ -12,7 +12,7 @@ use super::shape::SAME;
 const ROUNDING: f64 = 1e-5;
 
 /// True of such a point that is no deeper than the deepest corner or edge, and on a line or in a triangle between some of
-/// them. One beyond them stays: of faces with more than four corners parry takes four.
+/// them. One beyond them stays: of a face that keeps [some of its corners](super::polygon) it may lie outside.
 pub fn is_spare(manifold: &ContactManifold<(), ()>, point: &TrackedContact<()>) -> bool {
     if !is_added(point) {
         return false;
@@ -35,7 +35,8 @@ pub fn is_spare(manifold: &ContactManifold<(), ()>, point: &TrackedContact<()>) 
     })
 }
 
-fn is_added(point: &TrackedContact<()>) -> bool {
+/// True of the point that parry adds.
+pub fn is_added(point: &TrackedContact<()>) -> bool {
     point.fid1 == PackedFeatureId::UNKNOWN
 }
 

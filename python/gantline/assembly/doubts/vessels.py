@@ -16,7 +16,7 @@ from gantline.scenario.afloat.mooring import is_moored
 from gantline.scenario.afloat.vessel import Vessel
 from gantline.scenario.cranes.boom import FloatingCrane
 from gantline.scenario.errors import Doubt
-from gantline.scenario.loads.structures import BoxStructure
+from gantline.scenario.loads.structures import Dock
 from gantline.units import format_by_size, format_quantity
 
 __all__ = ["doubtful_vessels"]
@@ -205,18 +205,13 @@ def _under_keel(scenario: Scenario, name: str, vessel: Vessel) -> Iterator[Doubt
 
 def _buried(parts: Parts, scenario: Scenario) -> Iterator[Doubt]:
     """Lines that end within a quay: the sign of a height, or one that counts from another zero."""
-    boxes = {
-        name: np.array([one.x, one.y, one.z])
-        for name, one in (scenario.structures or {}).items()
-        if isinstance(one, BoxStructure)
-    }
-    for line, one in (scenario.mooring_lines or {}).items():
-        for key, body, end in (("fairlead", one.vessel, one.fairlead), ("to", one.holder, one.to)):
+    solid = {name: one for name, one in (scenario.structures or {}).items() if not isinstance(one, Dock)}
+    for line, given in (scenario.mooring_lines or {}).items():
+        for key, body, end in (("fairlead", given.vessel, given.fairlead), ("to", given.holder, given.to)):
             at = parts.place(body, end)
-            for name, extents in boxes.items():
-                deep = float(np.min(np.concatenate([at - extents[:, 0], extents[:, 1] - at])))
-                if deep > _BURIED:
-                    below = format_quantity(extents[2, 1] - float(at[2]), "m", 1)
+            for name, one in solid.items():
+                if one.depth(at.tolist()) > _BURIED:
+                    below = format_quantity(one.z[1] - float(at[2]), "m", 1)
                     sentence = f"mooring line {line} ends inside {name}, {below} below its top"
                     yield Doubt(("mooring_lines", line, key), f"{sentence}, as no bollard stands")
 

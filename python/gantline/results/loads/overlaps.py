@@ -218,17 +218,7 @@ def _bodies(recording: Recording, looks: Indices) -> Iterator[_Body]:
         if structure.kind == "support":
             yield _support(recording, looks, structure)
         elif structure.kind == "structure":
-            vertices = structure.boxes.reshape(-1, 3)
-            still = np.zeros((len(looks), 3)), np.broadcast_to(np.eye(3), (len(looks), 3, 3))
-            yield _Body(
-                structure.name,
-                structure.name,
-                "structure",
-                *_sizes(structure.boxes),
-                *still,
-                vertices[box_faces(len(structure.boxes))],
-                False,
-            )
+            yield _structure(looks, structure)
 
 
 def _hook(recording: Recording, looks: Indices, name: str) -> _Body:
@@ -240,18 +230,37 @@ def _hook(recording: Recording, looks: Indices, name: str) -> _Body:
     return _Body(name, name, "hook", half[None], np.zeros((1, 3)), place, turn, skin, False)
 
 
+def _structure(looks: Indices, structure: Structure) -> _Body:
+    """What stands in the world: a box, maybe turned, walls along the axes of the world, something round."""
+    name, boxes = structure.name, structure.boxes
+    if len(boxes) == 1:
+        return _Body(name, name, "structure", *_box(looks, boxes[0]), False)
+    sides = np.abs(boxes[:, [4, 2, 1]] - boxes[:, :1])
+    is_round = bool((sides > 0.0).sum() > 3 * len(boxes))  # some are turned
+    still = np.zeros((len(looks), 3)), np.broadcast_to(np.eye(3), (len(looks), 3, 3))
+    skin = boxes.reshape(-1, 3)[box_faces(len(boxes))]
+    sizes = _sizes(boxes.reshape(1, -1, 3) if is_round else boxes)
+    return _Body(name, name, "structure", *sizes, *still, skin, is_round)
+
+
 def _support(recording: Recording, looks: Indices, support: Structure) -> _Body:
     """A support, which counts while it stands and carries nothing: what it carries sinks into it."""
-    corners = support.boxes[0]
+    stands = np.array([support.stands(time) for time in recording.time[looks]])
+    counts = stands & (recording.column("contact_force", support.name)[looks] == 0.0)
+    name = support.name.removeprefix("support.")
+    return _Body(name, name, "support", *_box(looks, support.boxes[0]), False, counts)
+
+
+def _box(
+    looks: Indices, corners: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Sizes, centres, place, turn and skin of a box of the world, by its corners, shape (8, 3) [m]."""
     sides = (corners[[4, 2, 1]] - corners[0]) / 2  # half, along its axes
     half = np.linalg.norm(sides, axis=1)
     place = np.broadcast_to(corners.mean(axis=0), (len(looks), 3))
     turn = np.broadcast_to((sides / half[:, None]).T, (len(looks), 3, 3))
-    stands = np.array([support.stands(time) for time in recording.time[looks]])
-    counts = stands & (recording.column("contact_force", support.name)[looks] == 0.0)
-    name, skin = support.name.removeprefix("support."), corners[box_faces(1)] - corners.mean(axis=0)
-    own = skin @ turn[0]
-    return _Body(name, name, "support", half[None], np.zeros((1, 3)), place, turn, own, False, counts)
+    skin = (corners[box_faces(1)] - corners.mean(axis=0)) @ turn[0]
+    return half[None], np.zeros((1, 3)), place, turn, skin
 
 
 def _sizes(corners: FloatArray) -> tuple[FloatArray, FloatArray]:

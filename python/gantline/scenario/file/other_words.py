@@ -327,10 +327,12 @@ VERBS_MEANT = {
 BESIDE = {"radius": ", twice as much"}
 _DOCK = "a hole in the ground, with water in it or without, is 'type: dock'"
 _BOX = "what stands in the yard is 'type: box'"
+_ROUND = "what is round and upright is 'type: cylinder'"
 _OPENING = "an opening is what several of 'type: box' around it leave free"
 #: Types of structures by other words.
 KINDS = {
     **dict.fromkeys(("basin", "canal", "dry_dock", "pit", "river"), _DOCK),
     **dict.fromkeys(("building", "floor", "pier", "quay", "roof", "slab", "wall"), _BOX),
+    **dict.fromkeys(("chimney", "column", "leg", "pile", "pipe", "silo", "tower"), _ROUND),
     **dict.fromkeys(("hatch", "hole", "opening"), _OPENING),
 }

@@ -1,19 +1,31 @@
-"""What stands in the yard: docks, and other things that are boxes."""
+"""What stands in the yard: docks, boxes, upright cylinders."""
 
 from __future__ import annotations
 
+import math
 from abc import abstractmethod
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
 from gantline.scenario.base import Element
-from gantline.scenario.quantities import Damping, Length, ListOf, PositiveStiffness, Quantity, Ratio, refuse
+from gantline.scenario.quantities import (
+    Angle,
+    Damping,
+    Length,
+    ListOf,
+    PositiveLength,
+    PositiveStiffness,
+    Quantity,
+    Ratio,
+    refuse,
+)
 
 if TYPE_CHECKING:
     from gantline.scenario.model import Scenario
 
-__all__ = ["BoxStructure", "Dock", "Structure", "dock_of", "ground_at"]
+__all__ = ["BoxStructure", "CylinderStructure", "Dock", "Structure", "dock_of", "ground_at"]
 
 _Extent = Annotated[tuple[float, float], ListOf(Quantity("length"), 2)]
 
@@ -57,7 +69,7 @@ class Dock(_Structure):
 
 
 class BoxStructure(_Structure):
-    """A building, a wall, a stack: a box along the axes of the world."""
+    """A building, a wall, a stack: a box along the axes of the world, or turned about its middle."""
 
     what: ClassVar[str] = "a box"
 
@@ -65,13 +77,55 @@ class BoxStructure(_Structure):
     x: _Extent = Field(description="Extent along world x.")
     y: _Extent = Field(description="Extent along world y.")
     z: _Extent = Field(description="Extent in height.")
+    heading: Angle = Field(
+        0.0, description="How far it is turned about its middle, from world x towards y; 0 if not given."
+    )
 
     def extents(self) -> dict[str, tuple[float, float]]:
         """Its three extents."""
         return {"x": self.x, "y": self.y, "z": self.z}
 
+    @property
+    def size(self) -> tuple[float, float, float]:
+        """Its sides along its own axes [m]."""
+        return self.x[1] - self.x[0], self.y[1] - self.y[0], self.z[1] - self.z[0]
 
-Structure = Annotated[Dock | BoxStructure, Field(discriminator="type")]
+    @property
+    def middle(self) -> tuple[float, float, float]:
+        """Its middle in the world [m]."""
+        return sum(self.x) / 2, sum(self.y) / 2, sum(self.z) / 2
+
+    def depth(self, place: Sequence[float]) -> float:
+        """How deep a place lies in it, from the nearest side [m]; below zero outside."""
+        east, north, up = (one - middle for one, middle in zip(place, self.middle, strict=True))
+        cosine, sine = math.cos(self.heading), math.sin(self.heading)
+        own = (east * cosine + north * sine, north * cosine - east * sine, up)
+        return min(side / 2 - abs(one) for one, side in zip(own, self.size, strict=True))
+
+
+class CylinderStructure(_Structure):
+    """A tower, a silo, a column, a leg: an upright cylinder."""
+
+    what: ClassVar[str] = "a cylinder"
+
+    type: Literal["cylinder"] = Field(description="Kind of structure.")
+    at: Annotated[tuple[float, float], ListOf(Quantity("length"), 2)] = Field(
+        description="Its middle, world x and y."
+    )
+    diameter: PositiveLength = Field(description="Diameter.")
+    z: _Extent = Field(description="Extent in height.")
+
+    def extents(self) -> dict[str, tuple[float, float]]:
+        """Its extent in height."""
+        return {"z": self.z}
+
+    def depth(self, place: Sequence[float]) -> float:
+        """How deep a place lies in it, from the nearest side [m]; below zero outside."""
+        out = math.hypot(place[0] - self.at[0], place[1] - self.at[1])
+        return min(self.diameter / 2 - out, place[2] - self.z[0], self.z[1] - place[2])
+
+
+Structure = Annotated[Dock | BoxStructure | CylinderStructure, Field(discriminator="type")]
 
 
 def dock_of(scenario: Scenario) -> Dock | None:
