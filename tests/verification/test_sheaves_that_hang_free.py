@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -139,7 +140,7 @@ def test_below_plumb_slings_guides_change_nothing() -> None:
         assert np.abs(one - other).max() < (500.0 if variable == "rope_tension" else 1e-3)
 
 
-def remainder(**settings: object) -> float:
+def remainder(**settings: Any) -> float:
     """Of a beam that drops into slings that lean outward by 20 degrees and draw their sheaves aside."""
     found = gantline.simulate(lift("none", 5.0, start="as_given"), **settings)
     assert np.ptp(found.column("joint_position", "e.2/along")) > 0.1

@@ -150,7 +150,7 @@ def _touched(guide: Json) -> Json:
         return guide
     enter, leave = np.array(guide["enter"]), np.array(guide["leave"])
     axis = np.cross(guide["bulge"], leave - enter)
-    real = sheave(guide["body"], (enter + leave) / 2, axis, math.dist(enter, leave) / 2)
+    real = sheave(guide["body"], ((enter + leave) / 2).tolist(), axis.tolist(), math.dist(enter, leave) / 2)
     return real | {key: guide[key] for key in ("flow", "ratio", "groove") if key in guide}
 
 
