@@ -106,10 +106,14 @@ def with_locked_equalizers(scenario: Scenario, word: object) -> Scenario:
             f"the rope of '{rigid[0]}' is inextensible, and pins in all its sheaves hold the same again"
         )
         raise SettingError(["equalizers"], f"{sentence}; give it an axial stiffness")
-    locked = {
-        name: given[name].model_copy(update={"travel": one.travel.model_copy(update={"locked": True})})
-        for name, one in rigged.items()
-    }
+    locked = {}
+    for name, one in rigged.items():
+        # A pin sits in a guide, and what it holds does not move, so the guide itself changes nothing.
+        held = {
+            "travel": one.travel.model_copy(update={"locked": True}),
+            "moving_sheaves": one.moving_sheaves.model_copy(update={"guided": "vertical"}),
+        }
+        locked[name] = given[name].model_copy(update=held)
     no_pins = {"pull_pins": (), "put_in_pins": ()}
     plan = [step.model_copy(update=no_pins) for step in scenario.plan]
     return scenario.model_copy(update={"equalizers": {**given, **locked}, "plan": plan})

@@ -25,6 +25,7 @@ SLEW = "{step: slew, slew: c1, speed: 0.2 rev/min, by: 30 deg}"
 BASES = {
     "yard": BASE,
     "lossy": BASE.replace("pitch_diameter: 0.8 m, mass", "pitch_diameter: 0.8 m, bearing: roller, mass"),
+    "unguided": BASE.replace("mass: 200 kg}", "mass: 200 kg, guided: none}"),
     "tilting": BASE.replace("hinge: {damping: 1 kN m s}", "hinge: {tilts: true, tilt_friction: 50 kN m}"),
     "mechanics": MECHANICS,
     "afloat": AFLOAT,

@@ -27,7 +27,7 @@ SLAB = {
 
 @pytest.mark.parametrize("corners", [5, 6, 8, 12, 16, 24])
 def test_a_prism_stands_on_all_of_its_corners(corners: int) -> None:
-    """They share as springs alike, W (1/n + d S⁻¹ r), to how far it leans; of more than sixteen those bear that
+    """They share as springs, W (1/n + d S⁻¹ r), to how far it leans; of more than sixteen those bear that
     are farthest in sixteen directions, and all of the weight. It lies still.
     """
     turns = 2 * math.pi * (np.arange(corners) + 0.5) / corners

@@ -318,6 +318,22 @@ describe("the player", () => {
     expect(shown).toEqual([12.5, "top", "sling.S3", 2, [10, 20]]);
   });
 
+  it("keeps its address in step with view, speed and camera while it stands", async () => {
+    // Only time, pinned rope, zoom and a drag of the drawing were written down: who pressed Top, or 2×, or turned
+    // the camera by keys and copied the address mailed the view before.
+    const { page } = await open(browser, "report.html", { hash: "#t=17.5" });
+    const address = () => page.evaluate(() => location.hash);
+    await page.getByRole("group", { name: "Views" }).getByText("top").click();
+    await expect.poll(address, PATIENTLY).toMatch(/^#t=17\.5&view=top&/);
+    await page.getByLabel("Speed, of real time").selectOption("2");
+    await expect.poll(address, PATIENTLY).toMatch(/&speed=2$/);
+    await page.locator(".gl-canvas").focus();
+    await page.keyboard.press("2");
+    await expect.poll(address, PATIENTLY).toMatch(/^#t=17\.5&view=side&speed=2$/);
+    await page.keyboard.press("ArrowUp");
+    await expect.poll(address, PATIENTLY).toMatch(/&view=side&camera=/);
+  });
+
   it("shows where watched pairs are nearest, and that one is too close", async () => {
     const { time, points } = JSON.parse(
       readFileSync(join(process.env.GANTLINE_PAGES!, "watched.json"), "utf-8"),

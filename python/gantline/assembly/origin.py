@@ -81,7 +81,8 @@ def with_advice(scenario: Scenario, element: str, cause: str) -> str:
         cause: Why the lift comes to rest nowhere, as the core says it.
     """
     if cause.endswith((_NO_STEP, _DRIVEN)):
-        return cause + _runs_up(scenario, element) + _adrift(scenario, element) + _blown(scenario)
+        advice = _runs_up(scenario, element) + _adrift(scenario, element) + _top_heavy(scenario, element)
+        return cause + advice + _blown(scenario)
     cause = on_its_route(scenario, element, cause) + foundered(scenario, element, cause)
     return cause + _runs_up(scenario, element) if cause.endswith(_USED_UP) else cause
 
@@ -101,6 +102,21 @@ def _adrift(scenario: Scenario, element: str) -> str:
     if element not in (scenario.vessels or {}) or is_moored(scenario, element):
         return ""
     return "; no mooring line leads from it to the world, nor from what its lines lead to"
+
+
+def _top_heavy(scenario: Scenario, element: str) -> str:
+    """By how much a load's centre of gravity is above its lugs, after a semicolon; nothing of others."""
+    load = scenario.load
+    if load is None or element != load.name or load.centre_of_gravity.at == "from_cad":
+        return ""
+    slings = [sling for sling in resolve(scenario).slings.values() if sling.starts_on]
+    ends = [end for sling in slings for end in sling.ends if end.held is None]
+    heights = [load.lugs[end.lug].at[2] for end in ends if end.lug is not None]
+    if not heights or (above := load.centre_of_gravity.at[2] - max(heights)) <= 0.0:
+        return ""
+    height = format_quantity(above, "m", 2)
+    lies = f"its centre of gravity is {height} above the highest lug that it hangs from"
+    return f"; {lies}, so that it may turn over"
 
 
 def _blown(scenario: Scenario) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 from gantline.assembly.cranes.chain_hoists import add_chain_hoist, paid_out_by
 from gantline.assembly.cranes.hook_aside import hook_aside
 from gantline.assembly.cranes.reeving import add_reeved_hook, reeved_hooks
-from gantline.assembly.parts import ORIGIN, Json, Parts, end, eye, half_turn, material
+from gantline.assembly.parts import ORIGIN, Json, Parts, end, eye, half_turn, material, sheave
 from gantline.assembly.plan.slinging import check_reach, hangs_load, warn_of_off
 from gantline.assembly.ropes.rope_weight import add_free_rope, lump_rope, mass_at_end
 from gantline.assembly.ropes.route import end_to_end, most_strain, route_length, too_far
@@ -90,7 +90,7 @@ def add_hooks(parts: Parts, scenario: Scenario, rigging: Rigging) -> None:
 
 
 def add_equalizers(parts: Parts, rigging: Rigging, pins: Mapping[str, bool]) -> None:
-    """Frames on hinges under their hooks, moving sheaves as sliders in them, equalizing ropes.
+    """Frames on hinges under their hooks, moving sheaves that slide in them, equalizing ropes.
 
     `pins`: moving sheaves that have locking pins, and whether they are in at the start.
 
@@ -110,7 +110,7 @@ def add_equalizers(parts: Parts, rigging: Rigging, pins: Mapping[str, bool]) -> 
             factor = equalizer.adjusting_factor
             parts.adjusters.append({"name": equalizer.name, "ropes": names, "factor": factor})
             continue
-        for place, along in enumerate(sheaves.along, start=1):
+        for place in range(1, len(sheaves.along) + 1):
             name = f"{equalizer.name}.{place}"
             if place not in held and name not in pins and not equalizer.travel.stops:
                 parts.doubt(
@@ -118,21 +118,40 @@ def add_equalizers(parts: Parts, rigging: Rigging, pins: Mapping[str, bool]) -> 
                     f"no sling hangs from moving sheave {name}: without 'stops: true' in 'travel' the rope "
                     "hauls it up to the fixed sheaves",
                 )
-            parts.add_body(
-                name,
-                {  # travel down is positive
-                    **slider((0.0, 0.0, -1.0), None, _travel_stops(equalizer)),
-                    "pin": pins.get(name),
-                },
-                parent=equalizer.name,
-                position=(along, 0.0, -sheaves.below_hook),
-                mass=sheaves.mass + carried.get(place, 0.0),
-            )
-        route = _equalizing_route(parts, equalizer)
-        rope = material(equalizer.rope)
-        length = route_length(parts, route)
-        parts.add_rope(f"{equalizer.name}.equalizing", length, rope, route)
-        lump_rope(parts, f"{equalizer.name}.equalizing", equalizer.weight, length, route)
+            mass = sheaves.mass + carried.get(place, 0.0)
+            _add_moving_sheave(parts, equalizer, place, mass, pins.get(name))
+        turned = _equalizing_route(parts, equalizer)
+        is_free = sheaves.guided == "none"
+        rope = f"{equalizer.name}.equalizing"
+        route = [_touched(guide) for guide in turned] if is_free else turned
+        # Where it touches sheaves that hang free, and so how long it is, is the core's to say.
+        length = None if is_free else route_length(parts, turned)
+        parts.add_rope(rope, length, material(equalizer.rope), route)
+        lump_rope(parts, rope, equalizer.weight, length, turned)
+
+
+def _add_moving_sheave(
+    parts: Parts, equalizer: EqualizerRigging, place: int, mass: float, pin: bool | None
+) -> None:
+    """A slider, down positive; that of a sheave that hangs free rides on two more, along and across."""
+    name, parent = f"{equalizer.name}.{place}", equalizer.name
+    position = sheave_place(equalizer, place)
+    if equalizer.moving_sheaves.guided == "none":
+        for way, axis in (("along", (1.0, 0.0, 0.0)), ("across", (0.0, 1.0, 0.0))):
+            parts.add_body(f"{name}/{way}", slider(axis, None), parent=parent, position=position)
+            parent, position = f"{name}/{way}", ORIGIN
+    joint = {**slider((0.0, 0.0, -1.0), None, _travel_stops(equalizer)), "pin": pin}
+    parts.add_body(name, joint, parent=parent, position=position, mass=mass)
+
+
+def _touched(guide: Json) -> Json:
+    """In place of half a turn the sheave, which the rope touches where its parts lead; an end stays one."""
+    if guide["type"] != "half_turn":
+        return guide
+    enter, leave = np.array(guide["enter"]), np.array(guide["leave"])
+    axis = np.cross(guide["bulge"], leave - enter)
+    real = sheave(guide["body"], ((enter + leave) / 2).tolist(), axis.tolist(), math.dist(enter, leave) / 2)
+    return real | {key: guide[key] for key in ("flow", "ratio", "groove") if key in guide}
 
 
 def sheave_place(equalizer: EqualizerRigging, sheave: int) -> tuple[float, float, float]:

@@ -37,7 +37,9 @@ export class Player {
     this.restore(parse(location.hash));
     globalThis.addEventListener("hashchange", () => this.restore(parse(location.hash)));
     for (const topic of ["time", "pin", "play", "span"] as const) session.on(topic, () => this.remember());
-    this.stage?.canvas.addEventListener("pointerup", () => this.remember());
+    // Whatever moves the camera or changes the view or the speed is one of these, or a key.
+    for (const kind of ["click", "pointerup", "wheel", "keyup", "change"])
+      root.addEventListener(kind, () => this.remember(), { passive: true });
   }
 
   private makeStage(): Stage | null {

@@ -32,6 +32,7 @@ def check_equalizer(findings: Findings, equalizer: EqualizerRigging, slings: Seq
 
     _check_sheaves(findings, equalizer)
     _check_mechanism(add, findings, equalizer, slings)
+    _check_guides(add, findings, equalizer)
     _check_counts(add, equalizer)
     if len(findings.problems) == before:
         _check_order(add, equalizer)
@@ -99,6 +100,20 @@ def _check_mechanism(
     if findings.scenario.simulation.integrator == "adaptive":
         sentence = "adjusts lengths once per step, and 'adaptive' chooses its steps"
         add("mechanism", f"'approximated' {sentence}; write 'simulation: {{integrator: del, step: 1 ms}}'")
+
+
+def _check_guides(add: _Add, findings: Findings, equalizer: EqualizerRigging) -> None:
+    """What sheaves that hang free in their rope cannot be together with."""
+    if equalizer.moving_sheaves.guided == "vertical":
+        return
+    if not equalizer.has_sheaves:
+        sentence = f"'{equalizer.name}' is approximated: its slings hang from the frame"
+        add("moving_sheaves.guided", f"{sentence}; leave 'guided' out")
+        return
+    if equalizer.rope.inextensible:
+        sentence = "an inextensible equalizing rope runs over sheaves in guides alone"
+        add("moving_sheaves.guided", f"{sentence}; give it an axial stiffness, or write 'guided: vertical'")
+    findings.refuse_explicit("moving sheaves that hang free", instead="'guided: vertical'")
 
 
 def _check_counts(add: _Add, equalizer: EqualizerRigging) -> None:

@@ -287,7 +287,7 @@ class FixedSheaves(SheaveWords):
 
 
 class MovingSheaves(FixedSheaves):
-    """The sheaves that travel up and down; each carries one sling."""
+    """The sheaves that travel up and down, in guides or freely; each carries one sling."""
 
     what: ClassVar[str] = "moving_sheaves"
 
@@ -295,7 +295,11 @@ class MovingSheaves(FixedSheaves):
         description="Depth of their centres below the hook's bearing, at the start."
     )
     mass: PositiveMass = Field(description="Mass of one moving sheave with block, pin and eye.")
-    guided: Literal["vertical"] = Field("vertical", description="How the frame guides them.")
+    guided: Literal["vertical", "none"] = Field(
+        "vertical",
+        description="'vertical', the default: the frame guides them up and down. 'none': they hang free in "
+        "the equalizing rope, and a sling that leans draws its sheave aside.",
+    )
 
 
 @dataclass(frozen=True)

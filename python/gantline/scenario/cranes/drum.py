@@ -31,6 +31,8 @@ __all__ = ["Drum", "DrumDrive", "RopeOnDrum"]
 SPARE_TURNS: Final = 2.0
 #: Radius that a layer adds, over the rope's diameter: rope in the grooves of the layer below, sin 60 deg.
 _NESTING: Final = math.sin(math.radians(60.0))
+#: Turns in the examples of a message, of a drum that begins on its first layer.
+_TURNS: Final = {"wraps_per_layer": 30, "wraps_at_start": 20}
 
 
 class DrumDrive(Element):
@@ -104,8 +106,10 @@ class RopeOnDrum(Element):
         given = {"wraps_per_layer": self.wraps_per_layer, "wraps_at_start": self.wraps_at_start}
         missing = [key for key, value in given.items() if value is None]
         if self.layers > 1 and missing:
-            sentence = f"a drum of {self.layers} layers needs '{missing[0]}' to know the layer"
-            raise refuse(f"{sentence}, such as '{missing[0]}: 30'", "layers")
+            needed = " and ".join(f"'{key}'" for key in missing)
+            example = ", ".join(f"{key}: {_TURNS[key]}" for key in missing)
+            sentence = f"a drum of {self.layers} layers needs {needed} to know the layer"
+            raise refuse(f"{sentence}, such as '{example}'", "layers")
         if self.first_sheave is not None and missing:
             sentence = "the fleet angle onto a drum depends on where its rope lies across it: 'first_sheave'"
             raise refuse(f"{sentence} needs '{missing[0]}' beside it", "first_sheave")

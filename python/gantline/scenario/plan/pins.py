@@ -99,11 +99,22 @@ def _check_rope(equalizer: EqualizerRigging, is_in: Mapping[str, bool], path: Pa
         note(path, f"{sentence}; leave one out, or give the rope an axial stiffness")
 
 
+def _unguided(equalizer: EqualizerRigging) -> str:
+    """Why a pin holds no moving sheave of an equalizer; empty where it does."""
+    if equalizer.moving_sheaves.guided == "vertical":
+        return ""
+    sentence = f"no frame guides the moving sheaves of '{equalizer.name}', and a pin sits in a guide"
+    return f"{sentence}; 'guided: vertical' has pins"
+
+
 def _locked(scenario: Scenario, equalizer: EqualizerRigging, note: _Note) -> tuple[int, ...]:
     """Moving sheaves, counted from 1, whose pins are in at the start."""
     path, locked, places = _locked_path(scenario, equalizer), equalizer.travel.locked, _places(equalizer)
     if locked and not equalizer.has_sheaves:
         note(path, f"'{equalizer.name}' is approximated: it has no moving sheaves to lock; leave it out")
+        return ()
+    if locked and (why := _unguided(equalizer)):
+        note(path, f"{why}; leave 'locked' out")
         return ()
     if isinstance(locked, bool):
         return tuple(places) if locked else ()
@@ -135,6 +146,9 @@ def _named(
         if not equalizers[word].has_sheaves:
             note(path, f"'{word}' is approximated: it has no moving sheaves, and no pins")
             return []
+        if why := _unguided(equalizers[word]):
+            note(path, why)
+            return []
         free = [f"{word}.{place}" for place in _places(equalizers[word])]
         free = [sheave for sheave in free if is_in[sheave] != wanted]
         if not free:
@@ -152,6 +166,10 @@ def _named(
         if any(name.rpartition(".")[0] not in equalizers for name in is_in):
             kinds = "no equalizer, no moving sheave and no compensator"
         note(path, f"'{word}' is {kinds}; {nearest(word, known)}")
+        return []
+    of_sheave = equalizers.get(word.rpartition(".")[0])
+    if of_sheave is not None and (why := _unguided(of_sheave)):
+        note(path, why)
         return []
     if is_in[word] == wanted:
         if wanted:
