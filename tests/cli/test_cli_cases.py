@@ -184,10 +184,13 @@ def test_a_sweep(lift: Path) -> None:
 
 def test_a_sweep_of_what_decides_nothing_at_rest_says_so() -> None:
     """The table of a sea from other sides had the same numbers in each line, and no word of that."""
-    swept = "waves.swell.direction=0 deg..90 deg/2"
-    result = gantline("statics", "crane_barge_in_swell", "--sweep", swept, columns=200)
-    said = "  nothing changes with waves.swell.direction: forces, tilts and checks are alike, at rest\n"
+    swept = "waves.sea.direction=0 deg..90 deg/2"
+    result = gantline("statics", "splash_zone", "--sweep", swept, columns=200)
+    said = "  nothing changes with waves.sea.direction: forces, tilts and checks are alike, at rest\n"
     assert said in result.stdout
+    # What mooring lines hold is pushed the way the waves run.
+    pushed = swept.replace("sea", "swell")
+    assert "nothing changes" not in gantline("statics", "crane_barge_in_swell", "--sweep", pushed).stdout
     heavier = gantline("statics", "crane_barge_in_swell", "--sweep", "load.weight.calculated=100 t..110 t/2")
     assert "nothing changes" not in heavier.stdout
 

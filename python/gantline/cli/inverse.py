@@ -173,7 +173,7 @@ def _slings(answer: LengthAnswer) -> list[str]:
         *_chain_hoists(answer),
         f"  {way}; residual {answer.residual:.1e}, {_steps(answer.steps)}",
         "",
-        *_as_case("lengths", answer.values),
+        *_as_case("lengths", answer),
     ]
 
 
@@ -231,7 +231,7 @@ def _hooks(answer: HookAnswer) -> list[str]:
         *drift,
         f"  residual {answer.residual:.1e}, {_steps(answer.steps)}",
         "",
-        *_as_case("plumb", answer.values),
+        *_as_case("plumb", answer),
     ]
 
 
@@ -253,10 +253,13 @@ def _attitude(before: Equilibrium, after: Equilibrium) -> list[str]:
     ]
 
 
-def _as_case(name: str, values: Mapping[str, float]) -> Sequence[str]:
-    """The answer as a case, to be put into the lift file."""
-    changes = ", ".join(f"{path}: {round(value, 4) + 0.0:.4f} m" for path, value in values.items())
-    return ["As a case of the lift file, to the tenth of a millimetre:", f"  {name}: {{set: {{{changes}}}}}"]
+def _as_case(name: str, answer: LengthAnswer | HookAnswer) -> Sequence[str]:
+    """The answer as a case, to be put into the lift file, and what a run with it would need besides."""
+    changes = ", ".join(f"{path}: {round(value, 4) + 0.0:.4f} m" for path, value in answer.values.items())
+    lines = ["As a case of the lift file, to the tenth of a millimetre:", f"  {name}: {{set: {{{changes}}}}}"]
+    if answer.cannot_start:
+        lines += ["", "With these values a run cannot start where the lift does; begin with hooks lower:"]
+    return [*lines, *(f"  {refused}" for refused in answer.cannot_start)]
 
 
 def _steps(count: int) -> str:

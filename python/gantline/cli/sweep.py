@@ -138,7 +138,7 @@ def _lines(path: str, points: Sequence[SweepPoint], width: int) -> list[str]:
 
 
 def _idle(path: str, states: Sequence[State]) -> list[str]:
-    """That a quantity decides nothing at rest, such as one of waves, which statics leaves out."""
+    """That a quantity decides nothing at rest, as one of waves that push no moored vessel."""
     from gantline.study.effect import is_as
 
     first = states[0]

@@ -145,6 +145,7 @@ class Scenario(Element):
     _source: str = PrivateAttr("")
     _tree: MapNode = PrivateAttr(default_factory=MapNode)
     _centre_moved: tuple[float, float, float] = PrivateAttr((0.0, 0.0, 0.0))
+    _is_let_go: bool = PrivateAttr(False)
 
     @property
     def text(self) -> str:
@@ -179,6 +180,15 @@ class Scenario(Element):
             along, across, up = (way + after - at for way, after, at in ways)
             moved = along, across, up
         self._centre_moved = moved
+        self._is_let_go = before._is_let_go
+        return self
+
+    def let_go_of(self, before: Scenario) -> Scenario:
+        """The same scenario, which starts as given for no more than that its ropes may pull.
+
+        Made of one that starts at rest it is pushed at rest by what that one is pushed by.
+        """
+        self._is_let_go = before._is_let_go or before.starts_at_rest
         return self
 
     def read_from(self, source: str, text: str, tree: MapNode) -> Scenario:
@@ -281,12 +291,13 @@ class Scenario(Element):
     def has_mean_drift(self, vessel: str) -> bool:
         """Whether mean drift forces of waves, if there are any, push a vessel from the start, and at rest.
 
-        They do where mooring lines hold it, and it starts in equilibrium. On a single one it would swing
-        round to leeward first.
+        They do where mooring lines hold it, and it starts in equilibrium, or is a case of a lift that does.
+        On a single one it would swing round to leeward first.
         """
         forces = (self.vessels or {})[vessel].wave_forces
         is_held = len(lines_at(self, vessel)) > 1 and is_moored(self, vessel)
-        return is_held and self.starts_at_rest and forces is not None and forces.drift is not False
+        is_still = self.starts_at_rest or self._is_let_go
+        return is_held and is_still and forces is not None and forces.drift is not False
 
     @cached_property
     def booms(self) -> dict[str, PlacedBoom]:

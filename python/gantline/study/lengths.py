@@ -23,6 +23,7 @@ from gantline.statics import Equilibrium, Statics
 from gantline.study.asked import names_of
 from gantline.study.hanging import Hanging, Row
 from gantline.study.newton import AdjustError, CannotBeError, Search, SlackError, Unknown
+from gantline.study.put_in import refused_at_the_start
 from gantline.study.state import rest_json
 
 __all__ = ["LengthAnswer", "adjust_lengths"]
@@ -46,6 +47,8 @@ class LengthAnswer:
         after: The same with the new lengths.
         slack_by_least_change: Slings that the least change would leave slack, where slopes were wanted and no
             shares: of all changes with the slopes that is taken then whose shares are as even as can be.
+        cannot_start: What keeps a run of the lift file with the new lengths from starting, such as slings too
+            short for the load where it stands; nothing where it starts. As a case they hang it all the same.
         residual: What is left of slopes, heading and shares [rad, 1]; the largest.
         steps: Steps of Newton's method.
         scenario: The lift file with the new lengths.
@@ -57,6 +60,7 @@ class LengthAnswer:
     before: Equilibrium
     after: Equilibrium
     slack_by_least_change: Sequence[str]
+    cannot_start: Sequence[str]
     residual: float
     steps: int
     scenario: Scenario
@@ -64,7 +68,7 @@ class LengthAnswer:
     @property
     def values(self) -> dict[str, float]:
         """New lengths in the lift file, by path [m]."""
-        return {f"slings.{name}.length": length for name, length in self.lengths.items()}
+        return _values(self.lengths)
 
     def to_json(self) -> dict[str, Any]:
         """All but the lift file as a JSON object, SI units."""
@@ -76,9 +80,14 @@ class LengthAnswer:
             "before": rest_json(self.before),
             "after": rest_json(self.after),
             "slack_by_least_change": list(self.slack_by_least_change),
+            "cannot_start": list(self.cannot_start),
             "residual": self.residual,
             "steps": self.steps,
         }
+
+
+def _values(lengths: Mapping[str, float]) -> dict[str, float]:
+    return {f"slings.{name}.length": length for name, length in lengths.items()}
 
 
 def adjust_lengths(
@@ -170,6 +179,7 @@ def adjust_lengths(
         before=before,
         after=after,
         slack_by_least_change=slack,
+        cannot_start=refused_at_the_start(scenario, _values(lengths)),
         residual=search.now.residual,
         steps=search.steps,
         scenario=search.now.scenario,

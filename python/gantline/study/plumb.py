@@ -26,6 +26,7 @@ from gantline.study.asked import names_of
 from gantline.study.bearers import Bearer, bearers_of, why_not
 from gantline.study.hanging import Hanging, Row
 from gantline.study.newton import AdjustError, CannotBeError, Search, Unknown
+from gantline.study.put_in import refused_at_the_start
 from gantline.study.state import rest_json
 from gantline.units import format_by_size, format_quantity
 
@@ -57,6 +58,8 @@ class HookAnswer:
             different ways, as cranes slew and luff.
         before: The lift as it is given, at rest.
         after: The same with the new places.
+        cannot_start: What keeps a run of the lift file with the new places from starting, such as slings too
+            short for the load where it stands; nothing where it starts. As a case they hang it all the same.
         residual: What is left, the largest: side pull over vertical force, drift over 10 m, heading [rad].
         steps: Steps of Newton's method; 0 where falls are plumb as it is given.
         scenario: The lift file with the new places.
@@ -69,6 +72,7 @@ class HookAnswer:
     drift: tuple[float, float] | None
     before: Equilibrium
     after: Equilibrium
+    cannot_start: Sequence[str]
     residual: float
     steps: int
     scenario: Scenario
@@ -83,6 +87,7 @@ class HookAnswer:
             "drift": None if self.drift is None else list(self.drift),
             "before": rest_json(self.before),
             "after": rest_json(self.after),
+            "cannot_start": list(self.cannot_start),
             "residual": self.residual,
             "steps": self.steps,
         }
@@ -132,14 +137,16 @@ def plumb_hooks(
         math.hypot(*(row.value for row in drift)) if drift else None
         for drift in map(wanted.drift, (first, now))
     )
+    values = {one.path: one.given + change for one, change in zip(moving, changes, strict=True)}
     return HookAnswer(
-        values={one.path: one.given + change for one, change in zip(moving, changes, strict=True)},
+        values=values,
         places=_moved(given, moving, changes),
         given=given,
         side_pulls={name: np.array([one.pull_on(name)[:2] for one in (first, now)]) for name in used},
         drift=None if before is None or after is None else (before, after),
         before=first.rest,
         after=now.rest,
+        cannot_start=refused_at_the_start(scenario, values),
         residual=search.now.residual,
         steps=search.steps,
         scenario=search.now.scenario,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -113,7 +113,7 @@ def with_values(scenario: Scenario, texts: Mapping[str, str]) -> Scenario:
         PathError: if a path leads nowhere.
         ScenarioError: if a value cannot be there.
     """
-    return _with_texts(scenario, _let_go(scenario), texts)
+    return _still(_with_texts(scenario, _let_go(scenario), texts), scenario, texts)
 
 
 def changed(scenario: Scenario, values: Mapping[str, Any]) -> Scenario:
@@ -252,10 +252,16 @@ def _changed(scenario: Scenario, changes: Mapping[str, Node], path: tuple[PathPa
         except PathError as error:
             raise scenario.error(own, str(error)) from None
     try:
-        return from_tree(tree, scenario.source, scenario.text).counted_from(scenario)
+        other = from_tree(tree, scenario.source, scenario.text).counted_from(scenario)
     except ScenarioError as error:
         problems = [scenario.problem(path, one.message) for one in error.problems]
         raise ScenarioError(scenario.source, problems) from None
+    return _still(other, scenario, changes)
+
+
+def _still(other: Scenario, scenario: Scenario, places: Collection[str]) -> Scenario:
+    """The lift with changes, at rest as the one without is, unless these say how it starts."""
+    return other if "start" in places else other.let_go_of(scenario)
 
 
 def _with_texts(scenario: Scenario, tree: MapNode, texts: Mapping[str, Any]) -> Scenario:
