@@ -80,3 +80,29 @@ def test_a_prism_that_reaches_beyond_what_it_stands_on(reach: float) -> None:
     assert np.ptp(run.body("prism")[50:], axis=0).max() < 1e-10
     # Four corners of a small top; of a long one two of the prism at either end, and four where sides cross.
     assert int((forces[-1] > 0.0).sum()) == (4 if reach == 2.0 else 8)
+
+
+def test_a_corner_between_those_that_bear() -> None:
+    """A box of four corners on a top with 64 sides, of which sixteen corners bear: its corners lie where the
+    polygon of these sixteen has ended, 2 % of the radius further in, and bear all the same.
+    """
+    turns = 2 * math.pi * (np.arange(64) + 0.5) / 64
+    vertices = [[RADIUS * math.cos(a), RADIUS * math.sin(a), z] for a in turns for z in (-1.0, 0.0)]
+    top = {"name": "slab", "body": None, "parts": [{"type": "convex", "vertices": vertices}]}
+    reach = 0.99 * RADIUS / math.sqrt(2.0)
+    turn = math.radians(45.0 + 360.0 / 64 * 2)  # towards the middle between two corners that bear
+    half = [math.cos(turn / 2), 0.0, 0.0, math.sin(turn / 2)]
+    part = {"type": "box", "size": [2 * reach, 2 * reach, HEIGHT], "centre": [0, 0, 0], "orientation": half}
+    shape = {"name": "prism", "body": "prism", "parts": [part]}
+    law = {"stiffness": 1e8, "damping_time": 0.01, "friction": 0.4, "places": 16}
+    pair = {"name": "on", "group": "prism", "shapes": ["prism", "slab"], **law}
+    box = body("prism", free(position=(0.0, 0.0, HEIGHT / 2)), MASS, inertia=(1e5, 1e5, 1.5e5))
+    run = adaptive(
+        document([box], shapes=[top, shape], pairs=[pair]),
+        10.0,
+        tension_tolerance=None,
+        position_tolerance=None,
+        sample_interval=0.1,
+    )
+    forces = run.columns["contact_force"][-1]
+    assert np.sort(forces)[-4:] == pytest.approx([MASS * G / 4] * 4, rel=1e-6)

@@ -13,7 +13,7 @@ use super::spare;
 
 /// Corners that parry takes of a face.
 const WHOLE: usize = 4;
-/// A face with more corners than this keeps those that lie farthest in as many directions.
+/// Of a face with more corners than this those bear that lie farthest in as many directions.
 const MOST: usize = 16;
 /// Cosine of the angle between n and a face that is seen from its side.
 const ASIDE: f64 = 1e-9;
@@ -30,9 +30,9 @@ struct Corner {
 #[derive(Debug, Clone)]
 pub struct Polygon {
     corners: Vec<Corner>,
+    /// Those of them that bear.
+    bearing: Vec<usize>,
     face: PackedFeatureId,
-    /// Whether it has more corners than it keeps.
-    is_thinned: bool,
 }
 
 impl Polygon {
@@ -52,16 +52,27 @@ impl Polygon {
                 vertex: PackedFeatureId::vertex(vertex),
                 edge: PackedFeatureId::edge(edge),
             });
-            let is_thinned = own.num_vertices_or_edges as usize > MOST;
-            return Some(Self { corners: thinned(corners.collect(), own.normal), face, is_thinned });
+            let corners: Vec<Corner> = corners.collect();
+            return Some(Self { bearing: farthest(&corners, own.normal), corners, face });
         }
         let corner = |k: usize| Corner { at: seen.vertices[k], vertex: seen.vids[k], edge: seen.eids[k] };
-        Some(Self { corners: (0..seen.num_vertices).map(corner).collect(), face, is_thinned: false })
+        let corners: Vec<Corner> = (0..seen.num_vertices).map(corner).collect();
+        Some(Self { bearing: (0..corners.len()).collect(), corners, face })
     }
 
     /// True where parry does not take all of it.
     fn is_cut_short(&self) -> bool {
         self.corners.len() > WHOLE
+    }
+
+    /// Corners that bear.
+    fn bears(&self) -> impl Iterator<Item = &Corner> {
+        self.bearing.iter().map(|&index| &self.corners[index])
+    }
+
+    /// Whether some of its corners do not.
+    fn is_thinned(&self) -> bool {
+        self.bearing.len() < self.corners.len()
     }
 
     /// Its normal, either way; none of an edge, nor of corners in one line.
@@ -98,22 +109,22 @@ impl Polygon {
     }
 }
 
-/// Corners of a face with a normal, no more than [`MOST`]: the same ones wherever it is.
-fn thinned(corners: Vec<Corner>, normal: Vector) -> Vec<Corner> {
+/// Which corners of a face with a normal bear, no more than [`MOST`]: the same ones wherever it is.
+fn farthest(corners: &[Corner], normal: Vector) -> Vec<usize> {
     if corners.len() <= MOST {
-        return corners;
+        return (0..corners.len()).collect();
     }
     let (one, other) = normal.any_orthonormal_pair();
-    let mut kept: Vec<usize> = (0..MOST)
+    let mut found: Vec<usize> = (0..MOST)
         .filter_map(|k| {
             let (sin, cos) = (std::f64::consts::TAU * k as f64 / MOST as f64).sin_cos();
             let out = |index: usize| corners[index].at.dot(one * cos + other * sin);
             (0..corners.len()).max_by(|&a, &b| out(a).total_cmp(&out(b)))
         })
         .collect();
-    kept.sort_unstable();
-    kept.dedup();
-    kept.into_iter().map(|index| corners[index]).collect()
+    found.sort_unstable();
+    found.dedup();
+    found
 }
 
 /// Puts the places into a manifold of two parts, the second at a pose in the frame of the first, at which whole faces meet, where
@@ -135,12 +146,12 @@ pub fn fill_whole(
         let (apart, second) = ((second - first).dot(n), between.inverse_transform_point(second));
         manifold.points.push(TrackedContact::new(first, second, ids[0], ids[1], apart));
     };
-    for corner in &own.corners {
+    for corner in own.bears() {
         if let Some(apart) = its.over(corner.at, n) {
             add(corner.at, corner.at + n * apart, [corner.vertex, its.face]);
         }
     }
-    for corner in &its.corners {
+    for corner in its.bears() {
         if let Some(back) = own.over(corner.at, n) {
             add(corner.at + n * back, corner.at, [own.face, corner.vertex]);
         }
@@ -153,8 +164,8 @@ pub fn fill_whole(
             }
         }
     }
-    // What parry has added may lie between corners that are not kept, and in another place in the next step.
-    if (own.is_thinned || its.is_thinned)
+    // What parry has added may lie at corners that do not bear, and in another place in the next step.
+    if (own.is_thinned() || its.is_thinned())
         && manifold.points.iter().filter(|point| !spare::is_added(point)).count() > 2
     {
         manifold.points.retain(|point| !spare::is_added(point));
