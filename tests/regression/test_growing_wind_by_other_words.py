@@ -6,7 +6,8 @@ II` with all five words and not with the one meant, an exponent of `14 %` with "
 which is out of its range. `current: {…, profile: …}` was told "known here: there is none". The rotation or
 direction of a box was asked "did you mean 'friction'?", the `end_diameter` of a tower "did you mean
 'diameter', which is there already?", `guides` of moving sheaves were told to stand too far in. What a `box`
-of `type: box` lacks was said of the key and not of the structure.
+of `type: box` lacks was said of the key and not of the structure. `sheave_distance` and `fleet_angle` of a
+drum, `max_wind` of a crane had lists of other keys.
 """
 
 from __future__ import annotations
@@ -155,3 +156,26 @@ def test_what_is_round_is_a_cylinder(kind: str) -> None:
 def test_sheaves_that_hang_free(new: str, says: str) -> None:
     text = spoiled("moving_sheaves: {", f"moving_sheaves: {{{new}, ")
     assert answers(text)[-1] == f"equalizers.e1.moving_sheaves.{says}"
+
+
+@pytest.mark.parametrize(
+    ("key", "says"),
+    [
+        ("sheave_distance", "how far away the sheave stands that its rope comes from is 'first_sheave'"),
+        (
+            "fleet_angle",
+            "it follows from its 'first_sheave'; what it may be is 'drum_fleet_angle' of 'limits'",
+        ),
+        ("width", "how wide it is says 'wraps_per_layer', in turns of its rope"),
+    ],
+)
+def test_what_leads_to_a_drum(key: str, says: str) -> None:
+    text = f"{BASE}mechanics:\n  drums:\n    tugger: {{diameter: 1 m, {key}: 3 m}}\n"
+    path = "mechanics.drums.tugger"
+    assert f"{path}.{key}: '{key}' is not a key of a drum: {says}" in answers(text)
+
+
+@pytest.mark.parametrize("key", ["max_wind", "wind_speed"])
+def test_the_wind_in_which_a_crane_may_lift(key: str) -> None:
+    said = answers(spoiled("    rated_capacity: 100 t\n", f"    rated_capacity: 100 t\n    {key}: 12 m/s\n"))
+    assert said == [f"cranes.hook.{key}: '{key}' is not a key of a crane; did you mean 'wind_limit'?"]

@@ -63,6 +63,8 @@ MEANT = {
     "location": ("position", "at"),
     "lug": ("at", "to"),
     "mass": ("weight", "calculated"),
+    "max_wind": ("wind_limit", "wind"),
+    "maximum_wind": ("wind_limit", "wind"),
     "mbf": ("minimum_breaking_force",),
     "mu": ("friction",),
     "on": ("stands_on",),
@@ -114,6 +116,7 @@ MEANT = {
     "weight": ("mass",),
     "winch": ("chain_hoist",),
     "winches": ("drums",),
+    "wind_speed": ("wind_limit", "wind"),
     "yaw": ("heading",),
     "working_load_limit": ("rated_capacity", "capacity"),
     "wll": ("working_load_limit", "rated_capacity", "capacity"),
@@ -231,6 +234,14 @@ _GROWS = (
     *_MEASURED_AT,
     *_CATEGORY,
 )
+_LED_TO_DRUM = {
+    **dict.fromkeys(
+        ("distance", "distance_to_sheave", "lead_distance", "sheave_at", "sheave_distance"),
+        "how far away the sheave stands that its rope comes from is 'first_sheave'",
+    ),
+    "fleet_angle": "it follows from its 'first_sheave'; what it may be is 'drum_fleet_angle' of 'limits'",
+    "width": "how wide it is says 'wraps_per_layer', in turns of its rope",
+}
 _FREE_SHEAVES = "sheaves that hang free in the equalizing rope have 'guided: none'"
 _AXIS = "where its middle stands is 'at', such as 'at: [40 m, 0 m]'"
 _EXTENTS = "where it stands and how large it is are its extents, such as 'x: [20 m, 30 m]', 'y' and 'z'"
@@ -292,6 +303,8 @@ INSTEAD = {
     "a box": dict.fromkeys(
         ("at", "box", "breadth", "centre", "height", "length", "position", "size", "width"), _EXTENTS
     ),
+    "a drum": _LED_TO_DRUM,
+    "the drum of a hoist": _LED_TO_DRUM,
     "a dock": {
         **dict.fromkeys(("bottom", "depth", "z"), _FLOOR),
         **dict.fromkeys(("angle", "heading", "rotation", "turned"), "boxes are turned, and no docks"),
