@@ -32,16 +32,16 @@ def doubtful_inside(parts: Parts, scenario: Scenario, lifted: LiftedLoad | None)
         scenario: The lift.
         lifted: Its load; None if it has none.
     """
-    if lifted is None or scenario.load is None:
+    structures = scenario.structures or {}
+    solid = [name for name, given in structures.items() if not isinstance(given, Dock)]
+    if lifted is None or scenario.load is None or not solid:
         return
     name = scenario.load.name
     position, turn = parts.pose(name)
     pieces = [position + _corners(part) @ turn.T for part in load_parts(lifted)]
-    for structure, given in (scenario.structures or {}).items():
-        if isinstance(given, Dock):
-            continue
-        solid = _corners(parts.shapes[structure]["parts"][0])
-        deep = max(depth_within(piece, solid) for piece in pieces)
+    for structure in solid:
+        corners = _corners(parts.shapes[structure]["parts"][0])
+        deep = max(depth_within(piece, corners) for piece in pieces)
         if deep > _SITS:
             begins = f"{name} begins {format_quantity(deep, 'm', 2)} deep in {structure}"
             sentence = (
