@@ -43,6 +43,7 @@ from gantline.assembly.doubts.heights import doubtful_heights
 from gantline.assembly.doubts.highest import doubtful_highest
 from gantline.assembly.doubts.hinges import doubtful_hinges
 from gantline.assembly.doubts.hook_blocks import doubtful_hook_blocks
+from gantline.assembly.doubts.inside import doubtful_inside
 from gantline.assembly.doubts.jerks import doubtful_accelerations
 from gantline.assembly.doubts.lead import doubtful_lead
 from gantline.assembly.doubts.lee import doubtful_lee
@@ -302,6 +303,7 @@ def _doubts(
         *doubtful_travelling(scenario, rigging),
         *doubtful_following(scenario, rigging, lifted),
         *doubtful_hinges(parts, scenario, rigging, lifted),
+        *doubtful_inside(parts, scenario, lifted),
         *doubtful_beside(parts, scenario, rigging, lifted),
         *doubtful_reach(parts, scenario, rigging, lifted),
     )

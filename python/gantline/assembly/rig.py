@@ -339,6 +339,7 @@ def _equalizer(scenario: Scenario, rigging: Rigging, name: str, parts: Parts) ->
         "body": name,
         "mechanism": equalizer.mechanism,
         "adjusting_factor": equalizer.adjusting_factor,
+        "guided": equalizer.moving_sheaves.guided,
         "equalizing_rope": f"{name}.equalizing" if equalizer.has_sheaves else "",
         "slings": [f"sling.{sling.name}" for sling in sorted(hanging, key=lambda sling: sling.sheave or 0)],
         "moving_sheaves": _sheaves_of(equalizer),

@@ -162,6 +162,7 @@ def wind_of_limit(recording: Recording, during: BoolArray) -> Iterator[Finding]:
     hooks always: they stand for any crane.
     """
     rig = recording.rig
+    at_top = " at its top" if rig.wind is not None and rig.wind.profile is not None else ""
     is_asked = rig.limits.get("wind_of_limit") is not None
     cranes: list[Crane | Boom | Hook] = [
         crane for crane in rig.cranes if is_asked or crane.has_legs or crane.wind_limit is not None
@@ -174,5 +175,5 @@ def wind_of_limit(recording: Recording, during: BoolArray) -> Iterator[Finding]:
         elif crane.wind is None:
             yield Missing(crane.name, "wind not said")
         elif during.any():
-            text = f"{crane.wind:g} m/s / {crane.wind_limit:g} m/s"
+            text = f"{crane.wind:.3g} m/s{at_top} / {crane.wind_limit:g} m/s"
             yield Found(crane.wind / crane.wind_limit, crane.name, formula=text)

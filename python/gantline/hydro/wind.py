@@ -55,6 +55,14 @@ class WindProfile:
         roughness, lowest = TERRAINS[terrain]
         return cls(level, height, lowest, roughness=roughness)
 
+    @property
+    def in_words(self) -> str:
+        """By what it grows."""
+        if self.roughness is None:
+            return f"by the power {self.exponent:g} of height"
+        rough = f"{self.roughness:g} m" if self.roughness >= 1.0 else f"{1000 * self.roughness:g} mm"
+        return f"over a roughness of {rough}"
+
     def share(self, z: npt.ArrayLike) -> npt.NDArray[np.float64]:
         """Shares s at heights z in the world [m]; shape as z."""
         height = np.maximum(np.asarray(z, dtype=np.float64) - self.level, self.lowest)

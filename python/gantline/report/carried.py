@@ -244,8 +244,8 @@ def equalizer_row(subject: Subject, equalizer: Equalizer) -> dict[str, Any]:
 
 
 def _pins(subject: Subject, equalizer: Equalizer) -> str:
-    """What has to be done with its locking pins, and before which step; an approximated one has none."""
-    if equalizer.mechanism == "approximated":
+    """What has to be done with its locking pins, and before which step; without guides there are none."""
+    if equalizer.mechanism == "approximated" or equalizer.guided == "none":
         return ABSENT
 
     def steps(key: str) -> list[str]:

@@ -480,7 +480,11 @@ def _wind(subject: Subject) -> list[str]:
     cranes: list[Crane | Boom | Hook] = [*rig.cranes, *rig.booms, *rig.fixed_hooks]
     known = {crane.name: crane.wind_limit for crane in cranes if crane.wind_limit is not None}
     in_halls = {crane.name for crane in rig.cranes if rig.wind is None and not crane.has_legs}
-    found = [f"wind is over {show(limit, 'm/s', 0)}, the limit of {name}" for name, limit in known.items()]
+    grows = rig.wind is not None and rig.wind.profile is not None
+    at_top = " at its top" if grows else ""
+    found = [
+        f"wind is over {show(limit, 'm/s', 0)}{at_top}, the limit of {name}" for name, limit in known.items()
+    ]
     if not cranes and not rig.hooks:
         found.append(_OF_NO_CRANE)
     elif any(hook.crane not in {*known, *in_halls} for hook in rig.hooks) or not (known or in_halls):

@@ -111,6 +111,7 @@ class Equalizer(FromJson):
             said.
         mechanism: `sheaves`, or `approximated`: no sheave moves, the lengths of its slings are adjusted.
         adjusting_factor: Of an approximated one, else None.
+        guided: `vertical`, or `none`: its moving sheaves hang free in its rope, and have no locking pins.
         locked: Moving sheaves that pins hold at the start.
         pin_capacity: Of each locking pin [N]; None if not said.
     """
@@ -130,6 +131,7 @@ class Equalizer(FromJson):
     bearing: Sequence[float] | None = None
     mechanism: str = "sheaves"
     adjusting_factor: float | None = None
+    guided: str = "vertical"
     locked: Sequence[str] = ()
     pin_capacity: float | None = None
 

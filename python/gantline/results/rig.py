@@ -492,7 +492,8 @@ def at_rest(rig: Mapping[str, Any]) -> dict[str, Any]:
     """The JSON of the same lift in still water and steady wind, which is what statics knows of it."""
     found = {key: value for key, value in rig.items() if key != "sea"}
     if wind := rig.get("wind"):
-        found["wind"] = {key: wind[key] for key in ("speed", "direction")}
+        steady = ("speed", "direction", "profile")
+        found["wind"] = {key: value for key, value in wind.items() if key in steady}
     return found
 
 

@@ -40,7 +40,7 @@ class Element(BaseModel):
             key, _, value = str(data).strip().partition(" ")
             if value and key in keys:
                 right = f"; write {{{key}: {shorten(value)}}}"
-            elif isinstance(data, str) and cls.lone:
+            elif isinstance(data, str) and cls.lone and data.lower() not in ("none", "null"):
                 right = f"; write {{{', '.join(f'{key}: {shorten(data)}' for key in cls.lone)}}}"
             else:
                 right = ""

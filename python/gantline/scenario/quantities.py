@@ -188,7 +188,8 @@ class Number(Reader):
         """The number."""
         text = value if isinstance(value, str) else ""
         if not re.fullmatch(r"[+-]?[0-9]+" if self.whole else _NUMBER, text.strip(), re.ASCII):
-            kind = "a whole number like '1'" if self.whole else "a plain number like '1.05'"
+            likely = 1.05 if self.least <= 1.05 <= self.most else (self.least + self.most) / 2
+            kind = "a whole number like '1'" if self.whole else f"a plain number like '{likely:g}'"
             raise refuse(f"found {found(value)}; {kind} is needed")
         number = float(text)
         if not self.least <= number <= self.most:

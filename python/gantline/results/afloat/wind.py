@@ -79,10 +79,11 @@ class Wind(FromJson):
 
     @property
     def in_words(self) -> str:
-        """Speed, direction, gusts and record."""
+        """Speed, direction, growth with height, gusts and record."""
         gusty = "" if self.gust_speed is None else f", gusts of {format_quantity(self.gust_speed, 'm/s', 1)}"
         record = "" if self.seed is None else f", record {self.seed}"
-        return f"{_shown(self.speed, self.direction, self.height_in_words)}{gusty}{record}"
+        grows = "" if self.profile is None else f" {self.profile.in_words}"
+        return f"{_shown(self.speed, self.direction, f'{self.height_in_words}{grows}')}{gusty}{record}"
 
     def speed_at(self, time: FloatArray, place: FloatArray) -> FloatArray:
         """Its speed [m/s].

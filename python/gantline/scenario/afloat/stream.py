@@ -132,6 +132,7 @@ class WindGrowth(Element):
     """How wind grows with height; its speed is that at one height."""
 
     what: ClassVar[str] = "the profile of the wind"
+    lone: ClassVar[tuple[str, ...]] = ("terrain",)
 
     height: PositiveLength = Field(
         10.0,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-__all__ = ["BESIDE", "ELSEWHERE", "INSTEAD", "KINDS", "MEANT", "VERBS_MEANT"]
+__all__ = ["BESIDE", "ELSEWHERE", "INSTEAD", "KINDS", "MEANT", "VALUES_MEANT", "VERBS_MEANT"]
 
 #: What people look for at another place of a lift file than where it is.
 ELSEWHERE = {
@@ -15,6 +15,8 @@ MEANT = {
     "active_heave_compensation": ("heave_compensation",),
     "acceptance": ("limits",),
     "ahc": ("heave_compensation", "compensate_heave"),
+    "angle": ("heading",),
+    "azimuth": ("heading",),
     "bend_diameter": ("bends_about",),
     "buoyancy": ("displaced_volume",),
     "ca": ("added_mass",),
@@ -32,6 +34,7 @@ MEANT = {
     "cylinder": ("chain_hoist",),
     "dia": ("diameter",),
     "dimensions": ("shape",),
+    "direction": ("heading",),
     "disconnect": ("detach",),
     "distance": ("by",),
     "connect": ("attach",),
@@ -60,9 +63,12 @@ MEANT = {
     "location": ("position", "at"),
     "lug": ("at", "to"),
     "mass": ("weight", "calculated"),
+    "max_wind": ("wind_limit", "wind"),
+    "maximum_wind": ("wind_limit", "wind"),
     "mbf": ("minimum_breaking_force",),
     "mu": ("friction",),
     "on": ("stands_on",),
+    "orientation": ("heading",),
     "operations": ("plan",),
     "position": ("at",),
     "pivot": ("heel_pins",),
@@ -74,6 +80,9 @@ MEANT = {
     "runway": ("rail_level",),
     "put_on": ("attach",),
     "radius": ("diameter", "pitch_diameter", "sheave_diameter"),
+    "rotate": ("heading",),
+    "rotated": ("heading",),
+    "rotation": ("heading",),
     "schedule": ("plan",),
     "sea": ("waves",),
     "sequence": ("plan",),
@@ -96,6 +105,7 @@ MEANT = {
     "tugger": ("tag_lines",),
     "tugger_lines": ("tag_lines",),
     "tuggers": ("tag_lines",),
+    "turned": ("heading",),
     "turnbuckle": ("chain_hoist",),
     "unhook": ("detach",),
     "volume": ("displaced_volume",),
@@ -106,6 +116,8 @@ MEANT = {
     "weight": ("mass",),
     "winch": ("chain_hoist",),
     "winches": ("drums",),
+    "wind_speed": ("wind_limit", "wind"),
+    "yaw": ("heading",),
     "working_load_limit": ("rated_capacity", "capacity"),
     "wll": ("working_load_limit", "rated_capacity", "capacity"),
     # <!-- words: off -->
@@ -200,8 +212,43 @@ _STUCK = (
     "with 'length: as_routed', 'comes_free: true' and, in 'breaks_at', the force at which it does"
 )
 _SUCTION = ("break_out_force", "breakout", "breakout_force", "hull_suction", "mud", "mud_suction", "suction")
+#: By what wind grows, in words of several crews, where it is a power, a roughness and a height.
+_POWER = ("alpha", "gradient", "hellmann", "power", "power_law", "shear", "shear_exponent", "wind_shear")
+_ROUGHNESS = ("roughness_length", "surface_roughness", "z0")
+_MEASURED_AT = (
+    "anemometer",
+    "anemometer_height",
+    "at",
+    "at_height",
+    "hub_height",
+    "measured_at",
+    "reference_height",
+    "z_ref",
+)
+_CATEGORY = ("category", "exposure", "terrain_category")
+_BY_WHAT = ("formula", "law", "model", "type")
+_GROWS = (
+    *("height", "terrain", "roughness", "exponent", "growth", "wind_profile"),
+    *_POWER,
+    *_ROUGHNESS,
+    *_MEASURED_AT,
+    *_CATEGORY,
+)
+_LED_TO_DRUM = {
+    **dict.fromkeys(
+        ("distance", "distance_to_sheave", "lead_distance", "sheave_at", "sheave_distance"),
+        "how far away the sheave stands that its rope comes from is 'first_sheave'",
+    ),
+    "fleet_angle": "it follows from its 'first_sheave'; what it may be is 'drum_fleet_angle' of 'limits'",
+    "width": "how wide it is says 'wraps_per_layer', in turns of its rope",
+}
+_FREE_SHEAVES = "sheaves that hang free in the equalizing rope have 'guided: none'"
+_AXIS = "where its middle stands is 'at', such as 'at: [40 m, 0 m]'"
+_EXTENTS = "where it stands and how large it is are its extents, such as 'x: [20 m, 30 m]', 'y' and 'z'"
+_FLOOR = "how deep it is says its 'floor', such as 'floor: -8 m'"
+_TAPER = "it is as wide at any height; one that tapers is several, one on another"
+_UPRIGHT = "from where to where it goes up is its 'z', such as 'z: [0 m, 80 m]'"
 #: Sailors and forecasts say where it comes from.
-_GROWS = ("height", "reference_height", "measured_at", "terrain", "roughness", "exponent", "shear", "alpha")
 _COMES_FROM = ("coming_from", "from", "from_direction")
 _GOES_TO = (
     "'direction' is where it goes to, from world x towards y: what comes from 30 deg has 'direction: 210 deg'"
@@ -243,11 +290,31 @@ INSTEAD = {
     "a haul_in step": {"to": _BY_ROPE},
     "a pay_out step": {"to": _BY_ROPE},
     "a lift file": {
+        **dict.fromkeys(
+            ("wind_profile", "wind_shear"),
+            "how wind grows with height belongs to 'wind': {speed: 10 m/s, direction: 0 deg, "
+            "profile: {terrain: sea}}",
+        ),
         **dict.fromkeys(("bodies", "body_contacts", "contacts", "drums"), _MECHANICS),
         **dict.fromkeys(("jacks", "strand_jacks", "winches"), "they are 'drums' under 'mechanics'"),
         **dict.fromkeys(_LASHINGS, _LASHED),
         **dict.fromkeys(_SUCTION, _STUCK),
     },
+    "a box": dict.fromkeys(
+        ("at", "box", "breadth", "centre", "height", "length", "position", "size", "width"), _EXTENTS
+    ),
+    "a drum": _LED_TO_DRUM,
+    "the drum of a hoist": _LED_TO_DRUM,
+    "a dock": {
+        **dict.fromkeys(("bottom", "depth", "z"), _FLOOR),
+        **dict.fromkeys(("angle", "heading", "rotation", "turned"), "boxes are turned, and no docks"),
+    },
+    "an upright cylinder": {
+        **dict.fromkeys(("center", "centre", "middle", "x", "y"), _AXIS),
+        **dict.fromkeys(("height", "length", "level", "top"), _UPRIGHT),
+        **dict.fromkeys(("bottom_diameter", "end_diameter", "taper", "tip_diameter", "top_diameter"), _TAPER),
+    },
+    "moving_sheaves": dict.fromkeys(("free", "guides", "hangs", "hangs_free", "unguided"), _FREE_SHEAVES),
     "an equalizer": dict.fromkeys(_OF_ITS_SHEAVES, _SHEAVES),
     "an equalizer type": dict.fromkeys(_OF_ITS_SHEAVES, _SHEAVES),
     "a vessel": {
@@ -276,12 +343,24 @@ INSTEAD = {
         **dict.fromkeys(_GROWS, "how wind grows with height is its 'profile: {height: 10 m, terrain: sea}'"),
     },
     "the profile of the wind": {
-        **dict.fromkeys(("alpha", "power", "shear_exponent"), "a power of the height is an 'exponent'"),
-        **dict.fromkeys(("z0", "roughness_length"), "the roughness of what it blows over is 'roughness'"),
-        **dict.fromkeys(("at", "reference_height", "measured_at"), "where it is measured is its 'height'"),
-        "category": "categories 0 to IV of EN 1991-1-4 are 'terrain: sea', flat, fields, suburbs and town",
+        **dict.fromkeys(_POWER, "a power of the height is an 'exponent'"),
+        **dict.fromkeys(_ROUGHNESS, "the roughness of what it blows over is 'roughness'"),
+        **dict.fromkeys(_MEASURED_AT, "where it is measured is its 'height'"),
+        **dict.fromkeys(
+            _CATEGORY, "categories 0 to IV of EN 1991-1-4 are 'terrain: sea', flat, fields, suburbs and town"
+        ),
+        **dict.fromkeys(
+            _BY_WHAT, "with 'terrain' or 'roughness' it is a logarithm, with 'exponent' a power of the height"
+        ),
     },
-    "current": dict.fromkeys(_COMES_FROM, _GOES_TO),
+    "gusts": dict.fromkeys(
+        ("at", "height", "measured_at"),
+        "gusts are those at the height at which the wind has its speed, 'height' of its 'profile'",
+    ),
+    "current": {
+        **dict.fromkeys(_COMES_FROM, _GOES_TO),
+        **dict.fromkeys(("depth", "exponent", "profile"), "current is the same at any depth"),
+    },
     "waves": {
         **dict.fromkeys(_COMES_FROM, _GOES_TO),
         **dict.fromkeys(
@@ -332,7 +411,20 @@ _OPENING = "an opening is what several of 'type: box' around it leave free"
 #: Types of structures by other words.
 KINDS = {
     **dict.fromkeys(("basin", "canal", "dry_dock", "pit", "river"), _DOCK),
-    **dict.fromkeys(("building", "floor", "pier", "quay", "roof", "slab", "wall"), _BOX),
-    **dict.fromkeys(("chimney", "column", "leg", "pile", "pipe", "silo", "tower"), _ROUND),
+    **dict.fromkeys(("building", "floor", "house", "pier", "quay", "roof", "slab", "wall"), _BOX),
+    **dict.fromkeys(("chimney", "circle", "column", "cone", "leg", "mast", "monopile"), _ROUND),
+    **dict.fromkeys(("pile", "pipe", "round", "silo", "tank", "tower", "tube"), _ROUND),
     **dict.fromkeys(("hatch", "hole", "opening"), _OPENING),
+}
+#: What stands for a value by other words, by the key that has it; categories are those of EN 1991-1-4.
+VALUES_MEANT = {
+    "terrain": {
+        **dict.fromkeys(("0", "coast", "ocean", "offshore", "open sea", "open_sea", "water"), "sea"),
+        **dict.fromkeys(("1", "i", "desert", "lake", "lakes", "open"), "flat"),
+        **dict.fromkeys(("2", "ii", "country", "farmland", "grass", "grassland", "land"), "fields"),
+        **dict.fromkeys(("3", "iii", "forest", "industrial", "suburb", "village", "villages"), "suburbs"),
+        **dict.fromkeys(("4", "iv", "city", "urban"), "town"),
+    },
+    "guided": dict.fromkeys(("free", "false", "no", "unguided"), "none")
+    | dict.fromkeys(("frame", "true", "yes"), "vertical"),
 }

@@ -8,7 +8,15 @@ from typing import Any
 from pydantic_core import ErrorDetails
 
 from gantline.scenario.errors import PathPart, Problem, closest, is_or_are, nearest, shorten
-from gantline.scenario.file.other_words import BESIDE, ELSEWHERE, INSTEAD, KINDS, MEANT, VERBS_MEANT
+from gantline.scenario.file.other_words import (
+    BESIDE,
+    ELSEWHERE,
+    INSTEAD,
+    KINDS,
+    MEANT,
+    VALUES_MEANT,
+    VERBS_MEANT,
+)
 from gantline.scenario.file.tree import ListNode, MapNode, TextNode, problem_at
 from gantline.scenario.plan.plan import VERBS
 from gantline.scenario.plan.steps import HoistStep, HoldStep
@@ -90,7 +98,12 @@ def _locate(loc: Sequence[PathPart], tree: MapNode) -> tuple[tuple[PathPart, ...
     path: list[PathPart] = []
     node: Any = tree
     around: list[Any] = []
+    was_tag = False
     for part in loc:
+        # A kind of thing may be called as one of its keys is, `type: box` with `box: [4 m, 4 m, 3 m]`.
+        was_tag = not was_tag and isinstance(node, MapNode) and node.get("type") == part
+        if was_tag:
+            continue
         inside = isinstance(node, MapNode) and part in node
         inside = inside or (isinstance(node, ListNode) and isinstance(part, int) and part < len(node))
         if inside:
@@ -113,7 +126,9 @@ def _sentence(error: ErrorDetails, node: Any, around: Sequence[Any]) -> str:
     if kind == "extra_forbidden":
         return _unknown_key(last, around)
     if kind == "literal_error":
-        return f"found {found(node)}; right is {context.get('expected', 'another word')}"
+        meant = VALUES_MEANT.get(last, {}).get(str(node).lower())
+        likely = "" if meant is None else f"; did you mean '{meant}'?"
+        return f"found {found(node)}; right is {context.get('expected', 'another word')}{likely}"
     if kind in ("union_tag_invalid", "union_tag_not_found"):
         return _kind_of_thing(context, node)
     if kind == "too_short" and not context.get("actual_length"):

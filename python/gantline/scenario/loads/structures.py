@@ -106,7 +106,7 @@ class BoxStructure(_Structure):
 class CylinderStructure(_Structure):
     """A tower, a silo, a column, a leg: an upright cylinder."""
 
-    what: ClassVar[str] = "a cylinder"
+    what: ClassVar[str] = "an upright cylinder"
 
     type: Literal["cylinder"] = Field(description="Kind of structure.")
     at: Annotated[tuple[float, float], ListOf(Quantity("length"), 2)] = Field(
