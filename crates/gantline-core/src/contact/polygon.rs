@@ -13,7 +13,7 @@ use super::spare;
 
 /// Corners that parry takes of a face.
 const WHOLE: usize = 4;
-/// A face with more corners than this keeps those that lie farthest in as many directions.
+/// A face with more corners than this keeps those that lie farthest in as many directions, and where it leans the deepest.
 const MOST: usize = 16;
 /// Cosine of the angle between n and a face that is seen from its side.
 const ASIDE: f64 = 1e-9;
@@ -31,8 +31,6 @@ struct Corner {
 pub struct Polygon {
     corners: Vec<Corner>,
     face: PackedFeatureId,
-    /// Whether it has more corners than it keeps.
-    is_thinned: bool,
 }
 
 impl Polygon {
@@ -52,11 +50,10 @@ impl Polygon {
                 vertex: PackedFeatureId::vertex(vertex),
                 edge: PackedFeatureId::edge(edge),
             });
-            let is_thinned = own.num_vertices_or_edges as usize > MOST;
-            return Some(Self { corners: thinned(corners.collect(), own.normal), face, is_thinned });
+            return Some(Self { corners: corners.collect(), face });
         }
         let corner = |k: usize| Corner { at: seen.vertices[k], vertex: seen.vids[k], edge: seen.eids[k] };
-        Some(Self { corners: (0..seen.num_vertices).map(corner).collect(), face, is_thinned: false })
+        Some(Self { corners: (0..seen.num_vertices).map(corner).collect(), face })
     }
 
     /// True where parry does not take all of it.
@@ -81,6 +78,22 @@ impl Polygon {
         self.corners.iter().zip(self.corners.iter().cycle().skip(1))
     }
 
+    /// With no more than [`MOST`] corners, the same ones wherever it is.
+    pub fn thinned(&self) -> Self {
+        let Some(normal) = self.normal().filter(|_| self.corners.len() > MOST) else { return self.clone() };
+        let (one, other) = normal.any_orthonormal_pair();
+        let mut kept: Vec<usize> = (0..MOST)
+            .filter_map(|k| {
+                let (sin, cos) = (std::f64::consts::TAU * k as f64 / MOST as f64).sin_cos();
+                let out = |index: usize| self.corners[index].at.dot(one * cos + other * sin);
+                (0..self.corners.len()).max_by(|&a, &b| out(a).total_cmp(&out(b)))
+            })
+            .collect();
+        kept.sort_unstable();
+        kept.dedup();
+        Self { corners: kept.into_iter().map(|index| self.corners[index]).collect(), face: self.face }
+    }
+
     fn moved(mut self, pose: &ParryPose) -> Self {
         for corner in &mut self.corners {
             corner.at = pose.transform_point(corner.at);
@@ -98,24 +111,6 @@ impl Polygon {
     }
 }
 
-/// Corners of a face with a normal, no more than [`MOST`]: the same ones wherever it is.
-fn thinned(corners: Vec<Corner>, normal: Vector) -> Vec<Corner> {
-    if corners.len() <= MOST {
-        return corners;
-    }
-    let (one, other) = normal.any_orthonormal_pair();
-    let mut kept: Vec<usize> = (0..MOST)
-        .filter_map(|k| {
-            let (sin, cos) = (std::f64::consts::TAU * k as f64 / MOST as f64).sin_cos();
-            let out = |index: usize| corners[index].at.dot(one * cos + other * sin);
-            (0..corners.len()).max_by(|&a, &b| out(a).total_cmp(&out(b)))
-        })
-        .collect();
-    kept.sort_unstable();
-    kept.dedup();
-    kept.into_iter().map(|index| corners[index]).collect()
-}
-
 /// Puts the places into a manifold of two parts, the second at a pose in the frame of the first, at which whole faces meet, where
 /// parry has looked at some of their corners alone.
 pub fn fill_whole(
@@ -129,36 +124,65 @@ pub fn fill_whole(
     if manifold.points.is_empty() || !(own.is_cut_short() || its.is_cut_short()) {
         return;
     }
-    let its = its.moved(between);
     manifold.points.retain(spare::is_added);
-    let mut add = |first: Vector, second: Vector, ids: [PackedFeatureId; 2]| {
-        let (apart, second) = ((second - first).dot(n), between.inverse_transform_point(second));
-        manifold.points.push(TrackedContact::new(first, second, ids[0], ids[1], apart));
-    };
-    for corner in &own.corners {
-        if let Some(apart) = its.over(corner.at, n) {
-            add(corner.at, corner.at + n * apart, [corner.vertex, its.face]);
-        }
-    }
-    for corner in &its.corners {
-        if let Some(back) = own.over(corner.at, n) {
-            add(corner.at + n * back, corner.at, [own.face, corner.vertex]);
-        }
-    }
-    for (from, to) in own.sides() {
-        for (its_from, its_to) in its.sides() {
-            let sides = [to.at - from.at, its_to.at - its_from.at];
-            if let Some([s, t]) = crossing(its_from.at - from.at, sides, n) {
-                add(from.at + sides[0] * s, its_from.at + sides[1] * t, [from.edge, its_from.edge]);
-            }
-        }
+    let few = [own.thinned(), its.thinned()];
+    let is_thinned = few[0].corners.len() < own.corners.len() || few[1].corners.len() < its.corners.len();
+    let its_few = few[1].clone().moved(between);
+    manifold.points.extend(corners([&few[0], &its_few], between, n));
+    manifold.points.extend(crossings([&few[0], &its_few], between, n));
+    if !is_thinned {
+        return;
     }
     // What parry has added may lie between corners that are not kept, and in another place in the next step.
-    if (own.is_thinned || its.is_thinned)
-        && manifold.points.iter().filter(|point| !spare::is_added(point)).count() > 2
-    {
-        manifold.points.retain(|point| !spare::is_added(point));
+    let added = spare::is_added;
+    if manifold.points.iter().filter(|point| !added(point)).count() > 2 {
+        manifold.points.retain(|point| !added(point));
     }
+    // A part that leans stands on the corner that is deepest, kept or not.
+    let all = corners([&own, &its.moved(between)], between, n);
+    let deepest = all.into_iter().min_by(|a, b| a.dist.total_cmp(&b.dist));
+    let points = &manifold.points;
+    let is_beyond =
+        |one: &TrackedContact<()>| points.iter().all(|other| other.dist > one.dist + spare::ROUNDING);
+    let deepest = deepest.filter(is_beyond);
+    manifold.points.extend(deepest);
+}
+
+/// A place of two parts, of either in the frame of the first, the second at a pose in it.
+fn place(
+    [first, second]: [Vector; 2],
+    between: &ParryPose,
+    n: Vector,
+    [one, other]: [PackedFeatureId; 2],
+) -> TrackedContact<()> {
+    let apart = (second - first).dot(n);
+    TrackedContact::new(first, between.inverse_transform_point(second), one, other, apart)
+}
+
+/// Corners of two faces that are over the other, as seen along n; the second part is at a pose in the frame of the first, its face
+/// in that.
+fn corners([own, its]: [&Polygon; 2], between: &ParryPose, n: Vector) -> Vec<TrackedContact<()>> {
+    let of_own = own.corners.iter().filter_map(|corner| {
+        let apart = its.over(corner.at, n)?;
+        Some(place([corner.at, corner.at + n * apart], between, n, [corner.vertex, its.face]))
+    });
+    let of_its = its.corners.iter().filter_map(|corner| {
+        let back = own.over(corner.at, n)?;
+        Some(place([corner.at + n * back, corner.at], between, n, [own.face, corner.vertex]))
+    });
+    of_own.chain(of_its).collect()
+}
+
+/// Where sides of two faces cross, as those.
+fn crossings([own, its]: [&Polygon; 2], between: &ParryPose, n: Vector) -> Vec<TrackedContact<()>> {
+    let both = own.sides().flat_map(|side| its.sides().map(move |other| (side, other)));
+    let found = both.filter_map(|((from, to), (its_from, its_to))| {
+        let sides = [to.at - from.at, its_to.at - its_from.at];
+        let [s, t] = crossing(its_from.at - from.at, sides, n)?;
+        let ends = [from.at + sides[0] * s, its_from.at + sides[1] * t];
+        Some(place(ends, between, n, [from.edge, its_from.edge]))
+    });
+    found.collect()
 }
 
 /// Where two sides cross as seen along n, as shares of each; the second begins at `apart` from the beginning of the first.
