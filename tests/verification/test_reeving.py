@@ -245,6 +245,7 @@ def test_a_rope_leads_aside_onto_its_drum_most_at_the_flanges() -> None:
     assert (check.element, check.verdict) == ("h8.drum", Verdict.WARNING)
     assert check.limit == pytest.approx(math.radians(4.0))
     assert check.value == pytest.approx(math.atan(5 * 0.042 / 2.5), rel=4e-3)
+    assert check.time is not None
     assert wraps[np.searchsorted(recording.time, check.time)] == pytest.approx(10.0, abs=0.02)
 
 
