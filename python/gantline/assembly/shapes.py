@@ -57,10 +57,8 @@ _SIDES = 32
 _GROUND_REACH, _GROUND_DEPTH = 2000.0, 50.0
 #: Half of what a hook without reeving takes up, whose hook block nothing says [m]: a hand's breadth.
 _HOOK = 0.1
-#: Places at which one load touches one thing at a time, at most; a box on level ground has four.
-_PLACES = 8
-#: The same of a load from CAD, and of what is round: as many as a face of theirs has corners that count.
-_PLACES_OF_PARTS = 16
+#: Corners of a face that count, of a box and of a convex part.
+_CORNERS = {"box": 4, "convex": 16}
 #: What a girder stands on, and what the same is called of a crane of the other kind.
 _STANDS = {"legs": "end_carriages", "end_carriages": "legs"}
 
@@ -220,9 +218,8 @@ def add_touching(parts: Parts, scenario: Scenario) -> None:
     load, ground = scenario.load, scenario.ground or Ground.model_construct()
     if load is not None:
         if scenario.ground is not None and dock_of(scenario) is not None:
-            parts.pairs.append(
-                _pair(pair_name(load.name, "ground"), load.name, (load.name, "ground"), _law(ground))
-            )
+            own = pair_name(load.name, "ground")
+            parts.pairs.append(_pair(parts, own, load.name, (load.name, "ground"), _law(ground)))
         for name, structure in (scenario.structures or {}).items():
             law = [
                 getattr(ground if getattr(structure, key) is None else structure, key)
@@ -232,10 +229,9 @@ def add_touching(parts: Parts, scenario: Scenario) -> None:
             if isinstance(structure, Dock) and scenario.ground is not None:
                 shapes.remove(f"{name}.walls")  # the sides of the ground around it
             parts.pairs += [
-                _pair(pair_name(load.name, shape), load.name, (load.name, shape), law) for shape in shapes
+                _pair(parts, pair_name(load.name, shape), load.name, (load.name, shape), law)
+                for shape in shapes
             ]
-            if isinstance(structure, CylinderStructure):
-                parts.pairs[-1]["places"] = _PLACES_OF_PARTS
     contacts = scenario.mechanics.body_contacts if scenario.mechanics is not None else None
     by_itself = {frozenset(pair["shapes"]) for pair in parts.pairs}
     for name, contact in (contacts or {}).items():
@@ -253,18 +249,17 @@ def add_touching(parts: Parts, scenario: Scenario) -> None:
                     right = "leave this out; a structure has 'stiffness', 'damping' and 'friction' of its own"
                     raise scenario.error(path, f"{said}: {right}")
                 own = name if len(one) == len(other) == 1 else f"{name}.{first}.{second}"
-                parts.pairs.append(_pair(own, group, (first, second), law))
-    if load is not None and any(part["type"] == "convex" for part in parts.shapes[load.name]["parts"]):
-        for pair in parts.pairs:
-            pair["places"] = max(pair["places"], _PLACES_OF_PARTS if load.name in pair["shapes"] else 0)
+                parts.pairs.append(_pair(parts, own, group, (first, second), law))
 
 
 def _law(given: object) -> list[float]:
     return [getattr(given, key) for key in ("stiffness", "damping", "friction")]
 
 
-def _pair(name: str, group: str, shapes: tuple[str, str], law: Sequence[float]) -> Json:
+def _pair(parts: Parts, name: str, group: str, shapes: tuple[str, str], law: Sequence[float]) -> Json:
+    """Two that touch, at as many places as where two convex faces meet may have corners: those of both."""
     stiffness, damping, friction = law
+    corners = [max(_CORNERS[part["type"]] for part in parts.shapes[shape]["parts"]) for shape in shapes]
     return {
         "name": name,
         "group": group,
@@ -272,7 +267,7 @@ def _pair(name: str, group: str, shapes: tuple[str, str], law: Sequence[float]) 
         "stiffness": stiffness,
         "damping_time": damping / stiffness,
         "friction": friction,
-        "places": _PLACES,
+        "places": sum(corners),
     }
 
 

@@ -25,6 +25,9 @@ const FACES = [
   [1, 5, 7, 3],
 ].flatMap(([a, b, c, d]) => [a!, b!, c!, a!, c!, d!]);
 
+/** Of what has more boxes, turned against each other since it is round, edges would be all that is seen from afar. */
+const MOST_WITH_EDGES = 4;
+
 export class Structures {
   readonly group = new Group();
   private readonly material = new MeshLambertMaterial({
@@ -50,20 +53,20 @@ export class Structures {
     const times = new Set(lift.header.structures.map((one) => one.removedAt));
     this.holders = [...times].map((removedAt) => {
       const own = lift.header.structures.filter((one) => one.removedAt === removedAt);
-      const boxes = own.flatMap((one) => one.boxes.map((corners) => boxOf(corners, origin)));
-      return { holder: this.holder(boxes), removedAt };
+      const made = own.map((one) => one.boxes.map((corners) => boxOf(corners, origin)));
+      const edged = made.filter((boxes) => boxes.length <= MOST_WITH_EDGES);
+      return { holder: this.holder(made.flat(), edged.flat()), removedAt };
     });
     for (const { holder } of this.holders) this.group.add(holder);
   }
 
-  private holder(boxes: BufferGeometry[]): Group {
+  private holder(boxes: BufferGeometry[], edged: BufferGeometry[]): Group {
     const holder = new Group();
-    if (boxes.length === 0) return holder;
-    const edges = boxes.map((box) => new EdgesGeometry(box));
-    holder.add(
-      new Mesh(mergeGeometries(boxes), this.material),
-      new LineSegments(mergeGeometries(edges), this.edges),
-    );
+    if (boxes.length > 0) holder.add(new Mesh(mergeGeometries(boxes), this.material));
+    if (edged.length > 0) {
+      const edges = edged.map((box) => new EdgesGeometry(box));
+      holder.add(new LineSegments(mergeGeometries(edges), this.edges));
+    }
     return holder;
   }
 

@@ -13,7 +13,7 @@ use super::spare;
 
 /// Corners that parry takes of a face.
 const WHOLE: usize = 4;
-/// Of a face with more corners than this those bear that lie farthest in as many directions.
+/// Of a face with more corners than this those bear that lie farthest in as many directions, and where it leans the deepest.
 const MOST: usize = 16;
 /// Cosine of the angle between n and a face that is seen from its side.
 const ASIDE: f64 = 1e-9;
@@ -30,8 +30,6 @@ struct Corner {
 #[derive(Debug, Clone)]
 pub struct Polygon {
     corners: Vec<Corner>,
-    /// Those of them that bear.
-    bearing: Vec<usize>,
     face: PackedFeatureId,
 }
 
@@ -52,27 +50,15 @@ impl Polygon {
                 vertex: PackedFeatureId::vertex(vertex),
                 edge: PackedFeatureId::edge(edge),
             });
-            let corners: Vec<Corner> = corners.collect();
-            return Some(Self { bearing: farthest(&corners, own.normal), corners, face });
+            return Some(Self { corners: corners.collect(), face });
         }
         let corner = |k: usize| Corner { at: seen.vertices[k], vertex: seen.vids[k], edge: seen.eids[k] };
-        let corners: Vec<Corner> = (0..seen.num_vertices).map(corner).collect();
-        Some(Self { bearing: (0..corners.len()).collect(), corners, face })
+        Some(Self { corners: (0..seen.num_vertices).map(corner).collect(), face })
     }
 
     /// True where parry does not take all of it.
     fn is_cut_short(&self) -> bool {
         self.corners.len() > WHOLE
-    }
-
-    /// Corners that bear.
-    fn bears(&self) -> impl Iterator<Item = &Corner> {
-        self.bearing.iter().map(|&index| &self.corners[index])
-    }
-
-    /// Whether some of its corners do not.
-    fn is_thinned(&self) -> bool {
-        self.bearing.len() < self.corners.len()
     }
 
     /// Its normal, either way; none of an edge, nor of corners in one line.
@@ -92,6 +78,22 @@ impl Polygon {
         self.corners.iter().zip(self.corners.iter().cycle().skip(1))
     }
 
+    /// With no more than [`MOST`] corners, the same ones wherever it is.
+    pub fn thinned(&self) -> Self {
+        let Some(normal) = self.normal().filter(|_| self.corners.len() > MOST) else { return self.clone() };
+        let (one, other) = normal.any_orthonormal_pair();
+        let mut kept: Vec<usize> = (0..MOST)
+            .filter_map(|k| {
+                let (sin, cos) = (std::f64::consts::TAU * k as f64 / MOST as f64).sin_cos();
+                let out = |index: usize| self.corners[index].at.dot(one * cos + other * sin);
+                (0..self.corners.len()).max_by(|&a, &b| out(a).total_cmp(&out(b)))
+            })
+            .collect();
+        kept.sort_unstable();
+        kept.dedup();
+        Self { corners: kept.into_iter().map(|index| self.corners[index]).collect(), face: self.face }
+    }
+
     fn moved(mut self, pose: &ParryPose) -> Self {
         for corner in &mut self.corners {
             corner.at = pose.transform_point(corner.at);
@@ -109,24 +111,6 @@ impl Polygon {
     }
 }
 
-/// Which corners of a face with a normal bear, no more than [`MOST`]: the same ones wherever it is.
-fn farthest(corners: &[Corner], normal: Vector) -> Vec<usize> {
-    if corners.len() <= MOST {
-        return (0..corners.len()).collect();
-    }
-    let (one, other) = normal.any_orthonormal_pair();
-    let mut found: Vec<usize> = (0..MOST)
-        .filter_map(|k| {
-            let (sin, cos) = (std::f64::consts::TAU * k as f64 / MOST as f64).sin_cos();
-            let out = |index: usize| corners[index].at.dot(one * cos + other * sin);
-            (0..corners.len()).max_by(|&a, &b| out(a).total_cmp(&out(b)))
-        })
-        .collect();
-    found.sort_unstable();
-    found.dedup();
-    found
-}
-
 /// Puts the places into a manifold of two parts, the second at a pose in the frame of the first, at which whole faces meet, where
 /// parry has looked at some of their corners alone.
 pub fn fill_whole(
@@ -140,36 +124,70 @@ pub fn fill_whole(
     if manifold.points.is_empty() || !(own.is_cut_short() || its.is_cut_short()) {
         return;
     }
-    let its = its.moved(between);
     manifold.points.retain(spare::is_added);
-    let mut add = |first: Vector, second: Vector, ids: [PackedFeatureId; 2]| {
-        let (apart, second) = ((second - first).dot(n), between.inverse_transform_point(second));
-        manifold.points.push(TrackedContact::new(first, second, ids[0], ids[1], apart));
-    };
-    for corner in own.bears() {
-        if let Some(apart) = its.over(corner.at, n) {
-            add(corner.at, corner.at + n * apart, [corner.vertex, its.face]);
-        }
-    }
-    for corner in its.bears() {
-        if let Some(back) = own.over(corner.at, n) {
-            add(corner.at + n * back, corner.at, [own.face, corner.vertex]);
-        }
-    }
-    for (from, to) in own.sides() {
-        for (its_from, its_to) in its.sides() {
-            let sides = [to.at - from.at, its_to.at - its_from.at];
-            if let Some([s, t]) = crossing(its_from.at - from.at, sides, n) {
-                add(from.at + sides[0] * s, its_from.at + sides[1] * t, [from.edge, its_from.edge]);
-            }
-        }
+    let few = [own.thinned(), its.thinned().moved(between)];
+    let its = its.moved(between);
+    let is_thinned = few[0].corners.len() < own.corners.len() || few[1].corners.len() < its.corners.len();
+    manifold.points.extend(corners([&few[0], &few[1]], [&own, &its], between, n));
+    manifold.points.extend(crossings([&own, &its], between, n));
+    if !is_thinned {
+        return;
     }
     // What parry has added may lie at corners that do not bear, and in another place in the next step.
-    if (own.is_thinned() || its.is_thinned())
-        && manifold.points.iter().filter(|point| !spare::is_added(point)).count() > 2
-    {
-        manifold.points.retain(|point| !spare::is_added(point));
+    let added = spare::is_added;
+    if manifold.points.iter().filter(|point| !added(point)).count() > 2 {
+        manifold.points.retain(|point| !added(point));
     }
+    // A part that leans stands on the corner that is deepest, whichever that is.
+    let all = corners([&own, &its], [&own, &its], between, n);
+    let deepest = all.into_iter().min_by(|a, b| a.dist.total_cmp(&b.dist));
+    let points = &manifold.points;
+    let is_beyond =
+        |one: &TrackedContact<()>| points.iter().all(|other| other.dist > one.dist + spare::ROUNDING);
+    let deepest = deepest.filter(is_beyond);
+    manifold.points.extend(deepest);
+}
+
+/// A place of two parts, of either in the frame of the first, the second at a pose in it.
+fn place(
+    [first, second]: [Vector; 2],
+    between: &ParryPose,
+    n: Vector,
+    [one, other]: [PackedFeatureId; 2],
+) -> TrackedContact<()> {
+    let apart = (second - first).dot(n);
+    TrackedContact::new(first, between.inverse_transform_point(second), one, other, apart)
+}
+
+/// Those corners that bear of two faces that are over the other face, as seen along n; the second part is at a pose in the frame
+/// of the first, its face in that.
+fn corners(
+    [bears, its_bears]: [&Polygon; 2],
+    [own, its]: [&Polygon; 2],
+    between: &ParryPose,
+    n: Vector,
+) -> Vec<TrackedContact<()>> {
+    let of_own = bears.corners.iter().filter_map(|corner| {
+        let apart = its.over(corner.at, n)?;
+        Some(place([corner.at, corner.at + n * apart], between, n, [corner.vertex, its.face]))
+    });
+    let of_its = its_bears.corners.iter().filter_map(|corner| {
+        let back = own.over(corner.at, n)?;
+        Some(place([corner.at + n * back, corner.at], between, n, [own.face, corner.vertex]))
+    });
+    of_own.chain(of_its).collect()
+}
+
+/// Where sides of two faces cross, as those.
+fn crossings([own, its]: [&Polygon; 2], between: &ParryPose, n: Vector) -> Vec<TrackedContact<()>> {
+    let both = own.sides().flat_map(|side| its.sides().map(move |other| (side, other)));
+    let found = both.filter_map(|((from, to), (its_from, its_to))| {
+        let sides = [to.at - from.at, its_to.at - its_from.at];
+        let [s, t] = crossing(its_from.at - from.at, sides, n)?;
+        let ends = [from.at + sides[0] * s, its_from.at + sides[1] * t];
+        Some(place(ends, between, n, [from.edge, its_from.edge]))
+    });
+    found.collect()
 }
 
 /// Where two sides cross as seen along n, as shares of each; the second begins at `apart` from the beginning of the first.

@@ -319,9 +319,10 @@ impl Located<'_> {
         inner.map_or(*self.local, |pose| *self.local * pose)
     }
 
-    /// What of the part looks most along `direction`, in the frame of the part; nothing of a mesh.
+    /// What of the part looks most along `direction`, with the sides that meet, in the frame of the part; nothing of a
+    /// mesh.
     fn feature(&self, direction: Vector) -> Option<Polygon> {
-        Polygon::towards(self.part, direction)
+        Some(Polygon::towards(self.part, direction)?.thinned())
     }
 }
 

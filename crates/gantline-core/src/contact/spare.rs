@@ -9,7 +9,7 @@ use parry3d_f64::shape::PackedFeatureId;
 use super::shape::SAME;
 
 /// How much deeper than all others it may be [m]: what parry takes for the same.
-const ROUNDING: f64 = 1e-5;
+pub const ROUNDING: f64 = 1e-5;
 
 /// True of such a point that is no deeper than the deepest corner or edge, and on a line or in a triangle between some of
 /// them. One beyond them stays: of a face that keeps [some of its corners](super::polygon) it may lie outside.

@@ -167,7 +167,7 @@ def drum_rig(scenario: Scenario) -> list[Json]:
         own = _parts_of_drum(name, drum, 1.0, lying["with"] or {drum.diameter: _Lying()})
         if lying["against"]:  # it pays out what the others haul in, and has turns of its own
             if not lying["with"]:
-                own[-1] |= {"wraps_at_start": None, "asks_for_turns": False}
+                own[-1] |= {"wraps_at_start": None, "first_sheave": None, "asks_for_turns": False}
             own += _parts_of_drum(_wound_against(name), drum, -1.0, lying["against"], name)
         if drum.rated_capacity is not None:
             rated = drum.rated_capacity * scenario.simulation.gravity
@@ -182,7 +182,7 @@ def drum_rig(scenario: Scenario) -> list[Json]:
 
 @dataclass(frozen=True)
 class _Lying:
-    """Ropes on one diameter of a drum: their names, which end of each, and the diameter of the last [m]."""
+    """Ropes on one diameter of a drum: names, which end of each, and the diameter of the thickest [m]."""
 
     ropes: tuple[str, ...] = ()
     ends: tuple[str, ...] = ()
@@ -199,7 +199,8 @@ def _lying_on(scenario: Scenario, name: str, drum: Drum) -> dict[str, dict[float
             if isinstance(guide, RopeEnd) and guide.drum == name:
                 on, on_it = guide.drum_diameter or drum.diameter, lying[guide.wound or "with"]
                 others, end = on_it.get(on, _Lying()), "last" if place else "first"
-                on_it[on] = _Lying((*others.ropes, rope), (*others.ends, end), kinds[given.rope].diameter)
+                known = [one for one in (others.diameter, kinds[given.rope].diameter) if one is not None]
+                on_it[on] = _Lying((*others.ropes, rope), (*others.ends, end), max(known, default=None))
     return lying
 
 
