@@ -56,8 +56,11 @@ def whole_schema() -> Schema:
 
 
 def targets(schema: Schema, path: str) -> Iterator[tuple[str, str]]:
-    """Definitions that a value may be, each with the path at which it then stands in a file."""
-    if "$ref" in schema:
+    """Definitions that a value may be, each with the path at which it then stands in a file.
+
+    What types may give is the same with any part of it left out.
+    """
+    if "$ref" in schema and not schema["$ref"].endswith(".part"):
         yield schema["$ref"].rsplit("/", 1)[1], path
     for named in schema.get("patternProperties", {}).values():
         yield from targets(named, f"{path}.<name>")

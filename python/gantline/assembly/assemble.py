@@ -213,7 +213,8 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         settings=_settings(scenario),
         rig=rig(scenario, rigging, lifted, parts),
         scene=scene(scenario, rigging, lifted, parts),
-        doubts=tuple(scenario.problem(*doubt) for doubt in doubts),
+        # Of what two things have from one type the same is to be said.
+        doubts=tuple(dict.fromkeys(scenario.problem(*doubt) for doubt in doubts)),
         under_load=tuple(under),
         guide_fits=guide_fits(parts, scenario),
     )

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cache
 from typing import Annotated, Any, ClassVar, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ModelWrapValidatorHandler, model_validator
+from pydantic.json_schema import JsonSchemaValue
 
 from gantline.scenario.errors import is_or_are, shorten
 from gantline.scenario.file.tree import MapNode
-from gantline.scenario.quantities import Name, found, refuse
+from gantline.scenario.quantities import Name, Reader, found, refuse
 
-__all__ = ["Element", "Named"]
+__all__ = ["Element", "Named", "Types"]
 
 
 class Element(BaseModel):
@@ -91,3 +93,22 @@ T = TypeVar("T")
 
 #: A mapping of names to things of one kind; at least one.
 Named = Annotated[dict[Name, T], Field(min_length=1)]
+
+
+@dataclass(frozen=True)
+class _TypeReader(Reader):
+    """Reads what a type gives; things that name it are read with that in them."""
+
+    def read(self, value: object) -> dict[str, Any]:
+        """What it gives, as written."""
+        if not isinstance(value, MapNode) or not value:
+            raise refuse(f"found {found(value)}; a mapping of what things of this type have is needed")
+        return dict(value)
+
+    def shown(self) -> JsonSchemaValue:
+        """A mapping; what may stand in it is shown by the schema as a whole."""
+        return {"type": "object", "minProperties": 1}
+
+
+#: Types by name: what several things of one section have in common.
+Types = Named[Annotated[dict[str, Any], _TypeReader()]]

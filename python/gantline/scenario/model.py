@@ -14,7 +14,7 @@ from gantline.scenario.afloat.stream import Current, Wind, WindOfLift
 from gantline.scenario.afloat.vessel import Vessel
 from gantline.scenario.afloat.water import Water
 from gantline.scenario.afloat.waves import WaveTrain
-from gantline.scenario.base import Element, Named
+from gantline.scenario.base import Element, Named, Types
 from gantline.scenario.cranes.boom import PlacedBoom
 from gantline.scenario.cranes.compensator import Compensator
 from gantline.scenario.cranes.crane import Equalizer, EqualizerType
@@ -88,6 +88,7 @@ class Scenario(Element):
     )
     ground: Ground | None = Field(None, description="Level ground; none if not given.")
     water: Water | None = Field(None, description="Water around hulls; sea water up to 0 if not given.")
+    vessel_types: Types | None = Field(None, description="What several vessels have in common, in their keys, by name of the type.")
     vessels: Named[Vessel] | None = Field(None, description="Vessels by name.")
     ropes: Named[RopeMaterial] | None = Field(None, description="Kinds of rope by name.")
     shackles: Named[Shackle] | None = Field(None, description="Kinds of shackle by name.")
@@ -96,6 +97,7 @@ class Scenario(Element):
     hook_types: Named[HookType] | None = Field(
         None, description="Types of hook of trolleys and booms, by name."
     )
+    crane_types: Types | None = Field(None, description="What several cranes have in common, in their keys, by name of the type.")
     cranes: Named[Crane] | None = Field(None, description="Cranes by name.")
     supports: Named[Supports] | None = Field(None, description="Groups of supports under the load by name.")
     structures: Named[Structure] | None = Field(None, description="What stands in the yard, by name.")
@@ -111,20 +113,25 @@ class Scenario(Element):
     extension_sheaves: Named[ExtensionSheave] | None = Field(
         None, description="Sheaves that hang on slings and serve two lugs each, by name."
     )
+    spreader_types: Types | None = Field(None, description="What several spreaders have in common, in their keys, by name of the type.")
     spreaders: Named[Spreader] | None = Field(
         None, description="Bars, beams and frames between slings, by name."
     )
+    compensator_types: Types | None = Field(None, description="What several compensators have in common, in their keys, by name of the type.")
     compensators: Named[Compensator] | None = Field(None, description="Gas springs between slings, by name.")
     tag_lines: Named[TagLine] | None = Field(
         None, description="Thin ropes that keep the heading of the load, by name."
     )
+    guide_types: Types | None = Field(None, description="What several guides have in common, in their keys, by name of the type.")
     guides: Named[LandingGuide] | None = Field(
         None, description="Posts and walls that bring the load to its place as it lands, by name."
     )
     hinges: Named[LoadHinge] | None = Field(
         None, description="Hinge frames, foot pins and grippers in which the load turns, by name."
     )
+    mooring_line_types: Types | None = Field(None, description="What several mooring lines have in common, in their keys, by name of the type.")
     mooring_lines: Named[MooringLine] | None = Field(None, description="Lines that hold vessels, by name.")
+    fender_types: Types | None = Field(None, description="What several fenders have in common, in their keys, by name of the type.")
     fenders: Named[Fender] | None = Field(
         None, description="Fenders between vessels and quays or other vessels, by name."
     )
@@ -144,8 +151,14 @@ class Scenario(Element):
     _text: str = PrivateAttr("")
     _source: str = PrivateAttr("")
     _tree: MapNode = PrivateAttr(default_factory=MapNode)
+    _tree_as_written: MapNode = PrivateAttr(default_factory=MapNode)
     _centre_moved: tuple[float, float, float] = PrivateAttr((0.0, 0.0, 0.0))
     _is_let_go: bool = PrivateAttr(False)
+
+    def telling(self, more: str) -> Scenario:
+        """The same scenario, with lines that say more below its text."""
+        self._text = f"{self._text.rstrip()}\n{more}"
+        return self
 
     @property
     def text(self) -> str:
@@ -159,8 +172,13 @@ class Scenario(Element):
 
     @property
     def tree(self) -> MapNode:
-        """The lift file as a tree of texts with lines."""
+        """The lift file as a tree of texts with lines; what types give is in the things that have them."""
         return self._tree
+
+    @property
+    def tree_as_written(self) -> MapNode:
+        """The same, in which it is in the types alone."""
+        return self._tree_as_written
 
     @property
     def centre_moved(self) -> tuple[float, float, float]:
@@ -191,9 +209,9 @@ class Scenario(Element):
         self._is_let_go = before._is_let_go or before.starts_at_rest
         return self
 
-    def read_from(self, source: str, text: str, tree: MapNode) -> Scenario:
+    def read_from(self, source: str, text: str, tree: MapNode, tree_as_written: MapNode) -> Scenario:
         """The same scenario, knowing the file it came from; messages about it then have lines."""
-        self._source, self._text, self._tree = source, text, tree
+        self._source, self._text, self._tree, self._tree_as_written = source, text, tree, tree_as_written
         return self
 
     def changed(self, values: Mapping[str, Any]) -> Scenario:

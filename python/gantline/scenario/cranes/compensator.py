@@ -12,6 +12,7 @@ from gantline.scenario.cranes.gas_law import GasLaw
 from gantline.scenario.quantities import (
     Damping,
     Flag,
+    Name,
     NotNegativeForce,
     NotNegativeLength,
     PositiveForce,
@@ -96,6 +97,9 @@ class Compensator(Element):
 
     what: ClassVar[str] = "a compensator"
 
+    type: Name | None = Field(
+        None, description="A name of 'compensator_types' that gives what is not said here."
+    )
     length: PositiveLength = Field(description="From the bearing of its cylinder to that of its rod, rod in.")
     stroke: PositiveLength = Field(description="How far the rod comes out, between its stops.")
     cylinder: Cylinder = Field(description="Its cylinder, which hangs above.")

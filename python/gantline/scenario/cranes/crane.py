@@ -213,7 +213,8 @@ class FixedHook(Element):
             drum = "a drum of 'mechanics' with a 'drive', its bundle a rope from there to the load"
             hook = "or 'type: fixed_hook' with a sling, where the load goes straight up"
             raise refuse(f"a strand jack is {drum}; {hook}", "type")
-        raise refuse(f"{found(kind)} is not a type of crane; known here: {known}", "type")
+        own = "and names of 'crane_types'"
+        raise refuse(f"{found(kind)} is not a type of crane; known here: {known}, {own}", "type")
 
 
 class EqualizerFrame(Element):

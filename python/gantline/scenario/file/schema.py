@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import json
 from functools import cache
-from typing import Any
+from typing import Any, Final
 
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema
 
+from gantline.scenario.file.types import TYPED, Typed
 from gantline.scenario.model import Scenario
-from gantline.scenario.quantities import NAME_PATTERN, Quantity
+from gantline.scenario.quantities import NAME_PATTERN, NameText, Quantity
 from gantline.units import DIMENSIONS
 
 __all__ = ["json_schema", "schema_text"]
+
+_DEFINITIONS: Final = "#/$defs/"
+#: How the name of a definition ends of which any part may be left out.
+_PART: Final = ".part"
 
 
 class _Generator(GenerateJsonSchema):
@@ -38,6 +43,8 @@ def json_schema() -> dict[str, Any]:
     quantities = {dimension: Quantity(dimension).shown() for dimension in DIMENSIONS}
     schema = _share(schema, quantities)
     schema["$defs"].update(quantities)
+    for of in TYPED:
+        _let_have_types(schema, of)
     return {
         "$schema": "http://json-schema.org/draft-07/schema#",
         "$id": "lift.schema.json",
@@ -64,3 +71,62 @@ def _share(schema: Any, quantities: dict[str, JsonSchemaValue]) -> Any:
             rest = {key: value for key, value in schema.items() if key != "anyOf"}
             return {"$ref": f"#/$defs/{dimension}", **rest}
     return {key: _share(value, quantities) for key, value in schema.items()}
+
+
+def _let_have_types(schema: dict[str, Any], of: Typed) -> None:
+    """Show what types of a section may give, and that what names one needs to say the rest alone."""
+    named = schema["properties"][of.section]["patternProperties"]
+    (pattern, whole), *_ = named.items()
+    parts = _parts_of(whole, schema["$defs"])
+    kinds = parts.get("oneOf", [parts])
+    given = [{**_own(one, schema["$defs"]), "required": ["type"]} if of.needs_kind else one for one in kinds]
+    of_types = schema["properties"][of.types]["patternProperties"]
+    of_types[pattern] = {"minProperties": 1, **({"oneOf": given} if len(given) > 1 else given[0])}
+    named[pattern] = {"anyOf": [whole, _of_any_kind([_own(one, schema["$defs"]) for one in kinds], of)]}
+
+
+def _of_any_kind(kinds: list[dict[str, Any]], of: Typed) -> dict[str, Any]:
+    """What names a type may say: what anything does that is of one of the kinds."""
+    ways: dict[str, list[Any]] = {}
+    for kind in kinds:
+        for key, shown in kind["properties"].items():
+            ways.setdefault(key, [])
+            if shown not in ways[key]:
+                ways[key].append(shown)
+    own = {key: shown[0] if len(shown) == 1 else {"anyOf": shown} for key, shown in ways.items()}
+    name = {
+        **NameText().shown(),
+        "description": f"A name of '{of.types}' that gives what is not said here.",
+        **({"not": {"enum": list(of.kinds)}} if of.kinds else {}),
+    }
+    return {
+        "type": "object",
+        "properties": {**own, "type": name},
+        "required": ["type"],
+        "additionalProperties": False,
+    }
+
+
+def _own(shown: dict[str, Any], definitions: dict[str, Any]) -> dict[str, Any]:
+    """What a reference refers to."""
+    found: dict[str, Any] = definitions[shown["$ref"].removeprefix(_DEFINITIONS)]
+    return found
+
+
+def _parts_of(shown: Any, definitions: dict[str, Any]) -> Any:
+    """The same of which any part may be left out, with definitions of such parts beside those of the whole."""
+    if isinstance(shown, list):
+        return [_parts_of(item, definitions) for item in shown]
+    if not isinstance(shown, dict):
+        return shown
+    if "$ref" in shown:
+        name = shown["$ref"].removeprefix(_DEFINITIONS)
+        if definitions[name].get("type") != "object":
+            return shown
+        part = f"{name}{_PART}"
+        if part not in definitions:
+            definitions[part] = {}  # what refers to itself ends here
+            left = {key: value for key, value in definitions[name].items() if key != "required"}
+            definitions[part] = _parts_of(left, definitions)
+        return {**shown, "$ref": f"{_DEFINITIONS}{part}"}
+    return {key: _parts_of(value, definitions) for key, value in shown.items()}

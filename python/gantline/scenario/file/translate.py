@@ -22,7 +22,7 @@ from gantline.scenario.plan.plan import VERBS
 from gantline.scenario.plan.steps import HoistStep, HoldStep
 from gantline.scenario.quantities import found
 
-__all__ = ["translate"]
+__all__ = ["located", "translate"]
 
 
 def translate(errors: Sequence[ErrorDetails], tree: MapNode) -> list[Problem]:
@@ -91,6 +91,11 @@ def _problem(error: ErrorDetails, tree: MapNode) -> Problem:
         loc = (*loc, error["ctx"]["key"])
     path, node, around = _locate(loc, tree)
     return problem_at(tree, path, _sentence(error, node, around))
+
+
+def located(loc: Sequence[PathPart], tree: MapNode) -> Any:
+    """The node that a place in the models is read from, or that it would stand in."""
+    return _locate(loc, tree)[1]
 
 
 def _locate(loc: Sequence[PathPart], tree: MapNode) -> tuple[tuple[PathPart, ...], Any, list[Any]]:

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import re
 import stat
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, Final
 
 import yaml
@@ -32,6 +33,7 @@ __all__ = [
     "problem_at",
     "read_text",
     "texts",
+    "written_at",
 ]
 
 #: Largest lift file that is read [byte].
@@ -76,7 +78,7 @@ _ENDS: Final = (
     *(yaml.MappingEndEvent, yaml.SequenceEndEvent),
 )
 _YAML_TAG: Final = "tag:yaml.org,2002:"
-_TYPES: Final = " (equalizer_types and sling_defaults say once what many share)"
+_TYPES: Final = " (crane_types, sling_defaults and their like say once what many share)"
 
 
 class TextNode(str):
@@ -100,10 +102,12 @@ class MapNode(dict[str, Any]):
         allowed: keys that the model which read this mapping knows; set while it is validated.
         explained: what such a key says, in words; set alike.
         what: what that model is called in messages.
+        elsewhere: where in the file that stands which a type gave to this mapping, by key.
     """
 
     line: int
     key_lines: dict[str, int]
+    elsewhere: Mapping[str, tuple[PathPart, ...]] = MappingProxyType({})
     allowed: tuple[str, ...] = ()
     explained: Callable[[str], str] | None = None
     what: str = ""
@@ -228,7 +232,22 @@ def problem_at(tree: MapNode, path: tuple[PathPart, ...], sentence: str, line: i
             given = plan[place] if isinstance(plan, ListNode) and place < len(plan) else None
             name = given.get("step") if isinstance(given, MapNode) else None
             step = str(name) if isinstance(name, TextNode) else ""
-    return Problem(line_of(tree, path) if line is None else line, join_path(path), sentence, step)
+    shown = join_path(written_at(tree, path))
+    return Problem(line_of(tree, path) if line is None else line, shown, sentence, step)
+
+
+def written_at(tree: MapNode, path: tuple[PathPart, ...]) -> tuple[PathPart, ...]:
+    """Where in the file that stands which is at a path of the tree: in a type what a type has given."""
+    node: Any = tree
+    written: tuple[PathPart, ...] = ()
+    for part in path:
+        moved = node.elsewhere.get(part) if isinstance(node, MapNode) else None
+        written = (*written, part) if moved is None else moved
+        is_there = (isinstance(node, MapNode) and part in node) or (
+            isinstance(node, ListNode) and isinstance(part, int) and part < len(node)
+        )
+        node = node[part] if is_there else None
+    return written
 
 
 def texts(node: Node) -> Iterator[str]:

@@ -15,6 +15,7 @@ from typing import Any, Final
 
 from gantline.scenario.errors import ScenarioError, closest, nearest, shorten
 from gantline.scenario.file.tree import ListNode, MapNode, Node, TextNode, parse_text
+from gantline.scenario.file.types import filled_in
 
 __all__ = ["PathError", "node_at", "node_of", "put", "text_node"]
 
@@ -34,11 +35,7 @@ def node_at(tree: MapNode, path: str) -> Node | None:
     Raises:
         PathError: if an earlier part of the path leads nowhere.
     """
-    holder, key = _holder(tree, path)
-    if isinstance(holder, MapNode):
-        return holder.get(str(key))
-    found: Node = holder[int(key)]
-    return found
+    return _at(tree, _steps(tree, path))
 
 
 def line_at(tree: MapNode, path: str) -> int:
@@ -47,28 +44,32 @@ def line_at(tree: MapNode, path: str) -> int:
     Raises:
         PathError: if an earlier part of the path leads nowhere.
     """
-    holder, key = _holder(tree, path)
-    if isinstance(holder, MapNode):
-        stands: Node = holder.get(str(key), holder)
-        return stands.line
-    found: Node = holder[int(key)]
-    return found.line
+    steps = _steps(tree, path)
+    found = _at(tree, steps)
+    holder = found if found is not None else _at(tree, steps[:-1])
+    assert holder is not None
+    return holder.line
 
 
 def put(tree: MapNode, path: str, node: Node) -> MapNode:
     """The tree with a node in place of what stands at a path; the tree given stays as it is.
 
+    What a type gives may be named as a part of what has that type: it then is said there.
+
     Raises:
         PathError: if the path leads nowhere.
     """
+    whole = filled_in(tree)
+    *way, last = _steps(whole, path)
     changed = _copy(tree)
-    assert isinstance(changed, MapNode)
-    holder, key = _holder(changed, path)
-    if isinstance(holder, MapNode):
-        holder[str(key)] = node
-        holder.key_lines[str(key)] = node.line
-    else:
-        holder[int(key)] = node
+    holder: Node = changed
+    given: Node = whole
+    for step in way:
+        given = _part(given, step)
+        if isinstance(holder, MapNode) and str(step) not in holder:
+            _set(holder, step, _begun(given))
+        holder = _part(holder, step)
+    _set(holder, last, node)
     return changed
 
 
@@ -120,11 +121,12 @@ def _flow(text: str, line: int) -> Node:
     return node_of(tree["value"], line)
 
 
-def _holder(tree: MapNode, path: str) -> tuple[MapNode | ListNode, str | int]:
-    """The mapping or list that holds what a path names, and its key or index there."""
+def _steps(tree: MapNode, path: str) -> list[str | int]:
+    """Keys of mappings and indices of lists that lead to what a path names; the last key may not be there."""
     node: Node = tree
     rest, walked = _from_the_top(tree, _PLACE.sub(r".\1", path).split(".")), ""
-    while True:
+    steps: list[str | int] = []
+    while rest:
         if isinstance(node, TextNode):
             raise PathError(f"'{shorten(walked)}' is a single value; it has no '{shorten('.'.join(rest))}'")
         step: str | int
@@ -132,11 +134,44 @@ def _holder(tree: MapNode, path: str) -> tuple[MapNode | ListNode, str | int]:
             step, used = _key(node, rest, walked)
         else:
             step, used = _index(node, rest[0], walked), 1
+        steps.append(step)
         shown, rest = ".".join(rest[:used]), rest[used:]
-        if not rest:
-            return node, step
         walked = f"{walked}.{shown}" if walked else shown
-        node = node[str(step)] if isinstance(node, MapNode) else node[int(step)]
+        if rest:
+            node = _part(node, step)
+    return steps
+
+
+def _at(tree: MapNode, steps: list[str | int]) -> Node | None:
+    """What steps lead to; None where the last of them is a key that is not there."""
+    node: Node | None = tree
+    for step in steps:
+        node = node.get(str(step)) if isinstance(node, MapNode) else _part(node, step)
+    return node
+
+
+def _part(node: Node | None, step: str | int) -> Node:
+    assert isinstance(node, (MapNode, ListNode))
+    found: Node = node[str(step)] if isinstance(node, MapNode) else node[int(step)]
+    return found
+
+
+def _set(holder: Node, step: str | int, node: Node) -> None:
+    assert isinstance(holder, (MapNode, ListNode))
+    if isinstance(holder, MapNode):
+        holder[str(step)] = node
+        holder.key_lines[str(step)] = node.line
+    else:
+        holder[int(step)] = node
+
+
+def _begun(given: Node) -> Node:
+    """What a thing has to say of its own before a part of what its type gives can be another: of lists all."""
+    if not isinstance(given, MapNode):
+        return _copy(given)
+    begun = MapNode()
+    begun.line, begun.key_lines = given.line, {}
+    return begun
 
 
 def _from_the_top(tree: MapNode, parts: list[str]) -> list[str]:
@@ -228,7 +263,7 @@ def _index(node: ListNode, part: str, walked: str) -> int:
     raise PathError(f"{sentence}; {right} from 1 to {len(node)} is right")
 
 
-def _copy(node: Node) -> Node:
+def _copy(node: N) -> N:
     """The same, with mappings and lists of its own; what a validation noted is left behind."""
     if isinstance(node, MapNode):
         mapping = MapNode({key: _copy(value) for key, value in node.items()})

@@ -14,6 +14,7 @@ from gantline.scenario.file.case import ENVELOPE, TOLERANCE, Case
 from gantline.scenario.file.from_tree import from_tree
 from gantline.scenario.file.tree import MapNode, Node, TextNode, line_of
 from gantline.scenario.file.tree_path import PathError, line_at, node_at, node_of, put, text_node
+from gantline.scenario.file.types import filled_in
 from gantline.scenario.findings import Findings
 from gantline.scenario.model import Scenario
 from gantline.scenario.rigging import resolve
@@ -140,7 +141,7 @@ def changed(scenario: Scenario, values: Mapping[str, Any]) -> Scenario:
     except PathError as problem:
         raise ScenarioError(scenario.source, [Problem(None, "", str(problem))]) from None
     told = "".join(f"# changed: {path}: {text}\n" for path, text in values.items())
-    return other.read_from(other.source, f"{other.text.rstrip()}\n{told}", other.tree)
+    return other.telling(told)
 
 
 def tolerances(scenario: Scenario) -> dict[str, float]:
@@ -223,7 +224,7 @@ def _offset(scenario: Scenario, name: str, varied: Mapping[str, Sequence[str]]) 
 def _plus(scenario: Scenario, path: tuple[PathPart, ...], varied: str, offset: str) -> str:
     """The quantity at a dotted path with an offset added, as text."""
     try:
-        given = node_at(_base(scenario), varied)
+        given = node_at(filled_in(_base(scenario)), varied)
     except PathError as error:
         raise scenario.error(path, str(error)) from None
     if not isinstance(given, TextNode):
@@ -273,9 +274,10 @@ def _with_texts(scenario: Scenario, tree: MapNode, texts: Mapping[str, Any]) -> 
 
 def _base(scenario: Scenario) -> MapNode:
     """The tree of a lift file without its cases."""
-    tree = MapNode({key: node for key, node in scenario.tree.items() if key != "cases"})
-    tree.line = scenario.tree.line
-    tree.key_lines = {key: line for key, line in scenario.tree.key_lines.items() if key != "cases"}
+    written = scenario.tree_as_written
+    tree = MapNode({key: node for key, node in written.items() if key != "cases"})
+    tree.line = written.line
+    tree.key_lines = {key: line for key, line in written.key_lines.items() if key != "cases"}
     return tree
 
 

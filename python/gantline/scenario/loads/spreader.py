@@ -9,7 +9,7 @@ from pydantic import Field
 from gantline.scenario.base import Element, Named
 from gantline.scenario.loads.load import LoadInertia
 from gantline.scenario.loads.lug import Lug
-from gantline.scenario.quantities import Angle, Position, PositiveMass, Sizes
+from gantline.scenario.quantities import Angle, Name, Position, PositiveMass, Sizes
 
 if TYPE_CHECKING:
     from gantline.scenario.model import Scenario
@@ -22,6 +22,9 @@ class Spreader(Element):
 
     what: ClassVar[str] = "a spreader"
 
+    type: Name | None = Field(
+        None, description="A name of 'spreader_types' that gives what is not said here."
+    )
     mass: PositiveMass = Field(description="Mass, with its own fittings and without shackles and slings.")
     size: Sizes = Field(description="Length x, breadth y, height z of its box.")
     lugs: Named[Lug] = Field(
