@@ -62,7 +62,7 @@ def test_a_step_that_does_nothing_is_told_what_there_is() -> None:
             "    type: fixed_hook",
             "    typ: fixed_hook",
             "cranes.hook: 'type' is missing; a crane is one of 'fixed_hook', 'goliath', 'floating_crane', "
-            "'crawler' (is 'typ' a misspelt 'type'?)",
+            "'crawler' (is 'typ' meant for 'type'?)",
         ),
         (
             "{box: [8 m, 6 m, 3 m]}",

@@ -97,7 +97,7 @@ def ballast(
 
         typer.echo("\n".join([*scenario.left_out_at_rest, *report(answer)]))
     if write is not None:
-        with writing(write):
+        with scenario_errors(), writing(write):
             replace_text(write, answer.text)
         typer.echo(f"\nLift file   {write}", err=as_json)
     raise typer.Exit(DONE)

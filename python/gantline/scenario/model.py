@@ -88,7 +88,9 @@ class Scenario(Element):
     )
     ground: Ground | None = Field(None, description="Level ground; none if not given.")
     water: Water | None = Field(None, description="Water around hulls; sea water up to 0 if not given.")
-    vessel_types: Types | None = Field(None, description="What several vessels have in common, in their keys, by name of the type.")
+    vessel_types: Types | None = Field(
+        None, description="What several vessels have in common, in their keys, by name of the type."
+    )
     vessels: Named[Vessel] | None = Field(None, description="Vessels by name.")
     ropes: Named[RopeMaterial] | None = Field(None, description="Kinds of rope by name.")
     shackles: Named[Shackle] | None = Field(None, description="Kinds of shackle by name.")
@@ -97,7 +99,9 @@ class Scenario(Element):
     hook_types: Named[HookType] | None = Field(
         None, description="Types of hook of trolleys and booms, by name."
     )
-    crane_types: Types | None = Field(None, description="What several cranes have in common, in their keys, by name of the type.")
+    crane_types: Types | None = Field(
+        None, description="What several cranes have in common, in their keys, by name of the type."
+    )
     cranes: Named[Crane] | None = Field(None, description="Cranes by name.")
     supports: Named[Supports] | None = Field(None, description="Groups of supports under the load by name.")
     structures: Named[Structure] | None = Field(None, description="What stands in the yard, by name.")
@@ -113,25 +117,35 @@ class Scenario(Element):
     extension_sheaves: Named[ExtensionSheave] | None = Field(
         None, description="Sheaves that hang on slings and serve two lugs each, by name."
     )
-    spreader_types: Types | None = Field(None, description="What several spreaders have in common, in their keys, by name of the type.")
+    spreader_types: Types | None = Field(
+        None, description="What several spreaders have in common, in their keys, by name of the type."
+    )
     spreaders: Named[Spreader] | None = Field(
         None, description="Bars, beams and frames between slings, by name."
     )
-    compensator_types: Types | None = Field(None, description="What several compensators have in common, in their keys, by name of the type.")
+    compensator_types: Types | None = Field(
+        None, description="What several compensators have in common, in their keys, by name of the type."
+    )
     compensators: Named[Compensator] | None = Field(None, description="Gas springs between slings, by name.")
     tag_lines: Named[TagLine] | None = Field(
         None, description="Thin ropes that keep the heading of the load, by name."
     )
-    guide_types: Types | None = Field(None, description="What several guides have in common, in their keys, by name of the type.")
+    guide_types: Types | None = Field(
+        None, description="What several guides have in common, in their keys, by name of the type."
+    )
     guides: Named[LandingGuide] | None = Field(
         None, description="Posts and walls that bring the load to its place as it lands, by name."
     )
     hinges: Named[LoadHinge] | None = Field(
         None, description="Hinge frames, foot pins and grippers in which the load turns, by name."
     )
-    mooring_line_types: Types | None = Field(None, description="What several mooring lines have in common, in their keys, by name of the type.")
+    mooring_line_types: Types | None = Field(
+        None, description="What several mooring lines have in common, in their keys, by name of the type."
+    )
     mooring_lines: Named[MooringLine] | None = Field(None, description="Lines that hold vessels, by name.")
-    fender_types: Types | None = Field(None, description="What several fenders have in common, in their keys, by name of the type.")
+    fender_types: Types | None = Field(
+        None, description="What several fenders have in common, in their keys, by name of the type."
+    )
     fenders: Named[Fender] | None = Field(
         None, description="Fenders between vessels and quays or other vessels, by name."
     )

@@ -23,6 +23,8 @@ from gantline.scenario.afloat.tanks import bodies_afloat, pumped_at_most
 from gantline.scenario.afloat.water import BallastTank
 from gantline.scenario.errors import PathPart
 from gantline.scenario.file.edit import text_with
+from gantline.scenario.file.tree import MapNode, parse_text, problem_at, written_at
+from gantline.scenario.file.types import filled_in
 from gantline.scenario.file.variants import with_values, without_cases
 from gantline.scenario.plan.steps import PumpStep
 from gantline.statics import Equilibrium, NoEquilibriumError, Statics
@@ -112,15 +114,32 @@ class BallastAnswer:
 
     @property
     def text(self) -> str:
-        """The lift file with the contents found; what did not change stays as it was written."""
-        where = afloat_path(self.scenario, self.vessel)
+        """The lift file with the contents found; what did not change stays as it was written.
+
+        Raises:
+            ScenarioError: If contents are those of a type that other vessels have, too.
+        """
+        tree = filled_in(parse_text(self.scenario.text, self.scenario.source))
         room = _room(self.scenario, self.vessel)
-        changed: dict[tuple[PathPart, ...], str] = {
-            (*where, "tanks", tank, "content"): _written(content, *room[tank])
-            for tank, content in self.contents.items()
-            if content != self.given[tank]
-        }
+        changed: dict[tuple[PathPart, ...], str] = {}
+        for tank, content in self.contents.items():
+            if content != self.given[tank]:
+                changed[self._written_at(tree, tank)] = _written(content, *room[tank])
         return text_with(self.scenario.text, changed)
+
+    def _written_at(self, tree: MapNode, tank: str) -> tuple[PathPart, ...]:
+        """Where the content of a tank stands; a type may not give it to other vessels, too."""
+        known = self.scenario.vessels or {}
+        paths = {
+            name: (*afloat_path(self.scenario, name), "tanks", tank, "content")
+            for name in (self.vessel, *known)
+        }
+        written = {name: written_at(tree, path) for name, path in paths.items()}
+        if [*written.values()].count(written[self.vessel]) > 1:
+            sentence = f"is the content of other vessels of this type, too; give '{self.vessel}' its own"
+            problem = problem_at(tree, paths[self.vessel], f"{sentence}, for '--write' to change")
+            raise ScenarioError(self.scenario.source, [problem])
+        return written[self.vessel]
 
     def to_json(self) -> dict[str, object]:
         """All of it as a JSON object, SI units."""

@@ -187,9 +187,7 @@ class Fender(Element):
 
     what: ClassVar[str] = "a fender"
 
-    type: Name | None = Field(
-        None, description="A name of 'fender_types' that gives what is not said here."
-    )
+    type: Name | None = Field(None, description="A name of 'fender_types' that gives what is not said here.")
     vessel: Name = Field(description="The vessel, or a body of 'mechanics'.")
     at: Position = Field(description="Where the vessel presses on it, in the vessel's axes.")
     wall: Annotated[tuple[float, float], ListOf(Quantity("length"), 2)] = Field(

@@ -189,9 +189,7 @@ class Vessel(Afloat):
 
     what: ClassVar[str] = "a vessel"
 
-    type: Name | None = Field(
-        None, description="A name of 'vessel_types' that gives what is not said here."
-    )
+    type: Name | None = Field(None, description="A name of 'vessel_types' that gives what is not said here.")
     position: _Place = Field(
         (0.0, 0.0), description="Where stern and centre plane are at the start, x and y of the world."
     )

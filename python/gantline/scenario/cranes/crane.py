@@ -12,6 +12,7 @@ from gantline.scenario.base import Element
 from gantline.scenario.cranes.heave import HeaveCompensation
 from gantline.scenario.cranes.reeving import HoistDrum, HookBlock, Reeving
 from gantline.scenario.errors import closest, shorten
+from gantline.scenario.file.other_words import MEANT
 from gantline.scenario.file.tree import MapNode
 from gantline.scenario.quantities import (
     Angle,
@@ -201,8 +202,9 @@ class FixedHook(Element):
         known = ", ".join(f"'{name}'" for name in CRANE_TYPES)
         if "type" not in data:
             own = cls.keys()
-            misspelt = closest("type", [key for key in data if key not in own])
-            hint = "" if misspelt is None else f" (is '{shorten(misspelt)}' a misspelt 'type'?)"
+            others = [key for key in data if key not in own]
+            misspelt = next((key for key in others if "type" in MEANT.get(key, ())), closest("type", others))
+            hint = "" if misspelt is None else f" (is '{shorten(misspelt)}' meant for 'type'?)"
             raise refuse(f"'type' is missing; a crane is one of {known}{hint}")
         if isinstance(kind, str) and kind in _MEANT:
             raise refuse(f"a {found(kind)} is written as {_MEANT[str(kind)]} here", "type")
@@ -213,8 +215,8 @@ class FixedHook(Element):
             drum = "a drum of 'mechanics' with a 'drive', its bundle a rope from there to the load"
             hook = "or 'type: fixed_hook' with a sling, where the load goes straight up"
             raise refuse(f"a strand jack is {drum}; {hook}", "type")
-        own = "and names of 'crane_types'"
-        raise refuse(f"{found(kind)} is not a type of crane; known here: {known}, {own}", "type")
+        right = f"known here: {known}, and names of 'crane_types'"
+        raise refuse(f"{found(kind)} is not a type of crane; {right}", "type")
 
 
 class EqualizerFrame(Element):

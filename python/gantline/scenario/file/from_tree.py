@@ -61,7 +61,9 @@ def _of_types(tree: MapNode) -> list[Problem]:
         try:
             _reader(of.section).validate_python(given)
         except ValidationError as error:
-            inside = [{**one, "loc": (of.types, *one["loc"])} for one in error.errors(include_url=False)]
+            inside = error.errors(include_url=False)
+            for one in inside:
+                one["loc"] = (of.types, *one["loc"])
             told = [one for one in inside if one["type"] != "missing" and _is_of_value(one, tree)]
             problems += translate(told, tree)
     return problems
@@ -70,7 +72,8 @@ def _of_types(tree: MapNode) -> list[Problem]:
 @cache
 def _reader(section: str) -> TypeAdapter[Any]:
     """Reads things of a section; built where a lift file has types."""
-    return TypeAdapter(Scenario.model_fields[section].annotation)
+    things: Any = Scenario.model_fields[section].annotation
+    return TypeAdapter(things)
 
 
 def _is_of_value(error: ErrorDetails, tree: MapNode) -> bool:

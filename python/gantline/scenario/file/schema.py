@@ -114,7 +114,7 @@ def _own(shown: dict[str, Any], definitions: dict[str, Any]) -> dict[str, Any]:
 
 
 def _parts_of(shown: Any, definitions: dict[str, Any]) -> Any:
-    """The same of which any part may be left out, with definitions of such parts beside those of the whole."""
+    """The same of which any part may be left out, with definitions of such parts beside the others."""
     if isinstance(shown, list):
         return [_parts_of(item, definitions) for item in shown]
     if not isinstance(shown, dict):

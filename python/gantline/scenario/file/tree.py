@@ -241,7 +241,7 @@ def written_at(tree: MapNode, path: tuple[PathPart, ...]) -> tuple[PathPart, ...
     node: Any = tree
     written: tuple[PathPart, ...] = ()
     for part in path:
-        moved = node.elsewhere.get(part) if isinstance(node, MapNode) else None
+        moved = node.elsewhere.get(str(part)) if isinstance(node, MapNode) else None
         written = (*written, part) if moved is None else moved
         is_there = (isinstance(node, MapNode) and part in node) or (
             isinstance(node, ListNode) and isinstance(part, int) and part < len(node)

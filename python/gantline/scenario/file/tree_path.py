@@ -11,13 +11,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Set
 from numbers import Real
-from typing import Any, Final
+from typing import Any, Final, TypeVar
 
 from gantline.scenario.errors import ScenarioError, closest, nearest, shorten
 from gantline.scenario.file.tree import ListNode, MapNode, Node, TextNode, parse_text
 from gantline.scenario.file.types import filled_in
 
 __all__ = ["PathError", "node_at", "node_of", "put", "text_node"]
+
+N = TypeVar("N", bound=Node)
 
 _AXES: Final = ("x", "y", "z")
 _PLACE: Final = re.compile(r"\[(\d+)\]")
@@ -166,7 +168,7 @@ def _set(holder: Node, step: str | int, node: Node) -> None:
 
 
 def _begun(given: Node) -> Node:
-    """What a thing has to say of its own before a part of what its type gives can be another: of lists all."""
+    """What a thing says of its own before a part of what its type gives can be another: of lists all."""
     if not isinstance(given, MapNode):
         return _copy(given)
     begun = MapNode()
@@ -266,11 +268,11 @@ def _index(node: ListNode, part: str, walked: str) -> int:
 def _copy(node: N) -> N:
     """The same, with mappings and lists of its own; what a validation noted is left behind."""
     if isinstance(node, MapNode):
-        mapping = MapNode({key: _copy(value) for key, value in node.items()})
+        mapping = type(node)({key: _copy(value) for key, value in node.items()})
         mapping.line, mapping.key_lines = node.line, dict(node.key_lines)
         return mapping
     if isinstance(node, ListNode):
-        items = ListNode(_copy(item) for item in node)
+        items = type(node)(_copy(item) for item in node)
         items.line = node.line
         return items
     return node

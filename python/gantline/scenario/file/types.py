@@ -73,7 +73,7 @@ def misnamed(tree: MapNode) -> dict[tuple[PathPart, ...], Problem]:
 
 
 def without(tree: MapNode, misnamed: Collection[tuple[PathPart, ...]]) -> MapNode:
-    """The tree without things that are misnamed or whose type is, and without a section that then is empty."""
+    """The tree without what is misnamed or whose type is, and without a section that then is empty."""
     paths = {*misnamed}
     for of in TYPED:
         things = tree.get(of.section)
@@ -131,7 +131,7 @@ def _names_one(given: Node | None, types: MapNode, of: Typed) -> bool:
 
 
 def _of_type(thing: MapNode, kind: MapNode, of: Typed) -> MapNode:
-    """A thing with what its type gives; `type` is then the kind that the type is of, where there are kinds."""
+    """A thing with what its type gives; `type` is then the kind of that type, where there are kinds."""
     name = thing["type"]
     own = {key: node for key, node in thing.items() if key != "type" or not of.kinds}
     return _over(_like(thing, own), kind, (of.types, str(name)))

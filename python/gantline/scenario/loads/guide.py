@@ -164,9 +164,7 @@ class LandingGuide(Element):
 
     what: ClassVar[str] = "a landing guide"
 
-    type: Name | None = Field(
-        None, description="A name of 'guide_types' that gives what is not said here."
-    )
+    type: Name | None = Field(None, description="A name of 'guide_types' that gives what is not said here.")
     post: GuidePost | None = Field(None, description="The post that stands there, with 'frame'.")
     frame: GuideFrame | None = Field(None, description="What of the load runs along the post.")
     wall: GuideWall | None = Field(None, description="The wall that stands there, with 'bumper'.")
