@@ -231,6 +231,17 @@ def test_a_message_names_the_place_where_what_is_wrong_stands(old: str, new: str
         assert one.startswith(beginning)
 
 
+def test_a_small_file_does_not_become_a_huge_one() -> None:
+    """1000 vessels of a type with 300 tanks: 7 values of each tank, 2100, and a draft."""
+    box = {"box": ["1 m"] * 3, "bottom": ["1 m"] * 3, "content": "1 t"}
+    flat = {"draft": "4 m", "tanks": {f"t{place}": box for place in range(300)}}
+    many = {f"v{place}": {"type": "flat"} for place in range(1000)}
+    with pytest.raises(ScenarioError) as error:
+        parse_scenario(text_of_lift({}, vessel_types={"flat": flat}, vessels=many))
+    told = "1000 things have this type, with 2101 values each; types give at most 200000 in all"
+    assert [one.message for one in error.value.problems] == [f"vessel_types.flat: {told}"]
+
+
 def test_what_a_thing_says_itself_counts() -> None:
     """Mapping by mapping, key by key; lists are said whole."""
     text = replaced(

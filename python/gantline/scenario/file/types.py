@@ -7,13 +7,14 @@ part stands, for messages. What is changed in a lift is changed in the tree as i
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterator
 from typing import Final, NamedTuple, get_args
 
 from gantline.scenario.afloat.mooring import MooringLine
 from gantline.scenario.cranes.crane import CRANE_TYPES
 from gantline.scenario.errors import PathPart, Problem, closest, nearest, shorten
-from gantline.scenario.file.tree import MapNode, Node, TextNode, problem_at
+from gantline.scenario.file.tree import MapNode, Node, TextNode, problem_at, texts
 
 __all__ = ["TYPED", "Typed", "filled_in", "misnamed", "without"]
 
@@ -35,6 +36,9 @@ class Typed(NamedTuple):
     kinds: tuple[str, ...] = ()
     needs_kind: bool = False
 
+
+#: Most values that things may have from one type, all together: far more than any lift has.
+_MOST_VALUES: Final = 200_000
 
 _LINES: Final = get_args(MooringLine.model_fields["type"].annotation)
 
@@ -110,6 +114,7 @@ def _misnamed(tree: MapNode, of: Typed) -> Iterator[tuple[tuple[PathPart, ...], 
         elif isinstance(given, TextNode) and given in types:
             sentence = f"'{shorten(given)}' is a type, too; a type says its kind, {_or(of.kinds)}"
             yield path, problem_at(tree, (*path, "type"), sentence)
+    yield from _too_many(tree, of)
     for name, thing in things.items() if isinstance(things, MapNode) else ():
         given = thing.get("type") if isinstance(thing, MapNode) else None
         if not isinstance(given, TextNode) or given in of.kinds or given in types:
@@ -119,6 +124,22 @@ def _misnamed(tree: MapNode, of: Typed) -> Iterator[tuple[tuple[PathPart, ...], 
             path = (of.section, name)
             sentence = f"'{shorten(given)}' is not a name of '{of.types}'; {nearest(given, types)}"
             yield path, problem_at(tree, (*path, "type"), sentence)
+
+
+def _too_many(tree: MapNode, of: Typed) -> Iterator[tuple[tuple[PathPart, ...], Problem]]:
+    """A type that would make a small file a huge one, as aliases do."""
+    things, types = tree.get(of.section), tree[of.types] if of.types in tree else MapNode()
+    named = Counter(
+        one["type"]
+        for one in (things.values() if isinstance(things, MapNode) else ())
+        if isinstance(one, MapNode) and isinstance(one.get("type"), TextNode)
+    )
+    for name, count in named.items():
+        values = sum(1 for _ in texts(types[name])) if count > 1 and name in types else 0
+        if values * count > _MOST_VALUES:
+            sentence = f"{count} things have this type, with {values} values each"
+            right = f"types give at most {_MOST_VALUES} in all"
+            yield (of.types, name), problem_at(tree, (of.types, name), f"{sentence}; {right}")
 
 
 def _or(words: tuple[str, ...]) -> str:
