@@ -80,7 +80,13 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
         ("gantline new mylift", "a module on four slings, with comments, to change"),
         ("gantline new mylift --from equalizer", "a folder with a lift file to change"),
     ),
-    "schema": (("gantline schema -o lift.schema.json", "for an editor"),),
+    "schema": (
+        ("gantline schema -o lift.schema.json", "for an editor"),
+        (
+            "gantline schema --library -o library.schema.json",
+            "for the types of a yard in a file of their own",
+        ),
+    ),
     "doctor": (("gantline doctor", "what is installed here"),),
 }
 

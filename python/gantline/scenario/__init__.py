@@ -2,7 +2,12 @@
 
 from gantline.scenario.errors import Problem, ScenarioError, StartError
 from gantline.scenario.file.reading import FILE_NAME, load_scenario, parse_scenario
-from gantline.scenario.file.schema import json_schema, schema_text
+from gantline.scenario.file.schema import (
+    json_schema,
+    library_schema,
+    library_schema_text,
+    schema_text,
+)
 from gantline.scenario.file.shipped import shipped
 from gantline.scenario.file.template import template
 from gantline.scenario.model import Scenario
@@ -16,6 +21,8 @@ __all__ = [
     "ScenarioError",
     "StartError",
     "json_schema",
+    "library_schema",
+    "library_schema_text",
     "load_scenario",
     "parse_scenario",
     "resolve",

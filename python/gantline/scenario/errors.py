@@ -41,12 +41,14 @@ class Problem:
         path: its path in the file, empty where it has none.
         sentence: what is wrong, and what would be right.
         step: name of the step of the plan that it is in, empty where it is in none that has a name.
+        file: the library in which it is; None of the lift file.
     """
 
     line: int | None
     path: str
     sentence: str
     step: str = ""
+    file: str | None = None
 
     @property
     def message(self) -> str:
@@ -59,7 +61,8 @@ class Problem:
 
     def of(self, source: str) -> str:
         """The problem as one line of a message, behind the name of its file."""
-        place = source if self.line is None else f"{source}:{self.line}"
+        file = source if self.file is None else self.file
+        place = file if self.line is None else f"{file}:{self.line}"
         return f"{place}: {self.message}"
 
 
@@ -82,7 +85,7 @@ class ScenarioError(ValueError):
         """Order the problems by line, each one once."""
         unique = dict.fromkeys(problems)
         self.source = source
-        self.problems = tuple(sorted(unique, key=lambda problem: problem.line or 0))
+        self.problems = tuple(sorted(unique, key=lambda one: (one.file or "", one.line or 0)))
         super().__init__(self._message())
 
     def __reduce__(self) -> tuple[Any, ...]:

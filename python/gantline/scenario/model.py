@@ -39,7 +39,7 @@ from gantline.scenario.loads.supports import Supports
 from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.plan.plan import EmergencyStop, Step
 from gantline.scenario.plan.times import usual_sample_interval
-from gantline.scenario.quantities import PositiveTime, Reader, found, refuse
+from gantline.scenario.quantities import FilesReader, PositiveTime, Reader, found, refuse
 from gantline.scenario.tag_line import TagLine
 from gantline.scenario.watch import Watch
 
@@ -66,6 +66,9 @@ class Scenario(Element):
     what: ClassVar[str] = "a lift file"
 
     format: Annotated[int, _FormatReader()] = Field(description="Format of the file: 1.")
+    library: Annotated[tuple[str, ...], FilesReader()] = Field(
+        (), description="Files beside the lift file with types, ropes and shackles; one, or a list."
+    )
     lift: LiftHead = Field(description="What the lift is called.")
     duration: PositiveTime = Field(description="Time to simulate.")
     start: Literal["rest", "settled", "as_given"] | None = Field(
@@ -176,7 +179,13 @@ class Scenario(Element):
 
     @property
     def text(self) -> str:
-        """The lift file as it was read."""
+        """The lift file as it was read; below it, as comments, the libraries that it names."""
+        beside = self._tree_as_written.beside
+        return f"{self._text.rstrip()}\n{beside}" if beside else self._text
+
+    @property
+    def file_text(self) -> str:
+        """The lift file as it was read, by itself."""
         return self._text
 
     @property

@@ -281,6 +281,33 @@ class FreeText(Reader):
 
 
 @dataclass(frozen=True)
+class FilesReader(Reader):
+    """Reads the name of a file, or a list of such."""
+
+    most: int = 20
+
+    def read(self, value: object) -> tuple[str, ...]:
+        """Their names."""
+        names = value if isinstance(value, list) else [value]
+        if not names or not all(isinstance(name, str) and name.strip() for name in names):
+            raise refuse(f"found {found(value)}; the name of a file or a list of such names is needed")
+        if len(names) > self.most:
+            raise refuse(f"found {len(names)} files; at most {self.most} are right")
+        if len({*names}) < len(names):
+            raise refuse("a file is named twice; once is right")
+        return tuple(str(name) for name in names)
+
+    def shown(self) -> JsonSchemaValue:
+        """A text, or a list of texts."""
+        return {
+            "anyOf": [
+                {"type": "string", "examples": ["yard.yaml"]},
+                {"type": "array", "items": {"type": "string"}, "minItems": 1, "maxItems": self.most},
+            ]
+        }
+
+
+@dataclass(frozen=True)
 class ListOf(Reader):
     """A list of values of one field type, of a given length or at least one."""
 

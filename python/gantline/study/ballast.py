@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +23,7 @@ from gantline.scenario.afloat.tanks import bodies_afloat, pumped_at_most
 from gantline.scenario.afloat.water import BallastTank
 from gantline.scenario.errors import PathPart
 from gantline.scenario.file.edit import text_with
+from gantline.scenario.file.library import with_libraries
 from gantline.scenario.file.tree import MapNode, parse_text, problem_at, written_at
 from gantline.scenario.file.types import filled_in
 from gantline.scenario.file.variants import with_values, without_cases
@@ -119,13 +120,14 @@ class BallastAnswer:
         Raises:
             ScenarioError: If contents are those of a type that other vessels have, too.
         """
-        tree = filled_in(parse_text(self.scenario.text, self.scenario.source))
+        text, source = self.scenario.file_text, self.scenario.source
+        tree = filled_in(with_libraries(parse_text(text, source), source))
         room = _room(self.scenario, self.vessel)
         changed: dict[tuple[PathPart, ...], str] = {}
         for tank, content in self.contents.items():
             if content != self.given[tank]:
                 changed[self._written_at(tree, tank)] = _written(content, *room[tank])
-        return text_with(self.scenario.text, changed)
+        return text_with(text, changed)
 
     def _written_at(self, tree: MapNode, tank: str) -> tuple[PathPart, ...]:
         """Where the content of a tank stands; a type may not give it to other vessels, too."""
@@ -135,10 +137,12 @@ class BallastAnswer:
             for name in (self.vessel, *known)
         }
         written = {name: written_at(tree, path) for name, path in paths.items()}
-        if [*written.values()].count(written[self.vessel]) > 1:
-            sentence = f"is the content of other vessels of this type, too; give '{self.vessel}' its own"
-            problem = problem_at(tree, paths[self.vessel], f"{sentence}, for '--write' to change")
-            raise ScenarioError(self.scenario.source, [problem])
+        here = problem_at(tree, paths[self.vessel], "")
+        is_shared = [*written.values()].count(written[self.vessel]) > 1
+        if is_shared or here.file is not None:
+            whose = "of other vessels of this type, too" if is_shared else "of a library"
+            sentence = f"is the content {whose}; give '{self.vessel}' its own, for '--write' to change"
+            raise ScenarioError(self.scenario.source, [replace(here, sentence=sentence)])
         return written[self.vessel]
 
     def to_json(self) -> dict[str, object]:

@@ -12,6 +12,7 @@ from typing import Any
 from gantline.scenario.errors import Problem, ScenarioError, closest
 from gantline.scenario.file import odd_characters
 from gantline.scenario.file.from_tree import from_tree
+from gantline.scenario.file.library import is_library, with_libraries
 from gantline.scenario.file.shipped import shipped
 from gantline.scenario.file.tree import parse_text, read_text
 from gantline.scenario.file.tree_path import PathError, node_of
@@ -113,7 +114,11 @@ def _parsed(text: str, source: str) -> Scenario:
 def _checked(text: str, source: str) -> Scenario:
     # Those that no mapping directly below one has, too.
     sections = {*Scenario.keys()}.difference(Mechanics.keys(), SlingDefaults.keys())
-    scenario = from_tree(parse_text(text, source, sections), source, text)
+    tree = parse_text(text, source, sections)
+    if is_library(tree):
+        sentence = "is a library and has no lift in it; a lift file names it in its 'library'"
+        raise ScenarioError(source, [Problem(None, "", sentence)])
+    scenario = from_tree(with_libraries(tree, source), source, text)
     check_cases(scenario)
     return scenario
 

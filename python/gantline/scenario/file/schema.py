@@ -9,12 +9,13 @@ from typing import Any, Final
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema
 
+from gantline.scenario.file.library import SECTIONS
 from gantline.scenario.file.types import TYPED, Typed
 from gantline.scenario.model import Scenario
 from gantline.scenario.quantities import NAME_PATTERN, NameText, Quantity
 from gantline.units import DIMENSIONS
 
-__all__ = ["json_schema", "schema_text"]
+__all__ = ["json_schema", "library_schema", "library_schema_text", "schema_text"]
 
 _DEFINITIONS: Final = "#/$defs/"
 #: How the name of a definition ends of which any part may be left out.
@@ -54,10 +55,33 @@ def json_schema() -> dict[str, Any]:
     }
 
 
+def library_schema() -> dict[str, Any]:
+    """JSON Schema of a library, the file of types, ropes and shackles that lifts name."""
+    whole = json_schema()
+    return {
+        **whole,
+        "$id": "library.schema.json",
+        "title": "gantline library",
+        "description": "Types, ropes and shackles that lift files name in their 'library'.",
+        "properties": {key: whole["properties"][key] for key in ("format", *SECTIONS)},
+        "required": ["format"],
+    }
+
+
 @cache
 def schema_text() -> str:
     """The schema as the text of ``schema/lift.schema.json``."""
-    return json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"
+    return _text(json_schema())
+
+
+@cache
+def library_schema_text() -> str:
+    """The schema of libraries as a text."""
+    return _text(library_schema())
+
+
+def _text(schema: dict[str, Any]) -> str:
+    return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 
 def _share(schema: Any, quantities: dict[str, JsonSchemaValue]) -> Any:

@@ -28,6 +28,7 @@ __all__ = [
     "MapNode",
     "Node",
     "TextNode",
+    "like",
     "line_of",
     "parse_text",
     "problem_at",
@@ -103,11 +104,15 @@ class MapNode(dict[str, Any]):
         explained: what such a key says, in words; set alike.
         what: what that model is called in messages.
         elsewhere: where in the file that stands which a type gave to this mapping, by key.
+        file: the library in which it stands; none of what stands in the lift file.
+        beside: of a whole lift file what its libraries say, as comments.
     """
 
     line: int
     key_lines: dict[str, int]
     elsewhere: Mapping[str, tuple[PathPart, ...]] = MappingProxyType({})
+    file: str | None = None
+    beside: str = ""
     allowed: tuple[str, ...] = ()
     explained: Callable[[str], str] | None = None
     what: str = ""
@@ -232,8 +237,16 @@ def problem_at(tree: MapNode, path: tuple[PathPart, ...], sentence: str, line: i
             given = plan[place] if isinstance(plan, ListNode) and place < len(plan) else None
             name = given.get("step") if isinstance(given, MapNode) else None
             step = str(name) if isinstance(name, TextNode) else ""
-    shown = join_path(written_at(tree, path))
-    return Problem(line_of(tree, path) if line is None else line, shown, sentence, step)
+    written = written_at(tree, path)
+    line = line_of(tree, path) if line is None else line
+    return Problem(line, join_path(written), sentence, step, _file_of(tree, written))
+
+
+def _file_of(tree: MapNode, path: tuple[PathPart, ...]) -> str | None:
+    """The library in which a thing stands; none of what stands in the lift file."""
+    section = tree.get(str(path[0])) if path else None
+    thing = section.get(str(path[1])) if isinstance(section, MapNode) and len(path) > 1 else None
+    return thing.file if isinstance(thing, MapNode) else None
 
 
 def written_at(tree: MapNode, path: tuple[PathPart, ...]) -> tuple[PathPart, ...]:
@@ -248,6 +261,14 @@ def written_at(tree: MapNode, path: tuple[PathPart, ...]) -> tuple[PathPart, ...
         )
         node = node[part] if is_there else None
     return written
+
+
+def like(node: MapNode, parts: Mapping[str, Any]) -> MapNode:
+    """A mapping in the place of another one, with other parts; what a validation noted is left behind."""
+    made = MapNode(parts)
+    made.line, made.key_lines = node.line, {key: node.key_lines.get(key, node.line) for key in parts}
+    made.file, made.beside = node.file, node.beside
+    return made
 
 
 def texts(node: Node) -> Iterator[str]:
@@ -327,7 +348,10 @@ class _Builder:
             )
         if event.tag is not None:
             tag = shorten(str(event.tag).replace(_YAML_TAG, "!!"))
-            raise self._stop(line, f"the tag '{tag}' is not allowed; write the plain value")
+            other = (
+                "" if tag != "!include" else ", or 'library: FILE' for types, ropes and shackles of a file"
+            )
+            raise self._stop(line, f"the tag '{tag}' is not allowed; write the plain value{other}")
 
     def _begin(self, event: Any, line: int) -> None:
         if isinstance(event, _SCALAR):

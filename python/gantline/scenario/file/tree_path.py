@@ -11,15 +11,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Set
 from numbers import Real
-from typing import Any, Final, TypeVar
+from typing import Any, Final
 
 from gantline.scenario.errors import ScenarioError, closest, nearest, shorten
-from gantline.scenario.file.tree import ListNode, MapNode, Node, TextNode, parse_text
+from gantline.scenario.file.tree import ListNode, MapNode, Node, TextNode, like, parse_text
 from gantline.scenario.file.types import filled_in
 
 __all__ = ["PathError", "node_at", "node_of", "put", "text_node"]
-
-N = TypeVar("N", bound=Node)
 
 _AXES: Final = ("x", "y", "z")
 _PLACE: Final = re.compile(r"\[(\d+)\]")
@@ -63,7 +61,7 @@ def put(tree: MapNode, path: str, node: Node) -> MapNode:
     """
     whole = filled_in(tree)
     *way, last = _steps(whole, path)
-    changed = _copy(tree)
+    changed = like(tree, {key: _copy(value) for key, value in tree.items()})
     holder: Node = changed
     given: Node = whole
     for step in way:
@@ -265,14 +263,12 @@ def _index(node: ListNode, part: str, walked: str) -> int:
     raise PathError(f"{sentence}; {right} from 1 to {len(node)} is right")
 
 
-def _copy(node: N) -> N:
+def _copy(node: Node) -> Node:
     """The same, with mappings and lists of its own; what a validation noted is left behind."""
     if isinstance(node, MapNode):
-        mapping = type(node)({key: _copy(value) for key, value in node.items()})
-        mapping.line, mapping.key_lines = node.line, dict(node.key_lines)
-        return mapping
+        return like(node, {key: _copy(value) for key, value in node.items()})
     if isinstance(node, ListNode):
-        items = type(node)(_copy(item) for item in node)
+        items = ListNode(_copy(item) for item in node)
         items.line = node.line
         return items
     return node

@@ -14,7 +14,7 @@ from typing import Final, NamedTuple, get_args
 from gantline.scenario.afloat.mooring import MooringLine
 from gantline.scenario.cranes.crane import CRANE_TYPES
 from gantline.scenario.errors import PathPart, Problem, closest, nearest, shorten
-from gantline.scenario.file.tree import MapNode, Node, TextNode, problem_at, texts
+from gantline.scenario.file.tree import MapNode, Node, TextNode, like, problem_at, texts
 
 __all__ = ["TYPED", "Typed", "filled_in", "misnamed", "without"]
 
@@ -67,8 +67,8 @@ def filled_in(tree: MapNode) -> MapNode:
             if isinstance(thing, MapNode) and _names_one(thing.get("type"), types, of)
         }
         if whole:
-            sections[of.section] = _like(things, {**things, **whole})
-    return _like(tree, {**tree, **sections}) if sections else tree
+            sections[of.section] = like(things, {**things, **whole})
+    return like(tree, {**tree, **sections}) if sections else tree
 
 
 def misnamed(tree: MapNode) -> dict[tuple[PathPart, ...], Problem]:
@@ -89,10 +89,10 @@ def without(tree: MapNode, misnamed: Collection[tuple[PathPart, ...]]) -> MapNod
         if isinstance(things, MapNode):
             left = {name: thing for name, thing in things.items() if (section, name) not in paths}
             if left or not things:
-                sections[section] = things if len(left) == len(things) else _like(things, left)
+                sections[section] = things if len(left) == len(things) else like(things, left)
         else:
             sections[section] = things
-    return _like(tree, sections)
+    return like(tree, sections)
 
 
 def _misnamed(tree: MapNode, of: Typed) -> Iterator[tuple[tuple[PathPart, ...], Problem]]:
@@ -155,12 +155,12 @@ def _of_type(thing: MapNode, kind: MapNode, of: Typed) -> MapNode:
     """A thing with what its type gives; `type` is then the kind of that type, where there are kinds."""
     name = thing["type"]
     own = {key: node for key, node in thing.items() if key != "type" or not of.kinds}
-    return _over(_like(thing, own), kind, (of.types, str(name)))
+    return _over(like(thing, own), kind, (of.types, str(name)))
 
 
 def _over(own: MapNode, given: MapNode, place: tuple[PathPart, ...]) -> MapNode:
     """A mapping in which what is not said is as in another one, which stands at a place of the file."""
-    merged = _like(own, {})
+    merged = like(own, {})
     lines, elsewhere = dict(given.key_lines), {}
     for key, node in given.items():
         mine = own.get(key, node)
@@ -174,10 +174,3 @@ def _over(own: MapNode, given: MapNode, place: tuple[PathPart, ...]) -> MapNode:
     merged.key_lines = {key: own.key_lines.get(key, lines.get(key, own.line)) for key in merged}
     merged.elsewhere = elsewhere
     return merged
-
-
-def _like(node: MapNode, parts: dict[str, Node]) -> MapNode:
-    """A mapping in the place of another one, with other parts."""
-    made = MapNode(parts)
-    made.line, made.key_lines = node.line, {key: node.key_lines.get(key, node.line) for key in parts}
-    return made

@@ -12,7 +12,7 @@ from gantline.scenario.afloat.mooring import line_rope
 from gantline.scenario.errors import PathPart, Problem, ScenarioError, nearest
 from gantline.scenario.file.case import ENVELOPE, TOLERANCE, Case
 from gantline.scenario.file.from_tree import from_tree
-from gantline.scenario.file.tree import MapNode, Node, TextNode, line_of
+from gantline.scenario.file.tree import MapNode, Node, TextNode, like, line_of
 from gantline.scenario.file.tree_path import PathError, line_at, node_at, node_of, put, text_node
 from gantline.scenario.file.types import filled_in
 from gantline.scenario.findings import Findings
@@ -94,7 +94,7 @@ def variants_of(scenario: Scenario, name: str) -> list[Variant]:
 
 def without_cases(scenario: Scenario) -> Scenario:
     """The lift as it is given, without cases."""
-    return from_tree(_base(scenario), scenario.source, scenario.text).counted_from(scenario)
+    return from_tree(_base(scenario), scenario.source, scenario.file_text).counted_from(scenario)
 
 
 def with_value(scenario: Scenario, path: str, text: str) -> Scenario:
@@ -253,7 +253,7 @@ def _changed(scenario: Scenario, changes: Mapping[str, Node], path: tuple[PathPa
         except PathError as error:
             raise scenario.error(own, str(error)) from None
     try:
-        other = from_tree(tree, scenario.source, scenario.text).counted_from(scenario)
+        other = from_tree(tree, scenario.source, scenario.file_text).counted_from(scenario)
     except ScenarioError as error:
         problems = [scenario.problem(path, one.message) for one in error.problems]
         raise ScenarioError(scenario.source, problems) from None
@@ -269,16 +269,13 @@ def _with_texts(scenario: Scenario, tree: MapNode, texts: Mapping[str, Any]) -> 
     """The scenario of a tree with values at dotted paths, for which that of `scenario` knows the lines."""
     for path, text in texts.items():
         tree = put(tree, path, node_of(text, line_at(scenario.tree, path)))
-    return from_tree(tree, scenario.source, scenario.text).counted_from(scenario)
+    return from_tree(tree, scenario.source, scenario.file_text).counted_from(scenario)
 
 
 def _base(scenario: Scenario) -> MapNode:
     """The tree of a lift file without its cases."""
     written = scenario.tree_as_written
-    tree = MapNode({key: node for key, node in written.items() if key != "cases"})
-    tree.line = written.line
-    tree.key_lines = {key: line for key, line in written.key_lines.items() if key != "cases"}
-    return tree
+    return like(written, {key: node for key, node in written.items() if key != "cases"})
 
 
 def _let_go(scenario: Scenario) -> MapNode:
