@@ -9,10 +9,18 @@ import pytest
 
 from ballasted import barge, tank
 from ballasted import text as text_of_lift
-from gantline.scenario import Scenario, ScenarioError, library_schema, load_scenario, parse_scenario
+from gantline.scenario import (
+    Scenario,
+    ScenarioError,
+    check_library,
+    library_schema,
+    load_scenario,
+    parse_scenario,
+)
 from gantline.scenario.file.tree import parse_text
 from gantline.simulation import Simulation
 from gantline.study import solve_ballast
+from program import called
 
 PAIR = Path(__file__).resolve().parents[2] / "scenarios" / "floating_crane_and_crawlers" / "scenario.yaml"
 TEXT = PAIR.read_text(encoding="utf-8")
@@ -155,6 +163,35 @@ def test_a_doubt_names_the_library(folder: Path) -> None:
     doubts = [one.of("lift.yaml") for one in Simulation(lift).assembly.doubts if "turns" in one.sentence]
     place = f"{folder}/yard.yaml:5: crane_types.crawler_400.heading"
     assert doubts == [f"{place}: 94.2477796 rad are 15 turns; '94.2477796 deg' may be meant"]
+
+
+def test_a_library_is_looked_over_by_itself(folder: Path) -> None:
+    """Each section, without what only a lift knows; a lift is none."""
+    assert check_library(folder / "yard.yaml") == {"crane_types": 1, "hook_types": 2, "equalizer_types": 1}
+    assert check_library(folder / "lift.yaml") is None
+    assert check_library(folder / "none.yaml") is None
+    text = YARD.replace("base_mass: 190 t", "base_mass: 190 kN").replace("height: 3.0 m", "heigth: 3.0 m")
+    (folder / "yard.yaml").write_text(text.replace("radius: 16 m", "radius: 16 t"), encoding="utf-8")
+    with pytest.raises(ScenarioError) as error:
+        check_library(folder / "yard.yaml")
+    places = [one.path for one in error.value.problems]
+    assert places == [
+        "crane_types.crawler_400.base_mass",
+        "crane_types.crawler_400.boom.radius",
+        "hook_types.hook_900.block.heigth",
+    ]
+
+
+def test_a_library_on_the_command_line(folder: Path) -> None:
+    """In order, with what it holds; else code 2, as of a lift file."""
+    result = called("check", folder / "yard.yaml")
+    held = "crane_types 1, hook_types 2, equalizer_types 1"
+    assert (result.returncode, result.stdout) == (0, f"{folder}/yard.yaml: a library, in order ({held})\n")
+    (folder / "yard.yaml").write_text(YARD.replace("base_mass", "base_mas"), encoding="utf-8")
+    result = called("check", folder / "yard.yaml")
+    assert result.returncode == 2
+    place = f"{folder}/yard.yaml:8: crane_types.crawler_400.base_mas"
+    assert f"{place}: 'base_mas' is not a key of a crawler crane; did you mean 'base_mass'?" in result.stderr
 
 
 def test_a_library_is_no_lift(folder: Path) -> None:

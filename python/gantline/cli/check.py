@@ -35,7 +35,7 @@ def check(
         typer.Argument(
             metavar="LIFT|RECORDING",
             help="Lift file, its folder, the name of a lift that comes with gantline; or a recording (.nc), "
-            "or a folder that `gantline run` wrote.",
+            "or a folder that `gantline run` wrote; or a library of types.",
             autocompletion=lifts_that_begin,
         ),
     ],
@@ -54,6 +54,8 @@ def check(
         if simulate:
             stop(f"{file} is a recording: its lift has been simulated already")
         raise typer.Exit(_print_checks(opened(file), as_json=as_json))
+    if not simulate and not as_json and _is_looked_over_as_library(lift):
+        return
     with scenario_errors():
         from gantline.simulation import Simulation
 
@@ -63,6 +65,21 @@ def check(
     if as_json:
         stop("--json prints the checks of a recording, or of a lift with --simulate")
     _look_over(simulation)
+
+
+def _is_looked_over_as_library(file: Path) -> bool:
+    """Whether a file is a library; what it holds is printed then."""
+    if not file.is_file():
+        return False
+    with scenario_errors():
+        from gantline.scenario import check_library
+
+        held = check_library(file)
+    if held is None:
+        return False
+    counted = ", ".join(f"{section} {count}" for section, count in held.items())
+    typer.echo(f"{file}: a library, in order ({counted})")
+    return True
 
 
 def _print_checks(recording: Recording, *, as_json: bool) -> int:

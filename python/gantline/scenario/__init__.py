@@ -1,6 +1,7 @@
 """Lift files: read, checked, with every quantity in SI units."""
 
 from gantline.scenario.errors import Problem, ScenarioError, StartError
+from gantline.scenario.file.alone import check_library
 from gantline.scenario.file.reading import FILE_NAME, load_scenario, parse_scenario
 from gantline.scenario.file.schema import (
     json_schema,
@@ -20,6 +21,7 @@ __all__ = [
     "Scenario",
     "ScenarioError",
     "StartError",
+    "check_library",
     "json_schema",
     "library_schema",
     "library_schema_text",

@@ -22,7 +22,7 @@ from gantline.scenario.file.tree import (
 )
 from gantline.scenario.file.types import TYPED
 
-__all__ = ["LIBRARY", "SECTIONS", "is_library", "with_libraries"]
+__all__ = ["LIBRARY", "SECTIONS", "is_library", "refuse_other_keys", "with_libraries"]
 
 #: The key of a lift file that names them.
 LIBRARY: Final = "library"
@@ -62,7 +62,7 @@ def with_libraries(tree: MapNode, source: str) -> MapNode:
             sentence = f"'{shorten(name)}' {why}; a library beside the lift file is needed"
             raise ScenarioError(source, [problem_at(tree, (LIBRARY,), sentence)]) from None
         library = parse_text(text, str(path))
-        _refuse_other_keys(library, str(path))
+        refuse_other_keys(library, str(path))
         beside += f"# library: {name}\n" + "".join(f"# {line}".rstrip() + "\n" for line in text.splitlines())
         for section, given in library.items():
             if section not in SECTIONS:
@@ -93,7 +93,7 @@ def _named(tree: MapNode) -> list[str]:
     return [*dict.fromkeys(texts)] if len(texts) == len(names) <= _MOST else []
 
 
-def _refuse_other_keys(library: MapNode, source: str) -> None:
+def refuse_other_keys(library: MapNode, source: str) -> None:
     """Refuse what no library gives, and things that are no mappings.
 
     Raises:
