@@ -30,13 +30,9 @@ def doubts(*, haul: bool, about: bool, fixed: bool = False) -> list[str]:
     turned = _OVER.replace("speed: 1.2 m/min", "turn: 1 deg, speed: 1 m/min")
     axis = "turn: 1 deg, about: [80 m, 0 m]" if about else "turn: 1 deg"
     text = text.replace(_OVER, turned.replace("turn: 1 deg", axis))
-    line = "rope: moor_56, pretension: 100 kN, type: spring}"
-    winch = (
-        "rope: moor_56, pretension: 100 kN, type: spring, winch: {speed: 1 m/min, acceleration: 0.01 m/s^2}}"
-    )
-    text = "\n".join(
-        row.replace(line, winch) if row.startswith("  aft.spring:") else row for row in text.split("\n")
-    )
+    line = "  aft.spring:  {type: to_the_quay, "
+    assert line in text
+    text = text.replace(line, f"{line}winch: {{speed: 1 m/min, acceleration: 0.01 m/s^2}}, ")
     if haul:
         step = "  - {step: up, lead"
         assert step in text
