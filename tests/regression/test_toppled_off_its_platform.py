@@ -1,9 +1,9 @@
-"""A column that stood on a platform with its centre of gravity nearly over its rim toppled as it came to rest,
+"""A column that stood on a platform, its centre of gravity nearly over its rim, toppled as it came to rest,
 and lay between the underside of the platform and the ground, jammed with 6,800 times its weight.
 
-The search for the equilibrium turned it over by 0.8 rad in a step, which took its top metres into the platform.
-What was found there pushed it out the nearest way, which was downwards. Through a deck of 0.3 m it fell without
-touching it. Of these twelve columns ten lay below, or were refused since no step led on.
+The search for the equilibrium turned it by 0.8 rad in a step, which took its top metres into the platform.
+What was found there pushed it out the nearest way, which was downwards. Through a deck of 0.3 m it fell
+without touching it. Of these twelve columns ten lay below, or were refused since no step led on.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ YIELDS = 1 / 2000e6
 @pytest.mark.parametrize("aside", [0.99, 0.999])
 def test_it_lies_on_the_platform(aside: float, high: float, under: float, tmp_path: Path) -> None:
     """On sixteen corners it stands within R cos(π/16) = 0.981 R of its axis, between two of them, and topples
-    beyond. Then it lies on its side with its centre of gravity below its axis, R (1 - aside) over the platform,
-    which bears its weight and no more; ends and sides are cut by 1 mm at most (RL5).
+    beyond. Then it lies on its side, its centre of gravity below its axis, R (1 - aside) over the
+    platform, which bears its weight and no more; sides are cut by 1 mm at most (RL5).
     """
     angle = math.pi / 16
     platform = {
