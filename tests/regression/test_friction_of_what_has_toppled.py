@@ -24,8 +24,8 @@ HALF, TOP, WEIGHT = 2.0, 5.0, 200e3 * 9.81
 def test_nothing_presses_aside(
     along: float, aside: float, edge: float, friction: float, tmp_path: Path
 ) -> None:
-    """With its centre of gravity beyond the edge it falls onto its side at x = 2 m. The ground bears its weight
-    and nothing else presses, so that all contact forces add up to that. Its corners sink by 4 mm at most, W/2 on one.
+    """With its centre of gravity beyond the edge it falls onto its side at x = 2 m. The ground bears its
+    weight and nothing else presses, so that all contact forces add up to that. Corners sink by W/2k at most.
     """
     platform = {"type": "box", "x": ["-40 m", f"{edge} m"], "y": ["-40 m", "40 m"], "z": ["0 m", f"{TOP} m"]}
     law = {"stiffness": "500 MN/m", "damping": "20 MN s/m", "friction": friction}

@@ -219,7 +219,8 @@ impl Statics {
     /// Notes which contacts are aloft, and how their bodies are turned.
     pub(super) fn note_aloft(&mut self, system: &System, state: &State) {
         let Pace { aloft, turned, .. } = &mut self.pace;
-        (aloft.clear(), turned.clear());
+        aloft.clear();
+        turned.clear();
         aloft.extend(system.friction.chunks_exact(2).map(|rows| {
             let Law::Friction { normal, .. } = system.rows.laws[rows[0]] else { return false };
             state.trial[normal] * system.rows.laws[normal].compliance() < -ALOFT
