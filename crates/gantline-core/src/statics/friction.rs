@@ -1,6 +1,8 @@
 //! Friction at rest: what sheaves and contacts hold follows from the forces that press, which follow from what they hold.
 //! After each search it is set anew, until it no longer changes.
 
+use glam::DMat3;
+
 use super::bearing::{Bearing, Part, weight};
 use super::losses::{Contacts, Losses, Sheaves};
 use super::{LOSS_LEFT, Statics};
@@ -8,6 +10,7 @@ use crate::constraint::brake::{At, Brake};
 use crate::constraint::{AnyConstraint, Law};
 use crate::state::State;
 use crate::system::System;
+use crate::tree::kinematics::Kinematics;
 
 /// What holds less than this share of its bound holds whatever the bound's last digits are.
 pub(super) const WELL_WITHIN: f64 = 1.0 - 1e-9;
@@ -20,6 +23,12 @@ const LITTLE: f64 = 1e-6;
 /// Smallest and largest share of a change that is followed, and that of one which makes itself larger.
 const SHARES: [f64; 2] = [1.0 / 4096.0, 3.0];
 const RUNAWAY: f64 = 1.0 / 16.0;
+
+/// A contact that is farther from pressing as a search begins [m], of a body that then turns by more [cosine], is not held in
+/// it: the friction of a load that has toppled from a platform onto the ground would pull it back, along the ground, to below
+/// where it stood. One that is let down holds as if it had slid from below where it hung.
+const ALOFT: f64 = 0.2;
+const TOPPLED: f64 = 0.866;
 
 /// A pull that has changed by more of itself is another one, and no strain's doing.
 const SAME_PULL: f64 = 0.02;
@@ -46,6 +55,10 @@ pub(super) struct Pace {
     now: Vec<Option<Asked>>,
     /// When its contact pressed last.
     pressed: Vec<Option<Asked>>,
+    /// By contact, whether it is aloft as the search begins.
+    aloft: Vec<bool>,
+    /// How bodies are turned then, where any contact is.
+    turned: Vec<DMat3>,
 }
 
 impl Pace {
@@ -203,6 +216,40 @@ impl Statics {
         most
     }
 
+    /// Notes which contacts are aloft, and how their bodies are turned.
+    pub(super) fn note_aloft(&mut self, system: &System, state: &State) {
+        let Pace { aloft, turned, .. } = &mut self.pace;
+        aloft.clear();
+        turned.clear();
+        aloft.extend(system.friction.chunks_exact(2).map(|rows| {
+            let Law::Friction { normal, .. } = system.rows.laws[rows[0]] else { return false };
+            state.trial[normal] * system.rows.laws[normal].compliance() < -ALOFT
+        }));
+        if aloft.contains(&true) {
+            let mut kinematics = Kinematics::new(&system.tree);
+            kinematics.update(&system.tree, &state.q, 0.0);
+            turned.extend(kinematics.pose.iter().map(|pose| pose.rotation));
+        }
+    }
+
+    /// Whether a contact was aloft and its load has toppled onto it.
+    fn has_toppled(&self, system: &System, contact: usize, row: usize) -> bool {
+        if !self.pace.aloft[contact] {
+            return false;
+        }
+        let bodies = match system.constraint_of_row(row) {
+            AnyConstraint::Contact(contact) => contact.facing.bodies,
+            AnyConstraint::Touch(touch) => touch.facing.bodies,
+            _ => return false,
+        };
+        bodies.into_iter().flatten().any(|body| {
+            let now = &self.search.here.frame.kinematics.pose[body].rotation;
+            // The angle θ between them has 1 + 2 cos θ as its trace.
+            let by = self.pace.turned[body].transpose() * *now;
+            0.5 * (by.col(0).x + by.col(1).y + by.col(2).z - 1.0) < TOPPLED
+        })
+    }
+
     /// Lets the contacts of the group that this row is one of slide freely: to where nothing drives them, so that friction
     /// can hold them there. False where they may not, or do.
     pub(super) fn let_slide(&mut self, system: &System, row: usize) -> bool {
@@ -235,7 +282,8 @@ impl Statics {
         self.pace.now.fill(None);
         for (rows, index) in system.friction.chunks_exact(2).zip((0..).step_by(2)) {
             let Law::Friction { coefficient, normal, .. } = system.rows.laws[rows[0]] else { continue };
-            if self.slides(system, rows[0]) {
+            let toppled = contacts == Contacts::Held && self.has_toppled(system, index / 2, rows[0]);
+            if toppled || self.slides(system, rows[0]) {
                 continue;
             }
             let presses = tension[normal] > 0.0;

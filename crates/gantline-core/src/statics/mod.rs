@@ -181,6 +181,7 @@ impl Statics {
         self.hold_as(system, &before);
         self.hold_motors(system, state);
         self.pace.begin(system.friction.len());
+        self.note_aloft(system, state);
         let (mut unsettled, mut last) = (0, FRICTION_ROUNDS);
         let start = if system.friction.is_empty() { Vec::new() } else { state.q.clone() };
         for round in 1.. {

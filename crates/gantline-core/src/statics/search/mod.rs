@@ -10,12 +10,15 @@
 //! since the matrix has the symmetric half of what they change by, [`relax`] goes on. What that half has moved along
 //! neutral motions [`back`] brings back.
 //!
+//! A step that runs bodies into or [`through`] one another is none.
+//!
 //! λ never falls below [`LEAST`], so that neutral motions do not make the matrix singular; the last steps converge
 //! by λ/ω² each, ω the slowest motion that is not neutral.
 
 mod back;
 mod model;
 mod relax;
+mod through;
 
 use super::bearing::{Bearing, Part};
 use super::guard::Guard;
@@ -27,6 +30,7 @@ use crate::state::State;
 use crate::stepper::frame::Remembered;
 use crate::stepper::{seats, spots};
 use crate::system::System;
+use crate::tree::kinematics::Kinematics;
 
 /// λ of the first step [1/s²].
 const FIRST: f64 = 1.0;
@@ -121,6 +125,10 @@ pub struct Search {
     brakes: Vec<(usize, f64)>,
     wraps: Vec<Winding>,
     coils: Vec<Coil>,
+    /// Part of a step, and where it leads.
+    part: Vec<f64>,
+    way: Vec<f64>,
+    between: Kinematics,
 }
 
 impl Search {
@@ -148,6 +156,9 @@ impl Search {
             brakes: Vec::new(),
             wraps: vec![Winding::default(); system.sheaves.len()],
             coils: Vec::new(),
+            part: vec![0.0; size],
+            way: vec![0.0; system.tree.positions],
+            between: Kinematics::new(&system.tree),
         }
     }
 
@@ -271,7 +282,8 @@ impl Search {
                     return Ok(false);
                 }
                 // Along a valley that bends forces may get worse on the way down.
-                if self.here.pushed.is_empty() && gained > (WORTH * promised).max(TOLD * noise) {
+                let is_worth_it = gained > (WORTH * promised).max(TOLD * noise);
+                if self.here.pushed.is_empty() && is_worth_it && !self.runs_into(system, state) {
                     *lambda = (trust(gained / promised) * *lambda).max(LEAST);
                     return Ok(true);
                 }
@@ -283,7 +295,7 @@ impl Search {
                 if gained <= 0.25 * promised {
                     gained = self.correct(system, state, bearings, gained);
                 }
-                if gained > WORTH * promised {
+                if gained > WORTH * promised && !self.runs_into(system, state) {
                     let factor = trust(gained / promised).max(self.circling(system));
                     *lambda = (factor * *lambda).max(if factor > 1.0 { 1e-3 * FIRST } else { LEAST });
                     return Ok(true);
