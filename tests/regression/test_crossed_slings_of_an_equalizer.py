@@ -1,7 +1,7 @@
 """Slings of an equalizer that cross were in order, and the lift a go.
 
-A ship block under a Goliath crane hung by two equalizers of two sheaves each, along the rails. Their frames had
-heading 90 deg, and the slings went in the order of the lugs, from +y to −y: each pair crossed.
+A ship block under a Goliath crane hung by two equalizers of two sheaves each, along the rails. Their frames
+had heading 90 deg, and the slings went in the order of the lugs, from +y to −y: each pair crossed.
 `gantline check` found nothing, the run ended in GO WITH WARNINGS, and statics called it stable, since the
 hinges had 2 kN m of friction: a frame that stands exactly the wrong way round is pushed by nothing. Half a
 degree beside that it turns round.

@@ -20,7 +20,7 @@ from gantline.results.rig import Load
 from gantline.results.ropes.parting import PLANNED, partings
 from gantline.results.status import INCOMPLETE
 from gantline.results.variable import FloatArray
-from gantline.units import format_quantity
+from gantline.units import format_quantity, quantity
 
 #: A load of which less than this share ever hangs has not been lifted [1].
 _LIFTED_FROM = 0.05
@@ -107,7 +107,7 @@ def not_lifted(recording: Recording) -> list[Check]:
 
 def steps_move(recording: Recording) -> list[Check]:
     """A warning where steps moved nothing, or hoisted a hook down or lowered it up."""
-    remarks = [*_stood_still(recording), *_went_back(recording)]
+    remarks = [*_stood_still(recording), *_pumped_nothing(recording), *_went_back(recording)]
     if not remarks:
         return []
     return [Check("plan_moves", Verdict.WARNING, "steps move what they say", remark="; ".join(remarks))]
@@ -138,6 +138,33 @@ def _stood_still(recording: Recording) -> Iterator[str]:
     ]
     if hung and begins[at_once[0].step] == recording.time[0]:
         yield f"{' and '.join(hung)} before the plan begins"
+
+
+def _pumped_nothing(recording: Recording) -> Iterator[str]:
+    """Pumps that were to right a vessel and did nothing, since she leans farther the other way.
+
+    Heel counts to starboard and trim by the stern, so that one to port is below every bound: the sign has
+    slipped. A vessel that lies within the bound on either side needs no pumping.
+    """
+    ends = {name: time for time, _, name in recording.events("step_end")}
+    begins = {name: time for time, _, name in recording.events("step_begin")}
+    for step in recording.rig.plan:
+        if step.kind != "pump" or not step.seen_by or ends.get(step.step) != begins.get(step.step, np.nan):
+            continue
+        side, bound = _bound_of(step.until)
+        angle = float(np.interp(begins[step.step], recording.time, recording.column(*step.seen_by[:2])))
+        if side * bound >= 0.0 and abs(angle) > abs(bound):
+            positive = "to starboard" if step.seen_by[0] == "vessel_heel" else "by the stern"
+            meant = f"'{'above' if side > 0.0 else 'below'}: {format_quantity(-abs(bound) * side, 'deg', 2)}'"
+            is_then = f"{format_quantity(angle, 'deg', 2)} as it begins, positive {positive}"
+            waits = f"it waits for {step.until}, and that is {is_then}"
+            yield f"'{step.step}' pumps nothing: {waits}; {meant} waits for less"
+
+
+def _bound_of(until: str) -> tuple[float, float]:
+    """Side, +1 of `below` and −1 of `above`, and angle [rad] of `heel of barge below 0.1 deg`."""
+    _, side, value, unit = until.rsplit(" ", 3)
+    return (1.0 if side == "below" else -1.0), quantity(f"{value} {unit}", "angle")
 
 
 def _went_back(recording: Recording) -> Iterator[str]:

@@ -38,6 +38,10 @@ def _seen_by(scenario: Scenario, until: Condition) -> tuple[str, str, str] | Non
         return "load_transferred", load, "%"
     if until.tension_spread is not None:
         return "tension_spread", " ".join(until.of or scenario.equalizers or ()), "%"
+    if until.heel is not None:
+        return "vessel_heel", until.heel.vessel, "deg"
+    if until.trim is not None:
+        return "vessel_trim", until.trim.vessel, "deg"
     return None
 
 
