@@ -1,8 +1,8 @@
 """A rope of a known class with a core that the class has not was answered with ropes of other classes.
 
 `34x7 WSC`, as makers call a rotation-resistant rope with a strand of steel in its middle, got "did you mean
-'6x7 WSC' or '34x7 FC' or '6x37M WSC'?": a rope that twists, one with a core of fibre, 20 % softer, and a third
-one. The class is known with a `steel core`.
+'6x7 WSC' or '34x7 FC' or '6x37M WSC'?": a rope that twists, one with a core of fibre, softer by a fifth, and
+a third one. The class is known with a `steel core`.
 """
 
 from __future__ import annotations
