@@ -16,7 +16,7 @@ from gantline.results.ending import waiting
 from gantline.results.gear import Drum
 from gantline.results.loads.lift_off import hangs_from_the_start, lift_off_time
 from gantline.results.recording import Recording
-from gantline.results.rig import Load
+from gantline.results.rig import Load, Step
 from gantline.results.ropes.parting import PLANNED, partings
 from gantline.results.status import INCOMPLETE
 from gantline.results.variable import FloatArray
@@ -28,6 +28,9 @@ _LIFTED_FROM = 0.05
 _LONG = 1.0
 #: Steps that move hooks.
 _HOISTS = ("hoist", "lower")
+#: Steps that turn drums of `mechanics`, which hoist where they wait for what a load stands on to come clear.
+_JACKS = ("haul_in", "pay_out")
+_OF_SUPPORTS = ("supports ", "load transferred ")
 #: Why a step moved nothing, by the key that ends it; a recording of an older version has none.
 _STILL = {
     "until": "what it waits for held as it began",
@@ -119,11 +122,11 @@ def _stood_still(recording: Recording) -> Iterator[str]:
     A vessel that floats elsewhere than the lift file has it may take the load before the first step does; and
     `above` that was meant as `below` makes a step that is over at once. A step before that waits for a
     condition may take longer than a time of the next one allows. What only hauls or traverses until something
-    holds has nothing to do where it does.
+    holds has nothing to do where it does; drums that wait for supports hoist, as strand jacks do.
     """
     begins = {name: time for time, _, name in recording.events("step_begin")}
     ends = {name: time for time, _, name in recording.events("step_end")}
-    moving = [step for step in recording.rig.plan if step.kind in _HOISTS or step.ends_by in _TIMES]
+    moving = [one for one in recording.rig.plan if _is_hoisting(one) or one.ends_by in _TIMES]
     at_once = [step for step in moving if step.step in ends and ends[step.step] == begins.get(step.step)]
     if not at_once:
         return
@@ -138,6 +141,11 @@ def _stood_still(recording: Recording) -> Iterator[str]:
     ]
     if hung and begins[at_once[0].step] == recording.time[0]:
         yield f"{' and '.join(hung)} before the plan begins"
+
+
+def _is_hoisting(step: Step) -> bool:
+    """Whether a step hoists or lowers, by hooks or by drums."""
+    return step.kind in _HOISTS or (step.kind in _JACKS and step.until.startswith(_OF_SUPPORTS))
 
 
 def _pumped_nothing(recording: Recording) -> Iterator[str]:
