@@ -72,6 +72,9 @@ def test_crossed_slings_are_told_with_the_heading_that_is_right() -> None:
     assert "N and S cross: their frame stands 180 deg from where they lead" in sentence
     assert "write 'heading: 270 deg'" in sentence
     assert told(CROSSED.replace("heading: 90 deg", "heading: 270 deg")) == []
+    heavy = CROSSED.replace("mass: none", "mass: 5 kg/m").replace("rope: rope}", "rope: rope, NODES}")
+    nodes = "rope_weight: distributed, rope_nodes: 3"
+    assert told(heavy.replace("NODES", nodes)) == [sentence]
 
 
 @pytest.mark.parametrize(("heading", "count"), [(350, 0), (30, 1), (150, 1), (200, 0)])

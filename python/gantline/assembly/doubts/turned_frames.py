@@ -45,7 +45,9 @@ def doubtful_frames(parts: Parts, scenario: Scenario, rigging: Rigging) -> Itera
     load = scenario.load
     if load is None:
         return
-    routes = {rope["name"]: rope["route"] for rope in parts.ropes}
+    routes: dict[str, list[Json]] = {}
+    for rope in parts.ropes:  # of one with nodes the route of all its pieces
+        routes.setdefault(rope["name"].rpartition("/")[0] or rope["name"], []).extend(rope["route"])
     for name, equalizer in rigging.equalizers.items():
         slings = [one for one in rigging.slings.values() if one.equalizer == name and one.starts_on]
         if len(slings) < 2:
