@@ -88,3 +88,29 @@ def test_a_heel_that_does_not_come_is_told_with_how_far_it_is() -> None:
     found = told("heel", "above: 9 deg", aside=4.0, check="plan_finished")
     assert found is not None
     assert "waits for heel of barge above 9 deg: " in found.remark
+
+
+def test_a_plain_body_afloat_has_no_heel_of_a_recording() -> None:
+    """It may be waited for as well, and there is no `vessel_heel` of it to look at."""
+    text = """
+format: 1
+lift: {title: A plain barge is righted}
+duration: 60 s
+start: rest
+mechanics:
+  bodies:
+    barge:
+      joint: {type: free, position: [0 m, 0 m, 0 m]}
+      mass: 900 t
+      inertia: {xx: 15000 t m^2, yy: 110000 t m^2, zz: 110000 t m^2}
+      hull: {box: [40 m, 12 m, 4 m], keel: [0 m, 0 m, -2 m]}
+      tanks:
+        ps: {box: [10 m, 4 m, 3 m], bottom: [0 m, 4 m, -1.8 m], content: 60 t}
+        sb: {box: [10 m, 4 m, 3 m], bottom: [0 m, -4 m, -1.8 m], content: 40 t}
+plan:
+  - {step: right it, pump: {PUMP}, rate: 200 t/h, until: {heel: {vessel: barge, below: 0.1 deg}}}
+  - {step: on, pump: {PUMP}, rate: 200 t/h, until: {heel: {vessel: barge, above: 9 deg}}}
+"""
+    run = gantline.simulate(parse_scenario(text.replace("PUMP", "from: barge.ps, to: barge.sb")))
+    names = [one.name for one in check_recording(run)]
+    assert "plan_moves" not in names and "plan_finished" in names
