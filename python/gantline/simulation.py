@@ -13,6 +13,7 @@ from typing import Any
 from gantline import _core
 from gantline.arguments import is_number, needed, told
 from gantline.assembly import assemble
+from gantline.assembly.afloat.moorings import lost_pretensions
 from gantline.assembly.afloat.side_by_side import shared_files
 from gantline.assembly.afloat.vessels import adrift, misplaced, off_their_decks, vessel_hulls
 from gantline.assembly.origin import refused
@@ -422,6 +423,8 @@ class Simulation:
         if rig.vessels and len(columns["time"]):
             afloat = [vessel.body for vessel in rig.vessels]
             warnings += adrift(self.assembly.document, afloat, at_start, turned)
+            tensions = dict(zip(names["rope"], columns["rope_tension"][0], strict=True))
+            warnings += lost_pretensions(self.scenario, tensions)
             decks = _decks(rig, columns, names)
             warnings += off_their_decks(self.assembly.document, decks, at_start, turned)
             hulls = vessel_hulls(self.assembly.document, afloat)

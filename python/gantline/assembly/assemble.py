@@ -60,6 +60,7 @@ from gantline.assembly.doubts.supports import check_under_load, doubtful_support
 from gantline.assembly.doubts.tanks import doubtful_tanks
 from gantline.assembly.doubts.tilts import doubtful_tilt_limit, doubtful_tilts
 from gantline.assembly.doubts.travelling import doubtful_travelling
+from gantline.assembly.doubts.turned_frames import doubtful_frames
 from gantline.assembly.doubts.turns import doubtful_turns
 from gantline.assembly.doubts.vessels import doubtful_vessels
 from gantline.assembly.doubts.waits import doubtful_waits
@@ -298,6 +299,7 @@ def _doubts(
         *doubtful_baskets(parts, scenario, lifted),
         *doubtful_compensators(scenario, rigging, pins),
         *doubtful_sheaves(scenario, rigging),
+        *doubtful_frames(parts, scenario, rigging),
         *doubtful_drums(scenario),
         *doubtful_strength(scenario, rigging),
         *doubtful_ratings(scenario, rigging),

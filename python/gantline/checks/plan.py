@@ -16,11 +16,11 @@ from gantline.results.ending import waiting
 from gantline.results.gear import Drum
 from gantline.results.loads.lift_off import hangs_from_the_start, lift_off_time
 from gantline.results.recording import Recording
-from gantline.results.rig import Load
+from gantline.results.rig import Load, Step
 from gantline.results.ropes.parting import PLANNED, partings
 from gantline.results.status import INCOMPLETE
 from gantline.results.variable import FloatArray
-from gantline.units import format_quantity
+from gantline.units import format_quantity, quantity
 
 #: A load of which less than this share ever hangs has not been lifted [1].
 _LIFTED_FROM = 0.05
@@ -28,6 +28,9 @@ _LIFTED_FROM = 0.05
 _LONG = 1.0
 #: Steps that move hooks.
 _HOISTS = ("hoist", "lower")
+#: Steps that turn drums of `mechanics`, which hoist where they wait for what a load stands on to come clear.
+_JACKS = ("haul_in", "pay_out")
+_OF_SUPPORTS = ("supports ", "load transferred ")
 #: Why a step moved nothing, by the key that ends it; a recording of an older version has none.
 _STILL = {
     "until": "what it waits for held as it began",
@@ -107,7 +110,7 @@ def not_lifted(recording: Recording) -> list[Check]:
 
 def steps_move(recording: Recording) -> list[Check]:
     """A warning where steps moved nothing, or hoisted a hook down or lowered it up."""
-    remarks = [*_stood_still(recording), *_went_back(recording)]
+    remarks = [*_stood_still(recording), *_pumped_nothing(recording), *_went_back(recording)]
     if not remarks:
         return []
     return [Check("plan_moves", Verdict.WARNING, "steps move what they say", remark="; ".join(remarks))]
@@ -119,11 +122,11 @@ def _stood_still(recording: Recording) -> Iterator[str]:
     A vessel that floats elsewhere than the lift file has it may take the load before the first step does; and
     `above` that was meant as `below` makes a step that is over at once. A step before that waits for a
     condition may take longer than a time of the next one allows. What only hauls or traverses until something
-    holds has nothing to do where it does.
+    holds has nothing to do where it does; drums that wait for supports hoist, as strand jacks do.
     """
     begins = {name: time for time, _, name in recording.events("step_begin")}
     ends = {name: time for time, _, name in recording.events("step_end")}
-    moving = [step for step in recording.rig.plan if step.kind in _HOISTS or step.ends_by in _TIMES]
+    moving = [one for one in recording.rig.plan if _is_hoisting(one) or one.ends_by in _TIMES]
     at_once = [step for step in moving if step.step in ends and ends[step.step] == begins.get(step.step)]
     if not at_once:
         return
@@ -138,6 +141,38 @@ def _stood_still(recording: Recording) -> Iterator[str]:
     ]
     if hung and begins[at_once[0].step] == recording.time[0]:
         yield f"{' and '.join(hung)} before the plan begins"
+
+
+def _is_hoisting(step: Step) -> bool:
+    """Whether a step hoists or lowers, by hooks or by drums."""
+    return step.kind in _HOISTS or (step.kind in _JACKS and step.until.startswith(_OF_SUPPORTS))
+
+
+def _pumped_nothing(recording: Recording) -> Iterator[str]:
+    """Pumps that were to right a vessel and did nothing, since she leans farther the other way.
+
+    Heel counts to starboard and trim by the stern, so that one to port is below every bound: the sign has
+    slipped. A vessel that lies within the bound on either side needs no pumping.
+    """
+    ends = {name: time for time, _, name in recording.events("step_end")}
+    begins = {name: time for time, _, name in recording.events("step_begin")}
+    for step in recording.rig.plan:
+        if step.kind != "pump" or not step.seen_by or ends.get(step.step) != begins.get(step.step, np.nan):
+            continue
+        side, bound = _bound_of(step.until)
+        angle = float(np.interp(begins[step.step], recording.time, recording.column(*step.seen_by[:2])))
+        if side * bound >= 0.0 and abs(angle) > abs(bound):
+            positive = "to starboard" if step.seen_by[0] == "vessel_heel" else "by the stern"
+            meant = f"'{'above' if side > 0.0 else 'below'}: {format_quantity(-abs(bound) * side, 'deg', 2)}'"
+            is_then = f"{format_quantity(angle, 'deg', 2)} as it begins, positive {positive}"
+            waits = f"it waits for {step.until}, and that is {is_then}"
+            yield f"'{step.step}' pumps nothing: {waits}; {meant} waits for less"
+
+
+def _bound_of(until: str) -> tuple[float, float]:
+    """Side, +1 of `below` and −1 of `above`, and angle [rad] of `heel of barge below 0.1 deg`."""
+    _, side, value, unit = until.rsplit(" ", 3)
+    return (1.0 if side == "below" else -1.0), quantity(f"{value} {unit}", "angle")
 
 
 def _went_back(recording: Recording) -> Iterator[str]:

@@ -101,11 +101,14 @@ def _likely(text: str) -> str:
     known = [word for one in classes.values() for word in (one.name, *one.designations)]
     text = text[:40].strip()
     begun = [word for word in known if word.startswith(text)] if text else []
-    likely = begun[:3] or get_close_matches(text, known, n=3, cutoff=0.7)
+    # Of strands that are known with other cores all of these: no other letters are nearer to what is meant.
+    strands = re.split(r"[ -]", text, maxsplit=1)[0].lower()
+    cores = [name for name in classes if strands and name.partition(" ")[0].lower() == strands]
+    likely = begun[:3] or cores or get_close_matches(text, known, n=3, cutoff=0.7)
     if likely:
         return f"did you mean {' or '.join(repr(word) for word in likely)}?"
-    strands = ", ".join(dict.fromkeys(name.partition(" ")[0] for name in classes))
-    sentence = f"right is one of {strands} with its core, such as '6x36 IWRC'"
+    all_strands = ", ".join(dict.fromkeys(name.partition(" ")[0] for name in classes))
+    sentence = f"right is one of {all_strands} with its core, such as '6x36 IWRC'"
     return f"{sentence}; any other rope by 'axial_stiffness'"
 
 

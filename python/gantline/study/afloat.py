@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +17,7 @@ from gantline.results.afloat.attitude import Lie
 from gantline.results.rotation import axes
 from gantline.scenario.afloat.tanks import bodies_afloat, sea_density
 from gantline.scenario.afloat.water import Water
-from gantline.statics import Statics
+from gantline.statics import Losses, Statics
 from gantline.statics.inclining import heights_of
 
 __all__ = ["Afloat", "VesselAttitude", "hull_of"]
@@ -61,10 +62,10 @@ class Afloat:
         deck: Height of the highest [m].
     """
 
-    def __init__(self, question: Statics, vessel: str, time: float) -> None:
+    def __init__(self, question: Statics, vessel: str, time: float, losses: Losses = "none") -> None:
         self.question, self.vessel = question, vessel
         self.scenario = scenario = question.scenario
-        self.rest = self.question.equilibrium(time)
+        self.rest = self.question.equilibrium(time, losses=losses)
         body = next(one for one in self.question.assembly.document["bodies"] if one["name"] == vessel)
         self.mass, self.centre = float(body["mass"]), np.array(body["centre_of_gravity"])
         hull = hull_mesh(scenario, vessel, bodies_afloat(scenario)[vessel])
@@ -74,6 +75,21 @@ class Afloat:
         self._level = (scenario.water or Water()).level
         self.turn = axes(self.rest.recording.column("body_orientation", vessel)[-1])
         self.attitude = self._attitude()
+
+    def bears_loads(self) -> bool:
+        """Whether a load stands aboard, on the vessel itself or on what is fixed to it."""
+        rest = self.rest.recording
+        parents = {body["name"]: body["parent"] for body in self.question.assembly.document["bodies"]}
+        return any(
+            self._is_of(under, parents) and float(rest.column("contact_force", contact)[-1]) > 0.0
+            for load in rest.rig.loads
+            for contact, under in load.meets.items()
+        )
+
+    def _is_of(self, body: str | None, parents: Mapping[str, str | None]) -> bool:
+        while body is not None and body != self.vessel:
+            body = parents.get(body)
+        return body == self.vessel
 
     def content(self, tank: str) -> float:
         """What is in a tank at the moment [kg]."""

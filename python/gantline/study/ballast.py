@@ -28,7 +28,7 @@ from gantline.scenario.file.tree import MapNode, parse_text, problem_at, written
 from gantline.scenario.file.types import filled_in
 from gantline.scenario.file.variants import with_values, without_cases
 from gantline.scenario.plan.steps import PumpStep
-from gantline.statics import Equilibrium, NoEquilibriumError, Statics
+from gantline.statics import Equilibrium, Losses, NoEquilibriumError, Statics
 from gantline.study.afloat import Afloat, VesselAttitude
 from gantline.study.ballast_question import (
     QuestionError,
@@ -254,6 +254,12 @@ class _Search:
         self._time = self._begun = moment(question)
         tell(f"how {vessel} floats at {self._time:g} s with the contents given")
         self.now = Afloat(question, vessel, self._time)
+        self._losses: Losses = "none"
+        if self.now.bears_loads():  # free to slide, a load goes down the least heel until its slings hold it
+            question = Statics(scenario)
+            self._time = self._begun = moment(question)
+            self._losses = "held"
+            self.now = Afloat(question, vessel, self._time, self._losses)
 
     def refuse_mass(self, wanted: VesselAttitude) -> None:
         """Refuse a draft for which there is not enough room in the tanks, or not enough water.
@@ -369,7 +375,7 @@ class _Search:
             try:
                 changed = Statics(self._with(contents))
                 time = self._moment(changed)
-                tried = Afloat(changed, self._vessel, time)
+                tried = Afloat(changed, self._vessel, time, self._losses)
             except NoEquilibriumError as problem:
                 cause = f"{problem.cause} ({problem.element})"
                 continue
@@ -427,12 +433,17 @@ class _Search:
         ]
         return free_surface_correction(slack, self.now.displacement())
 
+    def _at_start(self, scenario: Scenario) -> Afloat:
+        """How the vessel lies before the lift, with a load that stands aboard then held by its friction."""
+        start = Afloat(Statics(scenario), self._vessel, 0.0)
+        return Afloat(Statics(scenario), self._vessel, 0.0, "held") if start.bears_loads() else start
+
     def answer(self, first: Afloat, rounds: int) -> BallastAnswer:
         """What has been found."""
         now = self.now
         contents = {name: tank.content for name, tank in self._all.items()}
         contents |= dict(zip(self._tanks, self._contents.tolist(), strict=True))
-        start = now if self._time == 0.0 else Afloat(Statics(now.scenario), self._vessel, 0.0)
+        start = now if self._time == 0.0 else self._at_start(now.scenario)
         return BallastAnswer(
             vessel=self._vessel,
             time=self._time,

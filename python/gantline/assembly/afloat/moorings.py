@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -27,7 +28,14 @@ from gantline.scenario.plan.parting import Parting, partings, steps_that_cut
 from gantline.scenario.plan.steps import LineStep
 from gantline.units import format_by_size, format_quantity
 
-__all__ = ["add_moorings", "mooring_rig", "warn_of_hauled", "winch_drive", "winch_flow"]
+__all__ = [
+    "add_moorings",
+    "lost_pretensions",
+    "mooring_rig",
+    "warn_of_hauled",
+    "winch_drive",
+    "winch_flow",
+]
 
 #: Inertia of a winch [kg]: next to nothing beside a vessel.
 _INERTIA = 1.0
@@ -36,6 +44,8 @@ _INERTIA = 1.0
 _STEEL_ROPE = 2500.0
 #: Largest strain of a line at the start, but of one whose curve goes further [1].
 _MOST_STRAIN = 0.1
+#: Lines give and take some of their pretension until they balance; what keeps less has lost it [1].
+_KEPT = 0.1
 
 
 def winch_flow(line: str) -> str:
@@ -222,6 +232,30 @@ def _catenary(scenario: Scenario, name: str, line: MooringLine, kind: RopeMateri
         "damping_time": kind.damping_time,
         **{key: value for key, value in said.items() if value is not None},
     }
+
+
+def lost_pretensions(scenario: Scenario, tensions: Mapping[str, float]) -> list[str]:
+    """A sentence for each vessel whose mooring lines have lost their pretension where a lift begins at rest.
+
+    She has gone to where all that pulls her balances. Short lines of steel are slack after some millimetres,
+    for which a gap before her fenders is enough: that is no metre, of which `adrift` tells.
+
+    Args:
+        scenario: The lift.
+        tensions: Tensions of ropes there by their names [N].
+    """
+    lost: dict[str, list[str]] = {}
+    for name, line in (scenario.mooring_lines or {}).items() if scenario.starts_at_rest else ():
+        pull = tensions.get(line_rope(name))
+        if line.pretension is not None and pull is not None and pull < _KEPT * line.pretension:
+            lost.setdefault(line.vessel, []).append(name)
+    rests = "she rests where lines, fenders and all else balance, and there they are slack or nearly so"
+    right = "see where they lead, and how far she is off her fenders"
+    begin = "pull less than a tenth of their pretension at the start"
+    return [
+        f"mooring lines of {vessel} {begin}: {', '.join(names)}; {rests}: {right}"
+        for vessel, names in lost.items()
+    ]
 
 
 def _fender(name: str, fender: Fender) -> Json:

@@ -219,7 +219,10 @@ def _strong_hoists(scenario: Scenario) -> Iterator[Doubt]:
 
 
 def _light_parts(scenario: Scenario) -> Iterator[Doubt]:
-    """Each part of a crane that weighs next to nothing of what the crane may carry."""
+    """Each part of a crane that weighs next to nothing of what the crane may carry.
+
+    Most cranes with a boom have a chart and no rated capacity: the most of the chart counts then.
+    """
     for name, crane in (scenario.cranes or {}).items():
         parts: dict[str, tuple[Path, float, float | None]] = {}
         if isinstance(crane, Goliath):
@@ -231,11 +234,12 @@ def _light_parts(scenario: Scenario) -> Iterator[Doubt]:
             if crane.end_carriages is not None:
                 parts["the end carriages"] = ("end_carriages", "mass"), crane.end_carriages.mass, rated
             parts |= {
-                f"trolley {one}": (("trolleys", one), trolley.mass, trolley.rated_capacity)
+                f"trolley {one}": (("trolleys", one), trolley.mass, trolley.rated_capacity or rated)
                 for one, trolley in crane.trolleys.items()
             }
         elif isinstance(crane, Crawler | FloatingCrane):
-            parts["the boom"] = ("boom",), crane.boom.mass, crane.rated_capacity
+            rows = [rated for one in boom_charts(scenario) if one.crane == name for rated in one.rating.rated]
+            parts["the boom"] = ("boom",), crane.boom.mass, crane.rated_capacity or max(rows, default=None)
         for part, (path, mass, rated) in parts.items():
             if rated is not None and mass < _LIGHTEST_PART * rated:
                 carries = f"weighs {mass:,.6g} kg, and the rated capacity is {format_quantity(rated, 't', 1)}"

@@ -38,6 +38,10 @@ def _seen_by(scenario: Scenario, until: Condition) -> tuple[str, str, str] | Non
         return "load_transferred", load, "%"
     if until.tension_spread is not None:
         return "tension_spread", " ".join(until.of or scenario.equalizers or ()), "%"
+    for key, reached in (("vessel_heel", until.heel), ("vessel_trim", until.trim)):
+        # No variable has it of a plain body of `mechanics`.
+        if reached is not None and reached.vessel in (scenario.vessels or {}):
+            return key, reached.vessel, "deg"
     return None
 
 

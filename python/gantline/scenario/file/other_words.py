@@ -379,6 +379,11 @@ INSTEAD = {
         "type": _JONSWAP,
         "spreading": "waves run in one direction; several 'waves' with directions of their own spread a sea",
     },
+    "a crawler crane": dict.fromkeys(
+        ("outrigger", "outrigger_base", "outrigger_mats", "outrigger_pads", "outriggers", "stabilisers"),
+        "a mobile crane has its outriggers as 'tracks: {length: 8.5 m, width: 0.6 m, gauge: 8.3 m, "
+        "outrigger_mats: 4 m^2}': how far apart they are along and across, its feet, and the mat under each",
+    ),
     "a floating crane": dict.fromkeys(
         ("base_mass", "counterweight", "upper_mass"),
         "what slews with the boom stands under 'upper_masses' by name, each with 'mass' and 'at'",
