@@ -22,7 +22,7 @@ R, LENGTH, TOP, WEIGHT = 2.2, 20.0, 5.0, 200e3 * 9.81
 YIELDS = 1 / 2000e6
 
 
-@pytest.mark.parametrize("under", [0.0, 4.7], ids=["block", "deck"])
+@pytest.mark.parametrize("under", [0.0, 4.7], ids=["solid", "deck"])
 @pytest.mark.parametrize("high", [5.0, 10.0, 16.0])
 @pytest.mark.parametrize("aside", [0.99, 0.999])
 def test_it_lies_on_the_platform(aside: float, high: float, under: float, tmp_path: Path) -> None:
