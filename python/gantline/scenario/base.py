@@ -6,14 +6,21 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Annotated, Any, ClassVar, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field, ModelWrapValidatorHandler, model_validator
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    ModelWrapValidatorHandler,
+    model_validator,
+)
 from pydantic.json_schema import JsonSchemaValue
 
-from gantline.scenario.errors import is_or_are, shorten
+from gantline.scenario.errors import closest, is_or_are, shorten
 from gantline.scenario.file.tree import MapNode
 from gantline.scenario.quantities import Name, Reader, found, refuse
 
-__all__ = ["Element", "Named", "Types"]
+__all__ = ["Element", "Named", "Types", "with_a_type"]
 
 
 class Element(BaseModel):
@@ -87,6 +94,21 @@ def _keys_of(model: type[Element]) -> tuple[str, ...]:
     shared = {name: sum(name in one.model_fields for one in models) for name in model.model_fields}
     fields = sorted(model.model_fields.items(), key=lambda item: shared[item[0]])
     return tuple(field.alias or name for name, field in fields)
+
+
+def with_a_type(*kinds: str) -> BeforeValidator:
+    """Refuses a mapping that does not say which of these kinds it is, and names them."""
+
+    def refused(data: Any) -> Any:
+        if isinstance(data, MapNode) and "type" not in data:
+            *first, last = (f"'{kind}'" for kind in kinds)
+            likely = closest("type", data)
+            hint = "" if likely is None else f" (is '{shorten(likely)}' meant for 'type'?)"
+            sentence = "'type' is missing; it says what kind of thing this is"
+            raise refuse(f"{sentence}, {', '.join(first)} or {last}{hint}")
+        return data
+
+    return BeforeValidator(refused)
 
 
 T = TypeVar("T")

@@ -8,7 +8,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from gantline.scenario.afloat.water import Afloat
-from gantline.scenario.base import Element, Named
+from gantline.scenario.base import Element, Named, with_a_type
 from gantline.scenario.cranes.drum import Drum
 from gantline.scenario.plan.motion import SpeedRamp, TurnRamp
 from gantline.scenario.plan.parting import BREAKS_SHOWN, CUT_SHOWN, BreaksAt
@@ -198,7 +198,11 @@ class Free(Element):
     angular_velocity: AngularVelocity = Field(ORIGIN, description="Angular velocity at the start, body axes.")
 
 
-Joint = Annotated[Fixed | HingeJoint | Slider | Ball | Point | Free, Field(discriminator="type")]
+Joint = Annotated[
+    Fixed | HingeJoint | Slider | Ball | Point | Free,
+    Field(discriminator="type"),
+    with_a_type("fixed", "hinge", "slider", "ball", "point", "free"),
+]
 
 
 class BodyShape(Element):
@@ -317,7 +321,11 @@ class Eye(Element):
     at: Position = Field(ORIGIN, description="Place in the body's axes.")
 
 
-Guide = Annotated[RopeEnd | HalfTurn | Sheave | Eye, Field(discriminator="type")]
+Guide = Annotated[
+    RopeEnd | HalfTurn | Sheave | Eye,
+    Field(discriminator="type"),
+    with_a_type("end", "half_turn", "sheave", "eye"),
+]
 
 
 class MechanicsRope(Element):

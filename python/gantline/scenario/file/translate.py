@@ -240,8 +240,6 @@ def _unknown_key(key: str, around: Sequence[Any]) -> str:
 def _kind_of_thing(context: Mapping[str, Any], node: Any) -> str:
     if not isinstance(node, dict):
         return f"found {found(node)}; a mapping with a 'type' is needed"
-    if "type" not in node:
-        return "'type' is missing; it says what kind of thing this is"
     known = [tag.strip(" '") for tag in str(context.get("expected_tags", "")).split(",")]
     if "dock" in known and str(node["type"]).lower() in KINDS:
         return f"{found(node['type'])} is not a type that is known here; {KINDS[str(node['type']).lower()]}"

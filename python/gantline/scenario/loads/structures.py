@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from gantline.scenario.base import Element
+from gantline.scenario.base import Element, with_a_type
 from gantline.scenario.quantities import (
     Angle,
     Damping,
@@ -125,7 +125,11 @@ class CylinderStructure(_Structure):
         return min(self.diameter / 2 - out, place[2] - self.z[0], self.z[1] - place[2])
 
 
-Structure = Annotated[Dock | BoxStructure | CylinderStructure, Field(discriminator="type")]
+Structure = Annotated[
+    Dock | BoxStructure | CylinderStructure,
+    Field(discriminator="type"),
+    with_a_type("dock", "box", "cylinder"),
+]
 
 
 def dock_of(scenario: Scenario) -> Dock | None:
