@@ -69,8 +69,6 @@ def check(
 
 def _is_looked_over_as_library(file: Path) -> bool:
     """Whether a file is a library; what it holds is printed then."""
-    if not file.is_file():
-        return False
     with scenario_errors():
         from gantline.scenario import check_library
 

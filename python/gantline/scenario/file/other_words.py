@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from gantline.scenario.file.other_sections import SECTIONS_INSTEAD, SECTIONS_MEANT
+
 __all__ = ["BESIDE", "ELSEWHERE", "INSTEAD", "KINDS", "MEANT", "VALUES_MEANT", "VERBS_MEANT"]
 
 #: What people look for at another place of a lift file than where it is.
@@ -12,6 +14,7 @@ ELSEWHERE = {
 }
 #: Keys by other words, which are not written like them; the first that may stand there is meant.
 MEANT = {
+    **SECTIONS_MEANT,
     "active_heave_compensation": ("heave_compensation",),
     "acceptance": ("limits",),
     "ahc": ("heave_compensation", "compensate_heave"),
@@ -299,6 +302,7 @@ INSTEAD = {
     "a haul_in step": {"to": _BY_ROPE},
     "a pay_out step": {"to": _BY_ROPE},
     "a lift file": {
+        **SECTIONS_INSTEAD,
         **dict.fromkeys(
             ("wind_profile", "wind_shear"),
             "how wind grows with height belongs to 'wind': {speed: 10 m/s, direction: 0 deg, "

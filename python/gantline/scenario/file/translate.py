@@ -216,10 +216,12 @@ def _meant(key: str, around: Sequence[Any]) -> str | None:
     parent = around[-1]
     unused = [name for name in parent.allowed if name not in parent] or list(parent.allowed)
     other_words = [name for name in MEANT.get(key.lower(), ()) if name in parent.allowed]
+    by_words = next((name for name in other_words if name in unused), None)
+    if by_words is not None or other_words:
+        return by_words
     # Of all: beside `cranes`, `crane` is that, and not what is left and written most alike, `cases`.
-    is_used = not other_words and closest(key, parent.allowed) not in (None, *unused)
-    by_words = (name for name in other_words if name in unused)
-    return next(by_words, None if is_used else closest(key, unused))
+    is_used = closest(key, parent.allowed) not in (None, *unused)
+    return None if is_used else closest(key, unused)
 
 
 def _unknown_key(key: str, around: Sequence[Any]) -> str:
@@ -231,7 +233,8 @@ def _unknown_key(key: str, around: Sequence[Any]) -> str:
     if meant is not None:
         beside = BESIDE.get(key.lower(), "") if meant in MEANT.get(key.lower(), ()) else ""
         return f"{wrong}; did you mean '{meant}'{beside}?"
-    likely = closest(key, parent.allowed)
+    words = (name for name in MEANT.get(key.lower(), ()) if name in parent)
+    likely = next(words, None) or closest(key, parent.allowed)
     if likely is not None:
         return f"{wrong}; did you mean '{likely}', which is there already?"
     return f"{wrong}; {nearest(key, [name for name in parent.allowed if name not in parent])}"
