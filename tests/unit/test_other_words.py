@@ -30,7 +30,7 @@ from lift_text import spoiled
         (
             "diameter: 44 mm",
             "diameter: 44 mm, radius: 22 mm",
-            "sling.radius: .* is not a key of a rope; known",
+            "sling.radius: .* is not a key of a rope; did you mean 'diameter', which is there already",
         ),
         ("diameter: 44 mm", "radius: 22 mm", "sling.radius: .* did you mean 'diameter', twice as much?"),
     ],
