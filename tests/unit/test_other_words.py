@@ -26,7 +26,7 @@ from lift_text import spoiled
         ),
         ("at: [0 m, 0 m, 11 m]", "position: [0 m, 0 m, 11 m]", "crane.position: .* did you mean 'at'?"),
         ("construction: 6x36 IWRC, grade: 1960", "EA: 90 MN", "sling.EA: .* did you mean 'axial_stiffness'?"),
-        # What is there already is not what was meant.
+        # What is there already is told as such.
         (
             "diameter: 44 mm",
             "diameter: 44 mm, radius: 22 mm",
