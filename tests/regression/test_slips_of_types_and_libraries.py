@@ -76,6 +76,16 @@ def test_a_library_names_no_other(tmp_path: Path) -> None:
     ]
 
 
+def test_a_blank_that_is_none(tmp_path: Path) -> None:
+    """A no-break space behind a colon, named as in a lift file; it was "nothing is given here"."""
+    assert told(tmp_path, "format: 1\nropes:\n  a:\u00a0{inextensible: true}\n") == [
+        (
+            "yard.yaml",
+            "what looks like a blank and is none (U+00A0, no-break space) stands in column 5: write a blank",
+        )
+    ]
+
+
 def test_a_type_by_the_name_of_a_kind_is_told_once(tmp_path: Path) -> None:
     library = tmp_path / "yard.yaml"
     types = "crawler: {type: crawler, base_mass: 3 t}, other: {type: crawler, base_mass: 4 t}"
