@@ -14,9 +14,10 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from gantline.scenario import ScenarioError, load_scenario
+from gantline.scenario import ScenarioError, load_scenario, parse_scenario
 from gantline.scenario.file.alone import check_library
 from gantline.scenario.file.schema import library_schema
+from module_on_a_barge import LIFT as LIFT_ON_A_BARGE
 
 #: A lift with next to nothing in it; what is wrong with its library is told first.
 LIFT = "format: 1\nlibrary: yard.yaml\nlift: {title: A lift}\nduration: 1 s\nplan: []\n"
@@ -100,3 +101,15 @@ def test_an_empty_type_is_red_in_editors(section: str) -> None:
     """Reading refuses it: 'a mapping of what things of this type have is needed'."""
     schema = jsonschema.Draft7Validator(library_schema())
     assert not schema.is_valid({"format": "1", section: {"a": {}}})
+
+
+def test_a_key_of_a_type_is_told_once() -> None:
+    """It was "known here: 'type', …" of the type alone, and "but of 'added_mass' in it" of the vessel."""
+    text = LIFT_ON_A_BARGE.replace("PULL", "pretension: 20 kN, type: spring")
+    text = text.replace("  barge:\n", "  barge:\n    type: flat\n")
+    text += "vessel_types:\n  flat:\n    database: {file: some.nc}\n"
+    with pytest.raises(ScenarioError) as caught:
+        parse_scenario(text)
+    (problem,) = caught.value.problems
+    assert problem.path == "vessel_types.flat.database"
+    assert problem.sentence.endswith("but of 'added_mass' in it: it stands too far out")
