@@ -103,6 +103,13 @@ def test_an_empty_type_is_red_in_editors(section: str) -> None:
     assert not schema.is_valid({"format": "1", section: {"a": {}}})
 
 
+def test_a_type_of_a_type_is_red_in_editors() -> None:
+    """Reading refuses it: 'a type of vessel has no type itself'."""
+    schema = jsonschema.Draft7Validator(library_schema())
+    assert schema.is_valid({"format": "1", "vessel_types": {"a": {"draft": "3 m"}}})
+    assert not schema.is_valid({"format": "1", "vessel_types": {"a": {"draft": "3 m", "type": "b"}}})
+
+
 def test_a_key_of_a_type_is_told_once() -> None:
     """It was "known here: 'type', …" of the type alone, and "but of 'added_mass' in it" of the vessel."""
     text = LIFT_ON_A_BARGE.replace("PULL", "pretension: 20 kN, type: spring")

@@ -107,7 +107,8 @@ def _let_have_types(schema: dict[str, Any], of: Typed) -> None:
     of_types = schema["properties"][of.types]["patternProperties"]
     # Beside a reference nothing counts in draft 7.
     shown = {"oneOf": given} if len(given) > 1 else {"allOf": given}
-    of_types[pattern] = {"minProperties": 1, **shown}
+    untyped = {} if of.kinds else {"not": {"required": ["type"]}}
+    of_types[pattern] = {"minProperties": 1, **shown, **untyped}
     named[pattern] = {"anyOf": [whole, _of_any_kind([_own(one, schema["$defs"]) for one in kinds], of)]}
 
 
