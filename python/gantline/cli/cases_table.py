@@ -62,7 +62,7 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
     why = [
         *([f"  {WORST_OF_LOSSES}"] if result.has_losses and not variants else []),
         *notes(result.states, in_cases, width),
-        *_lines(_cautions(result.states), result.states, in_cases, width),
+        *_lines(_in_one(_cautions(result.states)), result.states, in_cases, width),
         *_overshoots(result, width),
         *_at_once(result, width),
     ]
@@ -191,18 +191,21 @@ def _lines(
     width: int,
 ) -> Iterator[str]:
     """Each reason with the states that it is true of."""
-    for reason, found in _in_one(reasons).items():
+    for reason, found in reasons.items():
         every = len(found) == len(states) and len(states) > 1
         yield from _told(f"{reason}: {'everywhere' if every else where(found)}", width)
 
 
-def _in_one(reasons: Mapping[str, Sequence[int]]) -> dict[str, list[int]]:
-    """Reasons that differ in their figures alone as one, with the least and the most of each figure."""
+def _in_one(cautions: Mapping[str, Sequence[int]]) -> dict[str, list[int]]:
+    """Cautions that differ in their figures alone as one, with the least and the most of each figure.
+
+    Not so what fails: there each case has its own figure, as the time of a cut.
+    """
     alike: dict[str, list[str]] = {}
-    for reason in reasons:
-        alike.setdefault(_FIGURE.sub("0", reason), []).append(reason)
+    for caution in cautions:
+        alike.setdefault(_FIGURE.sub("0", caution), []).append(caution)
     return {
-        _of_all(same): sorted({place for one in same for place in reasons[one]}) for same in alike.values()
+        _of_all(same): sorted({place for one in same for place in cautions[one]}) for same in alike.values()
     }
 
 

@@ -49,7 +49,8 @@ class AsHeld:
             ending: Steps of the plan that end then: with friction that may be at another time.
             at_level: Whether of tanks with holes those count only that have come to their level.
         """
-        if rest.losses != "none" or not stands_aboard(rest):
+        floats = any(not vessel.is_carried for vessel in rest.recording.rig.vessels)
+        if not floats or rest.losses != "none" or not stands_aboard(rest):
             return {}
         try:
             held = self._question()
