@@ -1,7 +1,9 @@
 """Slips that `gantline check` had in order, or told by something else: posts, hook blocks, hoists.
 
 A post with `diameter: 48 m` for 48 mm was told by the lean of its cone, one with its foot below the ground,
-a highest position above the boom head, a hook block of 3 mm and a hoist with 2 m/s^2 by nothing."""
+a highest position above the boom head, a hook block of 3 mm, a hoist with 2 m/s^2 or 5 m/s, and a slew
+`to: 450 deg` by nothing.
+"""
 
 from __future__ import annotations
 
@@ -69,6 +71,12 @@ def test_a_post_with_its_foot_below_the_ground() -> None:
             "the hoist of goliath.U1 starts and stops with 2 m/s^2; 0.05 to 0.5 m/s^2 is usual, and a digit "
             "or a unit has slipped",
         ),
+        (
+            "goliath",
+            "hook_types.hook_300.hoist.speed",
+            "5 m/s",
+            "300 m/min: hoists do up to 120 m/min; a unit or digit has slipped",
+        ),
     ],
 )
 def test_it_is_told_once_at_its_key(scenario: str, key: str, value: str, sentence: str) -> None:
@@ -86,3 +94,24 @@ def test_a_boom_raises_what_a_hook_comes_to() -> None:
     [said] = [one for path, one in told("off_a_barge", key, "200 m") if path == key]
     assert f"sheaves above at {height:.1f} m with its boom at its steepest" in said
     assert not [path for path, _ in told("off_a_barge", key, f"{height + 1.5} m") if path == key]
+
+
+@pytest.mark.parametrize(
+    ("key", "angle", "sentence"),
+    [
+        # From -60 deg; 450 - 360 is 90 deg.
+        ("to", "450 deg", "by 510.0 deg, all the way round; 'to: 90 deg' is the same heading"),
+        ("to", "300 deg", "by 360.0 deg, all the way round; its heading is then as before"),
+        ("by", "-380 deg", "by -380.0 deg, all the way round; 'by: -20 deg' is the same heading"),
+        ("to", "290 deg", None),
+    ],
+)
+def test_a_slew_all_the_way_round(key: str, angle: str, sentence: str | None) -> None:
+    """Of the crane of `wind_turbine`, which stands at -60 deg; its next slew, back to 0 deg, is not told."""
+    text = load_scenario("wind_turbine").text
+    step = "slew: main, speed: 12 deg/min, to: -22 deg}"
+    assert text.count(step) == 1
+    text = text.replace(step, f"slew: main, speed: 12 deg/min, {key}: {angle}}}")
+    doubts = assemble(parse_scenario(text)).doubts
+    said = [one.sentence for one in doubts if "all the way round" in one.sentence]
+    assert said == ([] if sentence is None else [f"step 'slew' slews main {sentence}"])

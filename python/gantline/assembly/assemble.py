@@ -49,6 +49,7 @@ from gantline.assembly.doubts.lead import doubtful_lead
 from gantline.assembly.doubts.lee import doubtful_lee
 from gantline.assembly.doubts.levels import doubtful_levels
 from gantline.assembly.doubts.masses import doubtful_masses
+from gantline.assembly.doubts.of_types import said_once
 from gantline.assembly.doubts.rails import doubtful_rails
 from gantline.assembly.doubts.ratings import doubtful_ratings
 from gantline.assembly.doubts.reach import doubtful_reach
@@ -214,8 +215,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
         settings=_settings(scenario),
         rig=rig(scenario, rigging, lifted, parts),
         scene=scene(scenario, rigging, lifted, parts),
-        # Of what two things have from one type the same is to be said.
-        doubts=tuple(dict.fromkeys(scenario.problem(*doubt) for doubt in doubts)),
+        doubts=said_once(scenario, doubts),
         under_load=tuple(under),
         guide_fits=guide_fits(parts, scenario),
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 
@@ -28,6 +29,10 @@ _LINES = {
     "rod_out": "{} rod out",
     "hinge_force": "{} force",
 }
+#: A number with its unit, and no part of a name.
+_FIGURE = re.compile(
+    r"(?<![\w.,+-])-?\d[\d,]*(?:\.\d+)?(?= (?:deg|%|mm|m|t|kg|kN|MN|N|s|kPa|MPa)(?![\w./]\w))"
+)
 _SHORTEST_LABEL = 16
 _WITHOUT_LOSSES = "without losses"
 
@@ -57,7 +62,7 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
     why = [
         *([f"  {WORST_OF_LOSSES}"] if result.has_losses and not variants else []),
         *notes(result.states, in_cases, width),
-        *_lines(_cautions(result.states), result.states, in_cases, width),
+        *_lines(_in_one(_cautions(result.states)), result.states, in_cases, width),
         *_overshoots(result, width),
         *_at_once(result, width),
     ]
@@ -189,6 +194,30 @@ def _lines(
     for reason, found in reasons.items():
         every = len(found) == len(states) and len(states) > 1
         yield from _told(f"{reason}: {'everywhere' if every else where(found)}", width)
+
+
+def _in_one(cautions: Mapping[str, Sequence[int]]) -> dict[str, list[int]]:
+    """Cautions that differ in their figures alone as one, with the least and the most of each figure.
+
+    Not so what fails: there each case has its own figure, as the time of a cut.
+    """
+    alike: dict[str, list[str]] = {}
+    for caution in cautions:
+        alike.setdefault(_FIGURE.sub("0", caution), []).append(caution)
+    return {
+        _of_all(same): sorted({place for one in same for place in cautions[one]}) for same in alike.values()
+    }
+
+
+def _of_all(sentences: Sequence[str]) -> str:
+    """A sentence in place of some that differ in their figures alone."""
+    figures = iter(zip(*(_FIGURE.findall(one) for one in sentences), strict=True))
+
+    def least_and_most(_: re.Match[str]) -> str:
+        one = sorted(set(next(figures)), key=lambda figure: float(figure.replace(",", "")))
+        return one[0] if len(one) == 1 else f"{one[0]} to {one[-1]}"
+
+    return _FIGURE.sub(least_and_most, sentences[0])
 
 
 def _told(line: str, width: int) -> Iterator[str]:

@@ -73,6 +73,7 @@ def _as_lines(question: Statics, found: LostLoad) -> list[str]:
     from gantline.cli.summary import heading
     from gantline.cli.table import table
     from gantline.cli.vessels import righting, vessels
+    from gantline.study.standing import least_heights
 
     state = "stable" if found.rest.is_stable else "UNSTABLE"
     lines = [
@@ -80,7 +81,7 @@ def _as_lines(question: Statics, found: LostLoad) -> list[str]:
         *question.scenario.left_out_at_rest,
         f"'{found.load}' lost at {found.rest.time:g} s; at rest without it: {state}",
     ]
-    lines += ["", *vessels(found.rest.recording), "", *righting(found.heights)]
+    lines += ["", *vessels(found.rest.recording), "", *righting(least_heights(found.heights, {}))]
     if found.under_with_load:
         lines += ["", *(line for vessel in found.under_with_load for line in _under(found, vessel))]
     if not found.swings:

@@ -327,10 +327,10 @@ def _margins(question: Statics, rest: Equilibrium) -> list[Margin]:
 def _write(question: Statics, rest: Equilibrium, modes: list[Mode], folder: Path, *, aside: bool) -> None:
     from gantline.results.file.saved import EQUILIBRIUM
     from gantline.statics.inclining import metacentric_heights
+    from gantline.study.standing import AsHeld, least_heights
 
     place = output_folder(folder)
-    found = metacentric_heights(question, rest)
-    heights = {name: (one.transverse, one.longitudinal) for name, one in found.items()}
+    heights = least_heights(metacentric_heights(question, rest), AsHeld(question).heights(rest))
     with writing(place):
         written = [rest.with_modes(modes, heights).save(place / EQUILIBRIUM)]
         for mode in modes:

@@ -51,7 +51,8 @@ def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[s
     from gantline.cli.friction import fails_as_it_slides, slid_loads, stands_loosely
     from gantline.cli.rest_table import friction_of
     from gantline.cli.summary import heading
-    from gantline.cli.vessels import held_elsewhere
+    from gantline.cli.vessels import held_by_friction, held_elsewhere
+    from gantline.study.standing import lessened
 
     states = [one.state for one in found]
     afloat = [(one.state.rest, one.heights) for one in found if one.state.rest is not None]
@@ -69,7 +70,10 @@ def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[s
         ],
         *_loads(question, found, width),
         *_vessels(question, found, width),
-        held_elsewhere(question, afloat),
+        [
+            *held_elsewhere(question, afloat),
+            *held_by_friction([one.name for one in found if lessened(one.heights, one.held)]),
+        ],
         [
             *notes(states, lambda places: ", ".join(found[place].name for place in places), width),
             *loose,
@@ -137,8 +141,7 @@ def _vessels(question: Statics, found: Sequence[StepAtRest], width: int) -> Iter
             ["freeboard", *_cells(found, "vessel_freeboard", name, "m", 3)],
         ]
         if not vessel.is_carried:
-            heights = [one.heights.get(name) for one in found]
-            gm = [(None, None) if one is None else (one.transverse, one.longitudinal) for one in heights]
+            gm = [one.gm.get(name, (None, None)) for one in found]
             columns += [
                 ["GM heel", *_shown((transverse for transverse, _ in gm), "m", 2)],
                 ["GM trim", *_shown((longitudinal for _, longitudinal in gm), "m", 2)],

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,7 +18,6 @@ from gantline.units import format_quantity
 
 if TYPE_CHECKING:
     from gantline.statics import Equilibrium, Statics
-    from gantline.statics.inclining import MetacentricHeights
 
 #: A vessel that lies nearer, and turned by less, is where the lift file has it [m, rad].
 _NEAR = 0.005
@@ -78,13 +77,16 @@ def vessels(recording: Recording) -> list[str]:
 def vessels_at_rest(question: Statics, rest: Equilibrium) -> list[str]:
     """How each vessel lies at rest, and what rights it."""
     from gantline.statics.inclining import metacentric_heights
+    from gantline.study.standing import AsHeld, least_heights, lessened
 
     lies = vessels(rest.recording)
     if not lies:
         return []
     heights = metacentric_heights(question, rest)
-    rights = righting(heights)
+    held = AsHeld(question).heights(rest)
+    rights = righting(least_heights(heights, held))
     elsewhere = held_elsewhere(question, [(rest, heights)])
+    elsewhere += held_by_friction([""] if lessened(heights, held) else [])
     return [*lies, *_lies_aside(question, rest), *([""] if rights else []), *rights, *elsewhere]
 
 
@@ -108,6 +110,17 @@ def held_elsewhere(question: Statics, found: Iterable[tuple[Equilibrium, Collect
             elif len(on) > 1 and not on.isdisjoint(vessels_told):
                 known.add(f"{load.name} stands on {' and '.join(sorted(on))}, and holds one to the other")
     return [f"  GM as an inclining experiment finds it: {sentence}" for sentence in sorted(known)]
+
+
+def held_by_friction(moments: Sequence[str]) -> list[str]:
+    """That GM is the less that friction leaves, and when, where a load stands aboard.
+
+    Args:
+        moments: Names of these moments; an empty one of a table that has no other.
+    """
+    of = f": {', '.join(moments)}" if any(moments) else ""
+    sentence = "as friction holds what stands aboard; as if it slid, its slings hold her, and GM is more"
+    return [f"  GM {sentence}{of}"] if moments else []
 
 
 def _stood_on(question: Statics, recording: Recording, load: Load) -> set[str]:
@@ -154,12 +167,9 @@ def _way(forth: str, back: str, way: float) -> str:
     return f"{format_quantity(abs(way), 'm', 2)} {forth if way > 0 else back}"
 
 
-def righting(heights: Mapping[str, MetacentricHeights]) -> list[str]:
-    """What rights each vessel; nothing where none floats freely."""
-    rows = [
-        (name, *(format_quantity(height, "m", 2) for height in (found.transverse, found.longitudinal)))
-        for name, found in heights.items()
-    ]
+def righting(heights: Mapping[str, tuple[float, float]]) -> list[str]:
+    """What rights each vessel, GM for heel and trim [m]; nothing where none floats freely."""
+    rows = [(name, *(format_quantity(height, "m", 2) for height in both)) for name, both in heights.items()]
     if not rows:
         return []
     return table(("Righting", "GM transverse, with free surfaces", "longitudinal"), rows, "lrr")

@@ -27,7 +27,7 @@ from gantline.statics.open_tanks import with_what_has_run
 if TYPE_CHECKING:
     from gantline.statics.lift import Statics
 
-__all__ = ["Waypoint", "at_end", "at_start", "of_equilibrium", "on_the_way"]
+__all__ = ["Waypoint", "at_end", "at_start", "of_equilibrium", "on_the_way", "stands_aboard"]
 
 #: How far from where it lies in a run a vessel may come to rest before it is asked what rights it there
 #: [rad]. One of GM = -6 mm with BM = 20 m comes to rest by sqrt(-2 GM/BM) = 1.4 deg.
@@ -183,7 +183,7 @@ def _without_friction_first(
         for name, (heel, trim) in heights.items():
             other = found.get(name, (heel, trim))
             found[name] = min(heel, other[0]), min(trim, other[1])
-        if not _stands_aboard(there):
+        if not stands_aboard(there):
             break
     return AtRest(found, changes)
 
@@ -202,7 +202,7 @@ def _later(
     }
 
 
-def _stands_aboard(rest: Equilibrium) -> bool:
+def stands_aboard(rest: Equilibrium) -> bool:
     """Whether a load is pressed against what floats or moves, by which friction may hold it."""
     recording = rest.recording
     return any(

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from gantline.arguments import needed
 from gantline.scenario.plan.steps import PumpStep
 from gantline.statics import Losses, Statics
 from gantline.statics.inclining import MetacentricHeights, metacentric_heights
+from gantline.study.standing import AsHeld, least_heights
 from gantline.study.state import State, settled
 
 __all__ = ["END", "START", "StepAtRest", "run_steps"]
@@ -39,12 +40,19 @@ class StepAtRest:
         name: These steps in one word, or what the moment is called.
         state: How the lift hangs then.
         heights: What rights its vessels then, by their names; empty without equilibrium.
+        held: The same with what stands on them held by friction, where it was found without; else empty.
     """
 
     steps: tuple[str, ...]
     name: str
     state: State
     heights: dict[str, MetacentricHeights]
+    held: dict[str, MetacentricHeights] = field(default_factory=dict)
+
+    @property
+    def gm(self) -> dict[str, tuple[float, float]]:
+        """GM of its vessels for heel and trim, the least with friction and without [m]."""
+        return least_heights(self.heights, self.held)
 
     def to_json(self) -> dict[str, Any]:
         """All of it as a JSON object, SI units; a metacentric height that is infinite is null."""
@@ -52,10 +60,10 @@ class StepAtRest:
         vessels = {
             name: {
                 **{key: float(rest.recording.column(f"vessel_{key}", name)[-1]) for key in _OF_VESSELS},
-                "gm_transverse": _finite(height.transverse),
-                "gm_longitudinal": _finite(height.longitudinal),
+                "gm_transverse": _finite(transverse),
+                "gm_longitudinal": _finite(longitudinal),
             }
-            for name, height in self.heights.items()
+            for name, (transverse, longitudinal) in self.gm.items()
             if rest is not None
         }
         return {"steps": list(self.steps), **self.state.to_json(), "vessels": vessels}
@@ -96,6 +104,7 @@ def run_steps(question: Statics, losses: Losses = "none", *, pumping: bool = Fal
         if pumping and isinstance(step, PumpStep) and begin is not None and end is not None:
             for share in _SHARES:
                 within[begin + share * (end - begin)] = f"{step.step} at {100.0 * share:.0f} %"
+    as_held = AsHeld(question)
     kept: list[StepAtRest] = []
     last: StepAtRest | None = None
     for moment in sorted({0.0, duration, *ended} | within.keys()):
@@ -105,7 +114,8 @@ def run_steps(question: Statics, losses: Losses = "none", *, pumping: bool = Fal
         rest = state.rest
         heights = {} if rest is None else metacentric_heights(question, rest, at_level=is_within)
         name = within[moment] if is_within else ", ".join(steps) or (END if moment > 0.0 else START)
-        one = StepAtRest(steps, name, state, heights)
+        held = {} if rest is None else as_held.heights(rest, moment, steps, at_level=is_within)
+        one = StepAtRest(steps, name, state, heights, held)
         if is_within:
             kept.append(one)
             continue
@@ -116,10 +126,10 @@ def run_steps(question: Statics, losses: Losses = "none", *, pumping: bool = Fal
 
 def _is_less(between: StepAtRest, *others: StepAtRest) -> bool:
     """Whether GM of a vessel for heel is less than at other moments, or nothing rests there."""
-    known = [one.heights for one in others if one.heights]
+    known = [one.gm for one in others if one.heights]
     return between.state.rest is None or any(
-        height.transverse < min((one[name].transverse for one in known), default=math.inf)
-        for name, height in between.heights.items()
+        transverse < min((one[name][0] for one in known), default=math.inf)
+        for name, (transverse, _) in between.gm.items()
     )
 
 

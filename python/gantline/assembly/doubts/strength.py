@@ -32,9 +32,10 @@ _TIMES_THE_LOAD = 100.0
 _FROM_THE_SHOP = 10e3
 #: No chart holds for a crane that leans, or falls that lead, by more [rad].
 _MOST_LEAN = math.radians(30.0)
-#: Hoists and trolleys do 2 m/s, cranes slew by 3 revolutions and luff by some ten degrees a minute.
+#: Hoists and trolleys do 2 m/s, cranes slew by 3 revolutions and luff by some ten degrees a minute. Hoists of
+#: heavy cranes do 5 m/min, of which 5 m/s is the slip; those of quay cranes do 3 m/s with nothing in them.
 _FASTEST: dict[tuple[str, str], tuple[float, str, str]] = {
-    ("hoist", "speed"): (5.0, "m/min", "hoists do up to 120 m/min"),
+    ("hoist", "speed"): (3.0, "m/min", "hoists do up to 120 m/min"),
     ("traverse", "speed"): (5.0, "m/min", "trolleys do up to 120 m/min"),
     ("travel", "speed"): (10.0, "m/min", "cranes travel by up to 150 m/min"),
     ("slewing", "speed"): (math.radians(6.0 * 10.0), "deg/min", "cranes slew by up to 1000 deg/min"),

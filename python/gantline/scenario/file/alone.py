@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
 __all__ = ["check_library", "problems_of_types"]
 
+#: Parts of the place of an error that says that a type is of no kind: section, name, the kind that was tried.
+_OF_KIND = 3
+
 
 def check_library(path: str | Path) -> dict[str, int] | None:
     """Look a library over, without what only lifts that name it know: what else there is by these names.
@@ -87,5 +90,7 @@ def _reader(section: str) -> TypeAdapter[Any]:
 
 
 def _is_of_value(error: ErrorDetails, tree: MapNode) -> bool:
-    """Whether an error is that of a key or of a value by itself."""
+    """Whether an error is that of a key or of a value by itself; so is that of a kind which there is not."""
+    if error.get("ctx", {}).get("key") == "type" and len(error["loc"]) == _OF_KIND:
+        return True
     return error["type"] == "extra_forbidden" or not isinstance(located(error["loc"], tree), MapNode)

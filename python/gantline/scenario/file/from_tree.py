@@ -30,11 +30,14 @@ def from_tree(tree: MapNode, source: str, text: str) -> Scenario:
     # What has no type has little else: what it lacks is no problem of its own.
     right = without(tree, wrong) if wrong else tree
     whole = filled_in(right)
-    problems = [*wrong.values(), *problems_of_types(right)]
+    problems, of_types = [*wrong.values()], problems_of_types(right)
     try:
         scenario = Scenario.model_validate(whole)
     except ValidationError as error:
         problems += translate(error.errors(include_url=False), whole)
+    # What things have from a type is said of them, who may know more of it; of a type alone the rest.
+    said = {(one.file, one.line, one.path) for one in problems}
+    problems += [one for one in of_types if (one.file, one.line, one.path) not in said]
     if problems:
         raise ScenarioError(source, problems)
     scenario.read_from(source, text, whole, tree)

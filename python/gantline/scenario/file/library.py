@@ -6,10 +6,12 @@ in which what is wrong stands.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
 from gantline.scenario.errors import Problem, ScenarioError, nearest, shorten
+from gantline.scenario.file import odd_characters
 from gantline.scenario.file.tree import (
     ListNode,
     MapNode,
@@ -31,6 +33,10 @@ SECTIONS: Final = (
     *("ropes", "shackles", "hook_types", "equalizer_types", "lug_types"),
     *(of.types for of in TYPED),
 )
+#: Keys that a lift file has, and no library.
+_OF_LIFTS: Final = frozenset(("lift", "duration", "plan", "slings", LIBRARY))
+#: How what is wrong with a file ends that is none.
+_NEEDED: Final = "; a lift file or its folder is needed"
 #: Most libraries of one lift file.
 _MOST: Final = 20
 
@@ -58,11 +64,12 @@ def with_libraries(tree: MapNode, source: str) -> MapNode:
         try:
             text = read_text(path, str(path))
         except ScenarioError as error:
-            why = error.problems[0].sentence.partition(";")[0]
-            sentence = f"'{shorten(name)}' {why}; a library beside the lift file is needed"
+            why = error.problems[0].sentence
+            if why.endswith(_NEEDED):
+                why = f"{why.removesuffix(_NEEDED)}; a library beside the lift file is needed"
+            sentence = f"'{shorten(name)}' {why.replace('a lift file', 'a library')}"
             raise ScenarioError(source, [problem_at(tree, (LIBRARY,), sentence)]) from None
-        library = parse_text(text, str(path))
-        refuse_other_keys(library, str(path))
+        library = _parsed(text, str(path))
         beside += f"# library: {name}\n" + "".join(f"# {line}".rstrip() + "\n" for line in text.splitlines())
         for section, given in library.items():
             if section not in SECTIONS:
@@ -85,6 +92,28 @@ def with_libraries(tree: MapNode, source: str) -> MapNode:
     return whole if beside else tree
 
 
+def _parsed(text: str, source: str) -> MapNode:
+    """The tree of a library's text, whose characters are named that YAML takes for letters."""
+
+    def problems_of(another: str) -> Sequence[Problem]:
+        try:
+            _checked(another, source)
+        except ScenarioError as error:
+            return error.problems
+        return ()
+
+    try:
+        return _checked(text, source)
+    except ScenarioError as error:
+        raise odd_characters.named(error, text, problems_of) from None
+
+
+def _checked(text: str, source: str) -> MapNode:
+    library = parse_text(text, source)
+    refuse_other_keys(library, source)
+    return library
+
+
 def _named(tree: MapNode) -> list[str]:
     """Libraries that a lift file names; none where it names them wrongly, which what reads it says."""
     given = tree.get(LIBRARY)
@@ -100,6 +129,10 @@ def refuse_other_keys(library: MapNode, source: str) -> None:
         ScenarioError: with everything found.
     """
     problems: list[Problem] = []
+    whole = [key for key in library if key in _OF_LIFTS]
+    if len(whole) > 1:
+        sentence = f"is a lift file, with {_and(whole)}; a library has no more than {_and(SECTIONS)}"
+        raise ScenarioError(source, [Problem(None, "", sentence)])
     if library.get("format") != "1":
         found = f"'{shorten(str(library['format']))}'" if "format" in library else "none"
         sentence = f"found {found}; a library begins with 'format: 1', as a lift file does"
@@ -107,7 +140,10 @@ def refuse_other_keys(library: MapNode, source: str) -> None:
     for section, given in library.items():
         if section == "format":
             continue
-        if section not in SECTIONS:
+        if section == LIBRARY:
+            sentence = "a library names no other one; a lift file names several, [cranes.yaml, ropes.yaml]"
+            problems.append(problem_at(library, (section,), sentence))
+        elif section not in SECTIONS:
             sentence = f"'{shorten(section)}' is not a section of a library; {nearest(section, SECTIONS)}"
             problems.append(problem_at(library, (section,), sentence))
         elif not isinstance(given, MapNode) or not given:
@@ -119,6 +155,11 @@ def refuse_other_keys(library: MapNode, source: str) -> None:
             problems += [problem_at(library, (section, name), "a mapping is needed") for name in wrong]
     if problems:
         raise ScenarioError(source, problems)
+
+
+def _and(keys: Sequence[str]) -> str:
+    *first, last = (f"'{one}'" for one in keys)
+    return f"{', '.join(first)} and {last}"
 
 
 def _of_file(node: MapNode, file: str, line: int) -> MapNode:

@@ -105,7 +105,10 @@ def _let_have_types(schema: dict[str, Any], of: Typed) -> None:
     kinds = parts.get("oneOf", [parts])
     given = [{**_own(one, schema["$defs"]), "required": ["type"]} if of.needs_kind else one for one in kinds]
     of_types = schema["properties"][of.types]["patternProperties"]
-    of_types[pattern] = {"minProperties": 1, **({"oneOf": given} if len(given) > 1 else given[0])}
+    # Beside a reference nothing counts in draft 7.
+    shown = {"oneOf": given} if len(given) > 1 else {"allOf": given}
+    untyped = {} if of.kinds else {"not": {"required": ["type"]}}
+    of_types[pattern] = {"minProperties": 1, **shown, **untyped}
     named[pattern] = {"anyOf": [whole, _of_any_kind([_own(one, schema["$defs"]) for one in kinds], of)]}
 
 

@@ -21,6 +21,8 @@ __all__ = ["PathError", "node_at", "node_of", "put", "text_node"]
 
 _AXES: Final = ("x", "y", "z")
 _PLACE: Final = re.compile(r"\[(\d+)\]")
+#: The key that names libraries, which `gantline.scenario.file.library` puts in before this.
+_LIBRARY: Final = "library"
 #: How deep a text may be nested too.
 _DEEPEST: Final = 32
 
@@ -45,10 +47,13 @@ def line_at(tree: MapNode, path: str) -> int:
         PathError: if an earlier part of the path leads nowhere.
     """
     steps = _steps(tree, path)
-    found = _at(tree, steps)
-    holder = found if found is not None else _at(tree, steps[:-1])
-    assert holder is not None
-    return holder.line
+    node: Node = tree
+    for step in steps:
+        # What a type or a library gives stands elsewhere: another one would stand in the thing that has it.
+        if isinstance(node, MapNode) and (str(step) not in node or str(step) in node.elsewhere):
+            break
+        node = _part(node, step)
+    return node.line
 
 
 def put(tree: MapNode, path: str, node: Node) -> MapNode:
@@ -59,6 +64,8 @@ def put(tree: MapNode, path: str, node: Node) -> MapNode:
     Raises:
         PathError: if the path leads nowhere.
     """
+    if path == _LIBRARY or (_LIBRARY in tree and re.split(r"[.\[]", path)[0] == _LIBRARY):
+        raise PathError("a library is read with its file; name what it gives, or edit the file")
     whole = filled_in(tree)
     *way, last = _steps(whole, path)
     changed = like(tree, {key: _copy(value) for key, value in tree.items()})

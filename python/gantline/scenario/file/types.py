@@ -111,7 +111,7 @@ def _misnamed(tree: MapNode, of: Typed) -> Iterator[tuple[tuple[PathPart, ...], 
         elif given is not None and not of.kinds:
             sentence = f"a type of {of.one} has no type itself; leave it out"
             yield path, problem_at(tree, (*path, "type"), sentence)
-        elif isinstance(given, TextNode) and given in types:
+        elif isinstance(given, TextNode) and given in types and given not in of.kinds:
             sentence = f"'{shorten(given)}' is a type, too; a type says its kind, {_or(of.kinds)}"
             yield path, problem_at(tree, (*path, "type"), sentence)
     yield from _too_many(tree, of)
