@@ -62,7 +62,7 @@ class Vessel:
 
     def aboard(self, place: Floats) -> Floats:
         """From stern and keel to a place in the world, as it lies at rest."""
-        return np.array(self.upright.inv().apply(place - [*self.stern, -DRAFT]))
+        return np.asarray(self.upright.inv().apply(place - [*self.stern, -DRAFT]), dtype=np.float64)
 
     def way(self, aboard: Floats, time: Floats) -> Floats:
         """Places of a point aboard in the world, shape (n, 3)."""
@@ -73,8 +73,8 @@ class Vessel:
         size = HEIGHT / 2 * self.table(OMEGA, TOWARDS - self.heading) * np.exp(1j * phase)
         moved = growth[:, np.newaxis] * (np.exp(-1j * OMEGA * time)[:, np.newaxis] * size).real
         turned = self.upright * Rotation.from_euler("ZYX", moved[:, :2:-1])
-        placed: Floats = np.array(pointed + self.upright.apply(moved[:, :3]) + turned.apply(aboard - self.at))
-        return placed
+        found = pointed + self.upright.apply(moved[:, :3]) + turned.apply(aboard - self.at)
+        return np.asarray(found, dtype=np.float64)
 
 
 def answers(seed: int) -> Floats:
