@@ -62,7 +62,7 @@ class Vessel:
 
     def aboard(self, place: Floats) -> Floats:
         """From stern and keel to a place in the world, as it lies at rest."""
-        return np.asarray(self.upright.inv().apply(place - [*self.stern, -DRAFT]), dtype=np.float64)
+        return np.array(self.upright.inv().apply(place - [*self.stern, -DRAFT]))
 
     def way(self, aboard: Floats, time: Floats) -> Floats:
         """Places of a point aboard in the world, shape (n, 3)."""
@@ -74,10 +74,10 @@ class Vessel:
         moved = growth[:, np.newaxis] * (np.exp(-1j * OMEGA * time)[:, np.newaxis] * size).real
         turned = self.upright * Rotation.from_euler("ZYX", moved[:, :2:-1])
         found = pointed + self.upright.apply(moved[:, :3]) + turned.apply(aboard - self.at)
-        return np.asarray(found, dtype=np.float64)
+        return np.array(found)
 
 
-def answers(seed: int) -> Floats:
+def answers(seed: int) -> Any:
     """Of any vessel: some tenths of a metre and degrees in such a swell."""
     real, imaginary = np.random.default_rng(seed).normal(size=(2, 3, 6))
     return (real + 1j * imaginary) * [0.5, 0.5, 0.6, 0.02, 0.012, 0.006]
