@@ -1,8 +1,9 @@
-"""A load that stands near the edge of a platform without friction came to rest by `losses="none"`, and was at rest
-nowhere by `"held"`.
+"""A load that stands near the edge of a platform without friction came to rest by `losses="none"`, and was at
+rest nowhere by `"held"`.
 
-Friction that holds is taken as holding all in the first search, and as what presses allows from there. Without
-any, the second search began where nothing but that endless friction had kept the load, and found no step.
+Friction that holds is taken as holding all in the first search, and as what presses allows from there.
+Without any, the second search began where nothing but that endless friction had kept the load, and found no
+step.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ def at_rest(folder: Path, losses: Losses) -> tuple[np.ndarray, np.ndarray]:
 
 
 def test_held_by_no_friction_it_rests_as_without(tmp_path: Path) -> None:
-    """The same question twice: place and forces to what a search leaves; the ground bears the weight in the end."""
+    """The same question twice: place and forces to what a search leaves; the ground bears the weight at last."""
     (place, forces), (held_place, held_forces) = (at_rest(tmp_path, way) for way in ("none", "held"))
     assert held_place == pytest.approx(place, abs=1e-9)
     assert held_forces == pytest.approx(forces, abs=1e-6 * WEIGHT)
