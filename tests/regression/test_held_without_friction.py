@@ -46,7 +46,7 @@ def at_rest(folder: Path, losses: Losses) -> tuple[np.ndarray, np.ndarray]:
 
 
 def test_held_by_no_friction_it_rests_as_without(tmp_path: Path) -> None:
-    """The same question twice: place and forces to what a search leaves; the ground bears the weight at last."""
+    """One question asked twice: place and forces to what a search leaves; the ground bears all at last."""
     (place, forces), (held_place, held_forces) = (at_rest(tmp_path, way) for way in ("none", "held"))
     assert held_place == pytest.approx(place, abs=1e-9)
     assert held_forces == pytest.approx(forces, abs=1e-6 * WEIGHT)
