@@ -131,9 +131,10 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
         let (part, held) = match law {
             _ if state.modes[row].is_absent() => (Part::Off, None),
             Law::Unilateral { .. } => (Part::Pull, None),
-            Law::Friction { normal, .. } => {
+            Law::Friction { normal, coefficient, .. } => {
                 let touches = state.trial[*normal] * law.compliance() >= -TOUCHES;
-                (contact_part(losses.contacts, row - normal, touches), None)
+                // The first search takes what holds as holding all; without friction it would begin from a place that none has.
+                (contact_part(losses.contacts, row - normal, touches && *coefficient > 0.0), None)
             }
             Law::Pin | Law::Brake { .. } => held(system, state, row, losses.sheaves),
         };
@@ -143,11 +144,11 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
     system.rows.laws.iter().enumerate().map(row).collect()
 }
 
-/// How the tangential row `number`, 1 or 2, of a contact takes part, which touches at the start or not.
-fn contact_part(contacts: Contacts, number: usize, touches: bool) -> Part {
+/// How the tangential row `number`, 1 or 2, of a contact takes part, which touches at the start with friction or not.
+fn contact_part(contacts: Contacts, number: usize, grips: bool) -> Part {
     match contacts {
-        Contacts::Held if touches && number == 1 => Part::Stick(f64::INFINITY),
-        Contacts::Held if touches => Part::Across,
+        Contacts::Held if grips && number == 1 => Part::Stick(f64::INFINITY),
+        Contacts::Held if grips => Part::Across,
         Contacts::Slid(_) => Part::Resist(0.0),
         _ => Part::Off,
     }
