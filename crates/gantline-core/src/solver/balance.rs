@@ -45,6 +45,8 @@ pub struct Balance {
     singles: Vec<Single>,
     /// Rows that these are.
     pub has: Vec<bool>,
+    /// Those of them that a rope over light sheaves is divided into, and of what these lose.
+    pub is_divided: Vec<bool>,
     /// Solutions that there are to start from.
     solutions: usize,
 }
@@ -226,10 +228,11 @@ impl LightRope {
 impl Balance {
     /// Room for the rows of a system; none where it has no light sheaves.
     pub fn new(system: &System) -> Self {
-        let mut has = vec![false; system.rows.count()];
+        let mut is_divided = vec![false; system.rows.count()];
         for light in &system.light {
-            light.rows.clone().chain(light.brakes.iter().copied()).for_each(|row| has[row] = true);
+            light.rows.clone().chain(light.brakes.iter().copied()).for_each(|row| is_divided[row] = true);
         }
+        let mut has = is_divided.clone();
         let soft = |row: &usize| matches!(system.rows.laws[*row], Law::Unilateral { compliance, .. } if compliance > 0.0);
         let rows: Vec<usize> = if system.light.is_empty() {
             Vec::new()
@@ -242,6 +245,7 @@ impl Balance {
             ropes: system.light.iter().map(LightRope::new).collect(),
             singles: rows.into_iter().map(single).collect(),
             has,
+            is_divided,
             solutions: 0,
         }
     }

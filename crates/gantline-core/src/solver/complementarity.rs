@@ -306,7 +306,8 @@ impl Complementarity {
     fn find_wrong(&mut self, system: &System, problem: &Problem, v: &[f64]) {
         self.wrong.clear();
         for (row, law) in system.rows.laws.iter().enumerate() {
-            if !matches!(law, Law::Unilateral { .. }) || self.modes[row].is_absent() {
+            let is_single = matches!(law, Law::Unilateral { .. }) && !self.balance.is_divided[row];
+            if !is_single || self.modes[row].is_absent() {
                 continue;
             }
             let reach = problem.h + law.damping_time();

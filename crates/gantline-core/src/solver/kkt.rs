@@ -8,6 +8,14 @@
 //! with the driven degrees of freedom moved to the right side. The pattern is found once; a row that does
 //! not act is an identity row, so the pattern stays while ropes go slack and contacts open. Where there are brakes it is not
 //! symmetric: the row of one that slips is its law, y = ±h B₀ ± Σ wₖ yₖ − ∂B v, while its force acts on its flow as before.
+//!
+//! What light sheaves lose is no unknown. With y₁, y₂ the impulses of the spans beside it and G = ∂g/∂s, the row of a flow is
+//!
+//! ```text
+//! v = 0        or        Σ (Gₖ ± wₖ) yₖ = 0
+//! ```
+//!
+//! where it holds or slips, and that of its loss, an identity row, is filled in afterwards.
 
 use super::brakes::Holding;
 use super::complementarity::Mode;
@@ -29,10 +37,35 @@ enum Factors {
     Unsymmetric(Ldu, Vec<f64>),
 }
 
+/// The row of the flow of a light sheave.
+#[derive(Debug, Clone)]
+struct LightRow {
+    dof: usize,
+    /// The row of its loss, which is no unknown.
+    row: usize,
+    /// The spans before and after it.
+    sides: [Side; 2],
+    /// The direction of its loss while it slips, else 0.
+    way: f64,
+}
+
+/// A span beside a light sheave.
+#[derive(Debug, Clone, Copy)]
+struct Side {
+    row: usize,
+    /// Where G is in the symmetric matrix, and the coupling of the flow to the span's impulse among the numbers of [`Ldu`].
+    slot: usize,
+    place: usize,
+    /// G and w.
+    gradient: f64,
+    weight: f64,
+}
+
 /// The matrix, its pattern and its factors.
 #[derive(Debug, Clone)]
 pub struct Kkt {
     layout: Layout,
+    light: Vec<LightRow>,
     /// Geometric stiffness of the step.
     pub stiffness: Stiffness,
     factors: Factors,
@@ -45,13 +78,15 @@ pub struct Kkt {
 impl Kkt {
     /// Pattern and elimination order for `system`.
     pub fn new(system: &System) -> Self {
-        let layout = Layout::new(system);
+        let layout = Layout::of_bodies(system);
         let stiffness = Stiffness::new(system);
         let pattern = layout.symbolic.clone();
+        let mut light = Vec::new();
         let factors = if system.brakes().next().is_none() {
             Factors::Symmetric(Ldl::new(pattern))
         } else {
             let ldu = Ldu::new(pattern);
+            light.extend(light_rows(system, &layout, &ldu));
             let values = vec![0.0; ldu.entries()];
             Factors::Unsymmetric(ldu, values)
         };
@@ -64,6 +99,7 @@ impl Kkt {
             right: vec![0.0; size],
             solution: vec![0.0; size],
             layout,
+            light,
             stiffness,
             factors,
         }
@@ -101,6 +137,9 @@ impl Kkt {
             let diagonal = self.slots.diagonal[self.layout.row(row)];
             self.base[diagonal] = -law.compliance() / (h * (h + law.damping_time()));
         }
+        for light in &self.light {
+            self.base[self.slots.diagonal[self.layout.row(light.row)]] = -1.0;
+        }
     }
 
     /// Factorises for a step of length `h` with the rows that do not act replaced by identity rows, and those of brakes that
@@ -131,13 +170,14 @@ impl Kkt {
                 for row in idle() {
                     take_out(system, (&self.slots, &self.layout), row, upper);
                 }
-                // Flows without inertia stand still while their rope is slack.
-                let slack = system.light.iter().filter(|light| modes[light.rows.start] != Mode::Acting);
-                for &dof in slack.flat_map(|light| &light.dofs) {
-                    upper[self.slots.diagonal[self.layout.unknown[dof]]] = 1.0;
-                }
                 lower.copy_from_slice(upper);
-                for brake in brakes.iter().filter(|brake| modes[brake.row] == Mode::Slipping) {
+                let with_inertia = brakes.len() - self.light.len();
+                for (light, brake) in self.light.iter_mut().zip(&brakes[with_inertia..]) {
+                    light.follow(&self.base, modes, brake);
+                    light.place(self.slots.diagonal[self.layout.unknown[light.dof]], values);
+                }
+                for brake in brakes[..with_inertia].iter().filter(|brake| modes[brake.row] == Mode::Slipping)
+                {
                     let mut put = |(row, column): (usize, usize), value: f64| {
                         if let (true, Some(place)) = (row != NONE && column != NONE, ldu.entry(row, column)) {
                             values[place] = value;
@@ -167,6 +207,9 @@ impl Kkt {
             self.right[index] = force[dof];
         }
         self.right[self.layout.free.len()..].copy_from_slice(rows);
+        for light in self.light.iter().filter(|light| light.way == 0.0) {
+            self.right[self.layout.unknown[light.dof]] = 0.0;
+        }
         match &mut self.factors {
             Factors::Symmetric(ldl) => ldl.solve(&self.right, &mut self.solution),
             Factors::Unsymmetric(ldu, _) => {
@@ -178,12 +221,65 @@ impl Kkt {
             v[dof] = self.solution[index];
         }
         impulse.copy_from_slice(&self.solution[self.layout.free.len()..]);
+        for light in &self.light {
+            impulse[light.row] = light.loss(force[light.dof], impulse);
+        }
     }
 
     /// Name of the body or constraint that an unknown belongs to.
     pub fn element<'a>(&self, system: &'a System, unknown: usize) -> &'a str {
         self.layout.element(system, unknown)
     }
+}
+
+impl LightRow {
+    /// How it takes part, with the gradients of `base`.
+    fn follow(&mut self, base: &[f64], modes: &[Mode], brake: &Holding) {
+        // Flows without inertia stand still while their rope is slack.
+        let slips = modes[self.row] == Mode::Slipping && modes[self.sides[0].row] == Mode::Acting;
+        self.way = if slips { brake.way } else { 0.0 };
+        for (side, (_, weight)) in self.sides.iter_mut().zip(brake.pressed) {
+            (side.gradient, side.weight) = (base[side.slot], weight);
+        }
+    }
+
+    /// Puts its row into the numbers of [`Ldu`].
+    fn place(&self, diagonal: usize, values: &mut [f64]) {
+        if self.way == 0.0 {
+            values[diagonal] = 1.0;
+        }
+        for Side { place, gradient, weight, .. } in self.sides {
+            values[place] = if self.way == 0.0 { 0.0 } else { gradient + self.way * weight };
+        }
+    }
+
+    /// The impulse of its loss, with what pushes the flow and the impulses of the spans.
+    fn loss(&self, force: f64, impulse: &[f64]) -> f64 {
+        let sum = |factor: fn(&Side) -> f64| -> f64 {
+            self.sides.iter().map(|side| factor(side) * impulse[side.row]).sum()
+        };
+        if self.way == 0.0 { force - sum(|side| side.gradient) } else { self.way * sum(|side| side.weight) }
+    }
+}
+
+/// Rows of all light sheaves, in the order of their losses.
+fn light_rows<'a>(
+    system: &'a System,
+    layout: &'a Layout,
+    ldu: &'a Ldu,
+) -> impl Iterator<Item = LightRow> + 'a {
+    system.brakes().filter(|(row, _)| *row >= system.first_light_row()).map(|(row, brake)| {
+        let flow = layout.unknown[brake.dof];
+        let side = |index: usize| {
+            let (row, _) = brake.spans[index];
+            let unknown = layout.row(row);
+            let [slot, place] =
+                [layout.symbolic.slot(flow, unknown).map(|(slot, _)| slot), ldu.entry(flow, unknown)]
+                    .map(|place| place.unwrap_or(NONE));
+            Side { row, slot, place, gradient: 0.0, weight: 0.0 }
+        };
+        LightRow { dof: brake.dof, row, sides: [side(0), side(1)], way: 0.0 }
+    })
 }
 
 /// Makes the row of a matrix an identity row.

@@ -3,7 +3,7 @@
 
 use super::order::{Node, NodeKind, elimination_order};
 use super::symbolic::Symbolic;
-use crate::constraint::AnyConstraint;
+use crate::constraint::{AnyConstraint, Law};
 use crate::system::System;
 use crate::tree::mass::MassMatrix;
 
@@ -39,20 +39,22 @@ pub struct Group {
 impl Layout {
     /// Layout of `system`.
     pub fn new(system: &System) -> Self {
-        Self::with_rows(system, |_| true)
+        Self::of(system, &system.rows.laws, |_| true)
     }
 
-    /// The same for matrices in which the losses of light sheaves are no rows: these stand alone.
+    /// The same for matrices in which the losses of light sheaves are no rows: these stand alone, and the rows of their flows
+    /// say whether they hold or how they slip.
     pub fn without_light(system: &System) -> Self {
-        let mut stands_alone = vec![false; system.rows.count()];
-        for &row in system.light.iter().flat_map(|light| &light.brakes) {
-            stands_alone[row] = true;
-        }
-        Self::with_rows(system, |row| !stands_alone[row])
+        Self::of(system, system.exerting_laws(), |_| true)
     }
 
-    /// With the couplings of some rows.
-    fn with_rows(system: &System, couples: impl Fn(usize) -> bool) -> Self {
+    /// The same where gradients turn as bodies move, and not as rope is fed.
+    pub fn of_bodies(system: &System) -> Self {
+        Self::of(system, system.exerting_laws(), |dof| !system.flows.contains(&dof))
+    }
+
+    /// With the couplings of the first rows, whose `laws` these are, and of the degrees of freedom that turn gradients.
+    fn of(system: &System, laws: &[Law], turns: impl Fn(usize) -> bool) -> Self {
         let free: Vec<usize> =
             (0..system.tree.velocities).filter(|&dof| system.driven[dof].is_none()).collect();
         let mut unknown = vec![NONE; system.tree.velocities];
@@ -61,12 +63,13 @@ impl Layout {
         }
         let mut groups = Vec::new();
         for (index, constraint) in system.constraints.iter().enumerate() {
-            for (number, (row, dofs)) in constraint.curvature_groups().into_iter().enumerate() {
+            for (number, (row, mut dofs)) in constraint.curvature_groups().into_iter().enumerate() {
                 let row = system.rows.first[index] + row;
+                dofs.retain(|&dof| turns(dof));
                 groups.push(Group { constraint: index, number, row, dofs });
             }
         }
-        let pairs = pairs(system, &groups, &unknown, (free.len(), couples));
+        let pairs = pairs(system, laws, &groups, (&unknown, free.len()));
         let order = unknown_order(system, &unknown, free.len(), &pairs);
         Self { symbolic: Symbolic::new(order, pairs), unknown, free, groups }
     }
@@ -88,9 +91,9 @@ impl Layout {
 /// Pairs of unknowns that couple through inertia, gradients and their turning.
 fn pairs(
     system: &System,
+    laws: &[Law],
     groups: &[Group],
-    unknown: &[usize],
-    (free, couples): (usize, impl Fn(usize) -> bool),
+    (unknown, free): (&[usize], usize),
 ) -> Vec<(usize, usize)> {
     let mass = MassMatrix::new(&system.tree);
     let mut pairs = Vec::new();
@@ -98,11 +101,9 @@ fn pairs(
         let slots = mass.row_start[dof]..mass.row_start[dof + 1];
         pairs.extend(mass.columns[slots].iter().map(|&other| (unknown[dof], unknown[other])));
     }
-    for row in (0..system.rows.count()).filter(|&row| couples(row)) {
+    for (row, law) in laws.iter().enumerate() {
         let entries = system.rows.start[row]..system.rows.start[row + 1];
         pairs.extend(system.rows.dofs[entries].iter().map(|&dof| (free + row, unknown[dof])));
-    }
-    for (row, law) in system.rows.laws.iter().enumerate().filter(|(row, _)| couples(*row)) {
         pairs.extend(law.bounded_by().map(|other| (free + row, free + other)));
     }
     for group in groups {

@@ -62,7 +62,8 @@ impl Stiffness {
         let mut turned_by = vec![Vec::new(); system.tree.bodies.len()];
         for rope in system.ropes() {
             for (group, (_, members)) in rope.curvature_groups().into_iter().enumerate() {
-                dofs.extend(members);
+                // What is fed turns no rope.
+                dofs.extend(members.into_iter().filter(|dof| !system.flows.contains(dof)));
                 start.push(dofs.len());
                 rope.turned(group).into_iter().for_each(|(body, own)| turned_by[body].extend(own));
             }
