@@ -1,7 +1,7 @@
 """A spring of a joint, both stops at one place, is as stiff in its middle as beside it.
 
-Each of the two stops counts in an equilibrium where it pushes, and in the middle of the spring neither does: a
-mast that stands plumb on a spring was "UNSTABLE: one motion leads away", with the ω² of a mast without one,
+Each of the two stops counts in an equilibrium where it pushes, and in the middle of the spring neither does:
+a mast that stands plumb on a spring was "UNSTABLE: one motion leads away", with the ω² of a mast without one,
 and what hangs plumb on one swung as if it had none. A microradian aside both were right.
 """
 

@@ -1,8 +1,8 @@
 """A mast that stands between guys which are just taut, and pull with nothing, is stable.
 
-Whichever way it leans, guys on the other side hold it. Of what does not pull nothing counted, though: masts with
-guys of the length `as_routed` were "UNSTABLE: one motion leads away", exit code 1, with an e-fold in 0.9 s, and
-"the stable equilibrium there" was the same one.
+Whichever way it leans, guys on the other side hold it. Of what does not pull nothing counted, though: masts
+with guys of the length `as_routed` were "UNSTABLE: one motion leads away", exit code 1, with an e-fold in
+0.9 s, and "the stable equilibrium there" was the same one.
 """
 
 from __future__ import annotations
