@@ -72,7 +72,7 @@ __all__ = [
 ]
 
 ORIGIN = (0.0, 0.0, 0.0)
-AXIS_SHOWN = "Axis, three plain numbers; in the parent's axes, turned by the body's 'orientation' if it has one."
+AXIS_SHOWN = "Axis, three plain numbers; in the parent's axes, turned by the body's 'orientation'."
 PLACE_SHOWN = "Position at the start, from 'at'; in the parent's axes, turned by the body's 'orientation'."
 SPEED_SHOWN = "Velocity at the start, in the axes of 'position'."
 
