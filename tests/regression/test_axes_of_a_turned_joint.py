@@ -1,6 +1,6 @@
 """`orientation` of a body turns the axes in which its joint has its axis, place and velocity.
 
-The reference said of `axis` that it is in the parent's axes, and of `position` and `velocity` nothing of axes:
+The reference said of `axis` that it is in the parent's axes, of `position` and `velocity` nothing of axes:
 a slider along x, on a joint turned by 90° about z, goes along the parent's y.
 """
 
