@@ -8,6 +8,7 @@ with guys of the length `as_routed` were "UNSTABLE: one motion leads away", exit
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ MASS, HIGH, FOOT, EA = 4000.0, 12.0, 5.0, 20e6
 INERTIA = 48e3 + MASS * (HIGH / 2) ** 2
 
 
-def mast(joint: str, sides: list[float], kind: str = "guy") -> Statics:
+def mast(joint: str, sides: Sequence[float], kind: str = "guy") -> Statics:
     """Its foot on a joint, and guys from its top to places around it at these angles [deg]."""
     ends = [f"[{FOOT * math.cos(turn)!r} m, {FOOT * math.sin(turn)!r} m, 0 m]" for turn in np.radians(sides)]
     guys = "\n".join(
@@ -57,7 +58,7 @@ HINGE, BALL = "{type: hinge, axis: [0, 1, 0]}", "{type: ball}"
     [(HINGE, [0, 180], 0), (BALL, [0, 90, 180, 270], 1), (BALL, [10, 100, 190, 280], 1)],
     ids=["hinge", "ball", "turned"],
 )
-def test_guys_hold_it_to_either_side(joint: str, sides: list[float], neutral: int) -> None:
+def test_guys_hold_it_to_either_side(joint: str, sides: Sequence[float], neutral: int) -> None:
     """(I + m l²) ω² = EA/L (h d/L)² - m g l of one guy at a time, or of one of two pairs each way.
 
     Guys at right angles hold as one each way; about itself a mast on a ball turns freely.
@@ -82,7 +83,7 @@ def test_guys_that_do_not_stretch() -> None:
 @pytest.mark.parametrize(
     ("joint", "sides", "away"), [(HINGE, [0], 1), (HINGE, [0, 0], 1), (BALL, [0, 180], 2), (BALL, [0, 90], 2)]
 )
-def test_what_they_do_not_hold_leads_away(joint: str, sides: list[float], away: int) -> None:
+def test_what_they_do_not_hold_leads_away(joint: str, sides: Sequence[float], away: int) -> None:
     """Guys on one side alone, or two opposite ones below a ball: ω² = -m g l/(I + m l²) where none pulls."""
     statics = mast(joint, sides)
     rest = statics.equilibrium()

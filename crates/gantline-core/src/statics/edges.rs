@@ -23,6 +23,9 @@ const MOST: usize = 3;
 /// Each next of them goes that much less far, so that what lies across one of two motions is not on the edge again.
 const LESS: f64 = 0.6;
 
+/// What a row stretches by less than this share of what its parts do lies across it, but for rounding.
+const ACROSS: f64 = 1e-9;
+
 impl Statics {
     /// How many motions lead away and how many nothing holds, once rows on the edge bear where those that lead away, so
     /// many as `counted` says first, bring them in. Where they hold the lift they take part from now on.
@@ -60,7 +63,10 @@ impl Statics {
             let here = &mut self.search.here;
             here.follows.clone_from(&without);
             for &row in &edges {
-                here.follows[row] = system.rows.rate(&here.frame.gradient, row, &along) > 0.0;
+                let shares =
+                    || system.rows.entries(&here.frame.gradient, row).map(|(dof, entry)| entry * along[dof]);
+                let (rate, whole) = (shares().sum::<f64>(), shares().map(f64::abs).sum::<f64>());
+                here.follows[row] = rate > ACROSS * whole;
             }
             let held = self.inertia(system, state)?;
             if held.0 > 0 {
