@@ -100,7 +100,7 @@ def lift(friction: float) -> str:
 
 @pytest.mark.parametrize("friction", [0.05, 0.25])
 def test_a_plank_rocks_and_slides_on_edges(friction: float) -> None:
-    """Place and lean over 2 s to 1e-7, as a hundred steps leave with 1 nm each; the heat of friction to 1e-6."""
+    """Place and lean over 2 s to 1e-7, as a hundred steps of 1 nm leave; the heat of friction to 1e-6."""
     run = simulate(parse_scenario(lift(friction)), position_tolerance=1e-9, tension_tolerance=0.1)
     sticks = [float((axes(LEAN) @ (edge - PLACE))[0]) for edge in EDGES]
     start = [*PLACE, LEAN, SPEED, 0.0, 0.0, *sticks, 0.0]
