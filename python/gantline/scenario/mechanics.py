@@ -72,6 +72,9 @@ __all__ = [
 ]
 
 ORIGIN = (0.0, 0.0, 0.0)
+AXIS_SHOWN = "Axis, three plain numbers; in the parent's axes, turned by the body's 'orientation'."
+PLACE_SHOWN = "Position at the start, from 'at'; in the parent's axes, turned by the body's 'orientation'."
+SPEED_SHOWN = "Velocity at the start, in the axes of 'position'."
 
 
 class Rotation(Element):
@@ -142,7 +145,7 @@ class HingeJoint(Element):
     what: ClassVar[str] = "a hinge"
 
     type: Literal["hinge"] = Field(description="Kind of joint.")
-    axis: Direction = Field(description="Axis in the parent's axes, three plain numbers.")
+    axis: Direction = Field(description=AXIS_SHOWN)
     position: Angle = Field(0.0, description="Angle at the start.")
     velocity: AngularSpeed = Field(0.0, description="Angular speed at the start.")
     damping: RotationalDamping = Field(0.0, description="Damping of the turning.")
@@ -157,7 +160,7 @@ class Slider(Element):
     what: ClassVar[str] = "a slider"
 
     type: Literal["slider"] = Field(description="Kind of joint.")
-    axis: Direction = Field(description="Axis in the parent's axes, three plain numbers.")
+    axis: Direction = Field(description=AXIS_SHOWN)
     position: Length = Field(0.0, description="Travel at the start.")
     velocity: Speed = Field(0.0, description="Speed at the start.")
     damping: Damping = Field(0.0, description="Damping of the sliding.")
@@ -182,8 +185,8 @@ class Point(Element):
     what: ClassVar[str] = "a point joint"
 
     type: Literal["point"] = Field(description="Kind of joint.")
-    position: Position = Field(ORIGIN, description="Position at the start, from 'at'.")
-    velocity: Velocity = Field(ORIGIN, description="Velocity at the start.")
+    position: Position = Field(ORIGIN, description=PLACE_SHOWN)
+    velocity: Velocity = Field(ORIGIN, description=SPEED_SHOWN)
 
 
 class Free(Element):
@@ -192,9 +195,9 @@ class Free(Element):
     what: ClassVar[str] = "a free joint"
 
     type: Literal["free"] = Field(description="Kind of joint.")
-    position: Position = Field(ORIGIN, description="Position at the start, from 'at'.")
+    position: Position = Field(ORIGIN, description=PLACE_SHOWN)
     orientation: Rotation | None = Field(None, description="Orientation at the start.")
-    velocity: Velocity = Field(ORIGIN, description="Velocity at the start.")
+    velocity: Velocity = Field(ORIGIN, description=SPEED_SHOWN)
     angular_velocity: AngularVelocity = Field(ORIGIN, description="Angular velocity at the start, body axes.")
 
 

@@ -110,6 +110,7 @@ fn build_stops(given: &BodySpec, index: usize, tree: &Tree) -> Result<Vec<Stop>,
             side,
             compliance: 1.0 / stiffness,
             damping_time: *damping_time,
+            is_spring: lower == upper,
         });
     }
     Ok(stops)

@@ -26,6 +26,8 @@ pub struct Stop {
     pub compliance: f64,
     /// τ [s].
     pub damping_time: f64,
+    /// Whether the other end of the stroke is at the same place: both are a spring, of which one of the two always acts.
+    pub is_spring: bool,
 }
 
 impl Constraint for Stop {

@@ -76,6 +76,8 @@ pub struct Bearing {
     pub held: Option<Held>,
     /// Length whose difference to another e is [m].
     pub length: f64,
+    /// Of a row that pulls: whether it acts where it pulls with nothing.
+    pub acts_at_none: bool,
 }
 
 impl Bearing {
@@ -102,7 +104,9 @@ impl Bearing {
         match self.part {
             Part::Off => (0.0, 0.0, false),
             Part::Resist(force) => (force, force * value, false),
-            Part::Pull if trial > 0.0 => (trial, 0.5 * self.compliance * trial * trial, true),
+            Part::Pull if trial > 0.0 || self.acts_at_none && trial == 0.0 => {
+                (trial, 0.5 * self.compliance * trial * trial, true)
+            }
             Part::Pull => (0.0, 0.0, false),
             Part::Across => (trial, 0.5 * self.compliance * trial * trial, true),
             Part::Hold(bound) | Part::Stick(bound) if trial.abs() <= bound => {
@@ -139,7 +143,10 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
             Law::Pin | Law::Brake { .. } => held(system, state, row, losses.sheaves),
         };
         let length = length(system, row);
-        Bearing { part, compliance, first_compliance: compliance, is_rigid, offset: 0.0, held, length }
+        // A spring in its middle, as under what hangs or stands plumb, is as stiff as beside it: one of both stops acts.
+        let acts_at_none = matches!(system.constraint_of_row(row), AnyConstraint::Stop(stop) if stop.is_spring && stop.side > 0.0);
+        let first_compliance = compliance;
+        Bearing { part, compliance, first_compliance, is_rigid, offset: 0.0, held, length, acts_at_none }
     };
     system.rows.laws.iter().enumerate().map(row).collect()
 }

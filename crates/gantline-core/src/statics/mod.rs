@@ -8,6 +8,7 @@
 //! a locking pin, dry friction in newtons) holds it where the state has it, with no more than its own force.
 
 pub mod bearing;
+mod edges;
 pub mod eigen;
 mod friction;
 pub mod guard;
@@ -148,7 +149,9 @@ impl Statics {
 
     /// What the equilibrium found last is like.
     fn rest(&mut self, system: &System, state: &State) -> Result<Rest, NoEquilibrium> {
-        let (unstable, neutral) = self.inertia(system, state).map_err(|pivot| NoEquilibrium {
+        let counted =
+            self.inertia(system, state).and_then(|counted| self.held_on_edges(system, state, counted));
+        let (unstable, neutral) = counted.map_err(|pivot| NoEquilibrium {
             element: self.search.matrix.layout.element(system, pivot.unknown).to_owned(),
             cause: "whether it is stable there cannot be told".to_owned(),
         })?;
