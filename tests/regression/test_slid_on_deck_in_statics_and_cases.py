@@ -1,4 +1,4 @@
-"""A load set down on a deck: `statics` and `cases` were NO-GO for its sliding, and did not say that it slides.
+"""A load set down on a deck: `statics` and `cases` were NO-GO for its sliding, without a word that it slides.
 
 A transformer had been set down on a barge, its slings slack, and the run was in order there. Contacts are
 without friction in statics unless they are asked for with it: it slid 5 m until its slings held it, with 44 %
