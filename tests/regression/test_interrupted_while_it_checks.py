@@ -1,7 +1,7 @@
 """Ctrl-C after the last step of `gantline run` and before its table: it ended with 130 and without a word.
 
-The checks of a large lift take seconds. The recording was there, and nothing said so. `gantline compare` was as
-silent between its two runs and its pictures, and `gantline seas` before its first run.
+The checks of a large lift take seconds. The recording was there, and nothing said so. `gantline compare`
+was as silent between its two runs and its pictures, and `gantline seas` before its first run.
 """
 
 from __future__ import annotations
@@ -35,9 +35,7 @@ def test_a_run_says_where_its_recording_is(
     assert recording.exists()
 
 
-def test_a_comparison_says_where_its_recordings_are(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_comparison_says_where_its_recordings_are(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Both runs are done by then."""
     monkeypatch.setattr(gantline.results.comparison, "compare", _interrupted)
     words = ["pulleys", "--b", "integrator=del", "--both", "duration=0.2 s", "-o", str(tmp_path)]
