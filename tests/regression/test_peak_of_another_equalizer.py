@@ -1,6 +1,6 @@
 """The picture of an equalizer had its `peak tension` while its own slings carried less than at its end.
 
-A block of 300 t was turned by three hooks. The slings of the third, which hang from no equalizer, had the
+A load of 300 t was turned by three hooks. The slings of the third, which hang from no equalizer, had the
 peak of the lift, 860 kN at 91.8 s; those of equalizer E1 carried 141 kN then and 229 kN at the end, with
 232 kN at 1110.7 s. The close-up of E1 had the moment of the whole lift, and so had `slings taut`.
 """
