@@ -23,7 +23,7 @@ PLAN = f"""\
 
 
 def test_the_plot_says_that_the_hook_stays() -> None:
-    """What it says is so: in the sample in which the curve goes to 0 the drum stands still to 1 mm of rope."""
+    """What it says is so: in the sample in which the curve goes to 0 the drum stands still within 1 mm."""
     recording = simulate(compensated(PLAN, lasts="50 s"))
     raised = recording.column("heave_compensation", HOOK)
     (last,) = np.flatnonzero((raised[:-1] != 0.0) & (raised[1:] == 0.0) & (recording.time[1:] > END))
