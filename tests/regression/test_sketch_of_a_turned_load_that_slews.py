@@ -20,7 +20,7 @@ from sample_lift import ringing_lift
 
 
 def _turned(yaw: float) -> Recording:
-    """A load that comes clear at 10 s, tilts about y until 30 s, by 89.8 deg, and yaws from there to the end."""
+    """A load that comes clear at 10 s, tilts about y until 30 s, by 89.8 deg, and yaws from then on."""
     plain = ringing_lift()
     time = plain.time
     tilt = np.interp(time, [10.0, 30.0, 40.0], [0.0, 89.8, 90.0])
