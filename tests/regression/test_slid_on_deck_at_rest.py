@@ -26,7 +26,7 @@ def _told(friction: str) -> list[str]:
         ("simulation:", "limits: {rule: yard, load_tilt: 2 deg}\nsimulation:"),
     )
     question = Statics(parse_scenario(text, "x.yaml"))
-    return fails_as_it_slides(question, [one.state for one in run_steps(question, "none")])
+    return fails_as_it_slides([one.state for one in run_steps(question, "none")])
 
 
 def test_it_is_told_what_holds_it() -> None:

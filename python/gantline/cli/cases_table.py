@@ -7,6 +7,7 @@ import textwrap
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 
 from gantline.checks import governing
+from gantline.cli.friction import fails_as_it_slides
 from gantline.cli.table import ABSENT, show, table, tables
 from gantline.results.file.saved import WORST_OF_LOSSES
 from gantline.scenario.file.case import ENVELOPE, TOLERANCE
@@ -59,9 +60,11 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
     def in_cases(places: Sequence[int]) -> str:
         return _in_cases(result.states, places)
 
+    slides = fails_as_it_slides(result.states, "'gantline statics --held'")
     why = [
         *([f"  {WORST_OF_LOSSES}"] if result.has_losses and not variants else []),
         *notes(result.states, in_cases, width),
+        *(line for told in slides for line in _told(told.strip(), width)),
         *_lines(_in_one(_cautions(result.states)), result.states, in_cases, width),
         *_overshoots(result, width),
         *_at_once(result, width),

@@ -124,9 +124,13 @@ def compare(
         if _was_stopped(side) and sides[1].status == "ready":
             warn(f"stopped before B was simulated; what there is of A: {folder / 'a.nc'}")
             raise typer.Exit(INTERRUPTED)
-    comparison = _compare(sides, folder)
-    if plots:
-        _draw(comparison, folder)
+    try:
+        comparison = _compare(sides, folder)
+        if plots:
+            _draw(comparison, folder)
+    except KeyboardInterrupt:
+        warn(f"interrupted before all was compared; the recordings are {folder / 'a.nc'}, {folder / 'b.nc'}")
+        raise typer.Exit(INTERRUPTED) from None
     _end(sides)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -61,24 +61,15 @@ def stands_loosely(rests: Sequence[Equilibrium]) -> list[str]:
     return [f"  {name} {said}" for name in names]
 
 
-def fails_as_it_slides(question: Statics, states: Sequence[State]) -> list[str]:
+def fails_as_it_slides(states: Iterable[State], held: str = "--held") -> list[str]:
     """Loads that stand, and fail a check there, on contacts whose friction is left out.
 
-    A load that has been set down on a deck that leans slides as far as its slings let it, and pulls at them.
+    Args:
+        states: Equilibria with their checks.
+        held: What has friction hold a load, in the words of the program.
     """
-    document = question.assembly.document
-    touching = [one for kind in ("contacts", "supports", "pairs") for one in document.get(kind, ())]
-    rough = {one["name"] for one in touching if one.get("friction", 0.0) > 0.0}
-    names: dict[str, None] = {}
-    for state in states:
-        rest = state.rest
-        if rest is None or rest.losses == "held" or not rest.is_stable or state.is_sound:
-            continue
-        for load in rest.recording.rig.loads:
-            bears = [one for one in load.contacts if rest.recording.column("contact_force", one)[-1] > 0.0]
-            if rough.intersection(one.partition("/")[0] for one in bears):
-                names[load.name] = None
-    said = "stands where a check fails, free to slide; --held has friction hold what it can"
+    names = dict.fromkeys(name for state in states for name in state.fails_as_it_slides)
+    said = f"stands where a check fails, free to slide; {held} has friction hold what it can"
     return [f"  {name} {said}" for name in names]
 
 

@@ -8,21 +8,23 @@ from typing import Any
 
 from gantline.checks import Check, outcome_of, verdict_of
 from gantline.cli.check_table import check_table, width_of_terminal
-from gantline.cli.friction import slid_loads, stands_loosely
+from gantline.cli.friction import fails_as_it_slides, slid_loads, stands_loosely
 from gantline.cli.summary import heading, weights
 from gantline.cli.table import ABSENT, show, table, wrapped
 from gantline.results import series
 from gantline.results.file.saved import LOSSES
 from gantline.statics import Equilibrium, Losses, Mode, NoEquilibriumError, Sensitivity, Statics
-from gantline.study.state import rest_json
+from gantline.study.state import State, free_to_slide, rest_json
 from gantline.study.tilting import Margin
 
 
-def heading_of(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[str]:
-    """The lift, whether it is stable, and what is left out."""
+def heading_of(
+    question: Statics, rest: Equilibrium, modes: list[Mode], checks: Sequence[Check] = ()
+) -> list[str]:
+    """The lift, whether it is stable, what is left out, and what that may have to do with failed checks."""
     lines = [*heading(question.rig), *weights(question.rig), *question.scenario.left_out_at_rest]
-    state = rest.stability if rest.is_stable else f"UNSTABLE: {rest.stability}"
-    lines.append(f"Equilibrium at {rest.time:g} s: {state}")
+    stability = rest.stability if rest.is_stable else f"UNSTABLE: {rest.stability}"
+    lines.append(f"Equilibrium at {rest.time:g} s: {stability}")
     free = [mode.motion for mode in modes if mode.period is None and mode.growth_time is None]
     lines += [f"  nothing holds: {motion}; nearest to the start" for motion in free]
     lines += [
@@ -30,7 +32,9 @@ def heading_of(question: Statics, rest: Equilibrium, modes: list[Mode]) -> list[
         for moment, name in rest.slides
     ]
     bounds = "; bounds: all slip along the rope, all against"
-    loose = slid_loads(question, rest) or stands_loosely([rest])
+    slides = free_to_slide(question, rest)
+    state = State("", "", rest.losses, rest.time, rest, checks=checks, slides=slides)
+    loose = slid_loads(question, rest) or stands_loosely([rest]) or fails_as_it_slides([state])
     return [*lines, *friction_of(rest, bounds=bounds), *loose]
 
 

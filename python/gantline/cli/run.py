@@ -145,7 +145,12 @@ def run(
         if is_interrupted():
             warn(f"interrupted after the last step; the recording is {written}")
             raise typer.Exit(INTERRUPTED)
-        code = _told(recording, simulation, as_json=as_json)
+        try:
+            code = _told(recording, simulation, as_json=as_json)
+        except KeyboardInterrupt:
+            again = f"'gantline check {shlex.quote(str(folder))}' prints the checks"
+            warn(f"interrupted before all was checked; the recording is {written}, {again}")
+            raise typer.Exit(INTERRUPTED) from None
         clock.lap("table")
         typer.echo(f"Recording   {written}", err=as_json)
         try:

@@ -114,8 +114,12 @@ def seas(
         settings["duration"] = TypedSetting(
             "--duration", duration, quantity_of("--duration", duration, "time")
         )
-    with folder_in_use(output) as folder:
-        result = _run(lift, asked, records, settings, every=every)
+    try:
+        with folder_in_use(output) as folder:
+            result = _run(lift, asked, records, settings, every=every)
+    except KeyboardInterrupt:
+        warn("interrupted before any sea was run: nothing is known of them")
+        raise typer.Exit(INTERRUPTED) from None
     document = result.to_json()
     text = json.dumps(document, indent=2, allow_nan=False)
     found = SavedSeas.from_json(document)

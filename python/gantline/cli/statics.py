@@ -197,7 +197,7 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
     rest = answer.rest
     tilting = tilting_of(question, rest, answer.found)
     parts = [
-        rest_table.heading_of(question, rest, answer.found),
+        rest_table.heading_of(question, rest, answer.found, answer.checks),
         rest_table.slings_of(rest, answer.bounds),
         chain_hoist_table(rest.recording),
         rest_table.ropes(rest, answer.bounds),

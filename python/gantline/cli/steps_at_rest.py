@@ -59,7 +59,7 @@ def _lines(question: Statics, found: Sequence[StepAtRest], width: int) -> list[s
     rest = next((state.rest for state in states if state.rest is not None), None)
     slides = [] if rest is None else slid_loads(question, rest)
     loose = [] if slides else stands_loosely([state.rest for state in states if state.rest is not None])
-    loose = loose or ([] if slides else fails_as_it_slides(question, states))
+    loose = loose or ([] if slides else fails_as_it_slides(states))
     parts = [
         [
             *(*heading(question.rig), *question.scenario.left_out_at_rest),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import NamedTuple
 
 import numpy as np
@@ -32,7 +33,7 @@ class Moment(NamedTuple):
     time: float
 
 
-def moments(recording: Recording) -> list[Moment]:
+def moments(recording: Recording, of: Collection[str] = ()) -> list[Moment]:
     """Each moment in order: start, slings taut, lift-off, peak, end.
 
     A load that hangs from the start on has no lift-off, but may have a set-down.
@@ -42,12 +43,13 @@ def moments(recording: Recording) -> list[Moment]:
 
     Args:
         recording: Any recording.
+        of: Ropes of the slings that come taut and have the peak; all of them where it is empty.
 
     Returns:
         At least one moment.
     """
     end = float(recording.time[-1])
-    slings = {sling.rope for sling in recording.rig.slings}
+    slings = set(of) or {sling.rope for sling in recording.rig.slings}
     times: list[tuple[str, float | None]]
     if slings:
         peak = max(series.rope_peak(recording, rope) for rope in slings)[1]

@@ -88,11 +88,11 @@ def stages(recording: Recording) -> Figure | None:
 
 
 def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
-    """One equalizer close up, across its frame, at the same times.
+    """One equalizer close up, across its frame, at such times of its own slings.
 
     None if it is not drawn, or has no sheaves or more than could be told from each other.
     """
-    found = moments(recording)
+    found = moments(recording, which.slings)
     shown = [(one.name, snapshot(recording, one.sample)) for one in found]
     has_sheaves = 0 < len(which.moving_sheaves) <= _MOST_DRAWN and which.mechanism == "sheaves"
     if not has_sheaves or which.name not in shown[0][1].frame_axes:

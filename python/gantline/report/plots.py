@@ -137,7 +137,9 @@ class HookLoads(_Plots):
             found.append(_plot("What supports bear of a load", "support", "kN", height=180, smallest=1.0))
         if "heave_compensation" in subject.recording:
             title = "Heave compensation, hook raised positive"
-            found.append(_plot(title, "heave", "m", height=180, smallest=0.01, extreme="both"))
+            # The drum stays as the curve goes to 0.
+            note = "0 once it has ended: the hook stays where it is then."
+            found.append(_plot(title, "heave", "m", height=180, smallest=0.01, extreme="both", note=note))
         if "drum_wraps" in subject.recording:
             plot = _plot("Turns of rope on drums", "wraps", "", height=160, smallest=0.1, extreme="smallest")
             found.append(plot)

@@ -54,7 +54,7 @@ class Rest(Section):
             return None
         said = rest.attributes["statics"]
         return {
-            "facts": list(_facts(said)),
+            "facts": list(_facts(said, rest)),
             "slings": _slings(rest),
             "hooks": [
                 (
@@ -91,7 +91,7 @@ class Rest(Section):
         }
 
 
-def _facts(said: Mapping[str, Any]) -> list[tuple[str, str]]:
+def _facts(said: Mapping[str, Any], rest: Recording) -> list[tuple[str, str]]:
     unstable, swinging = (int(said.get(f"{kind}_motions") or 0) for kind in ("unstable", "swinging"))
     neutral = said.get("neutral_motions")
     lossy = said.get("lossy_sheaves")
@@ -109,9 +109,10 @@ def _facts(said: Mapping[str, Any]) -> list[tuple[str, str]]:
         rows.append((f"friction found no balance, {one['name']} slid", show(_finite(one["time"]), "s", 2)))
     if said.get("losses") == "held":
         rows.append(("friction", "of contacts and sheaves holds what it can"))
-    elif isinstance(lossy, list) and lossy:
-        rows.append(("friction", f"losses of {len(lossy)} sheaves left out"))
-    return rows
+        return rows
+    left_out = [f"losses of {len(lossy)} sheaves left out"] if isinstance(lossy, list) and lossy else []
+    left_out += ["contacts without friction"] if rest.rig.loads else []
+    return [*rows, ("friction", "; ".join(left_out))] if left_out else rows
 
 
 def _imbalance(residual: float | None) -> str:
@@ -249,6 +250,7 @@ def what_if(subject: Subject) -> dict[str, Any] | None:
     return {
         "rows": rows,
         "standing": " and ".join(cases.cases[0].partly_stands) if cases.cases else "",
+        "sliding": " and ".join(dict.fromkeys(load for one in cases.cases for load in one.slides)),
         "sound": cases.is_sound,
         "troubled": [(one.name or "as given", _briefly(one.troubles)) for one in troubled[:_MOST_TROUBLED]],
         "more": max(0, len(troubled) - _MOST_TROUBLED),

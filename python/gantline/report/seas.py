@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from gantline.report.section import Section
@@ -37,7 +38,7 @@ class Seas(Section):
                 if (sea := found.highest_allowed(*kind)) is not None and sea.extreme is not None
             ],
             "past": list(dict.fromkeys(sea.by for sea in found.seas if sea.only_warns)),
-            "reasons": list(dict.fromkeys(reason for sea in stoppers if (reason := _reason(sea)))),
+            "reasons": _reasons(stoppers),
         }
 
 
@@ -75,7 +76,21 @@ def _cell(sea: SavedSea) -> dict[str, str]:
     tone = "good" if sea.is_allowed else "bad" if sea.has_verdict and sea.starts else "warn"
     if not sea.is_run:
         return {"tone": "", "text": told}
+    if not sea.has_verdict:
+        # A share within its limit by itself reads as if the sea were allowed.
+        return {"tone": tone, "text": f"{sea.share} {told}".lstrip()}
     return {"tone": tone, "text": sea.share or told or "go"}
+
+
+def _reasons(stoppers: Sequence[SavedSea]) -> list[str]:
+    """Why seas have no verdict, each reason once behind all seas of which it is true."""
+    found: dict[str, list[str]] = {}
+    for sea in stoppers:
+        if reason := _reason(sea):
+            found.setdefault(reason, []).append(
+                f"{sea.height:g} m, {sea.period:g} s, {degrees(sea.direction)}"
+            )
+    return [f"{'; '.join(seas)}: {reason}" for reason, seas in found.items()]
 
 
 def _reason(sea: SavedSea) -> str:

@@ -201,9 +201,13 @@ def _as_it_turns(recording: Recording, load: Load) -> int:
 
 
 def _across_turn(recording: Recording, load: Load) -> str:
-    """The axis of the world, to the right in a side view, towards which a load leans most as it turns."""
+    """The axis of the world, to the right in a side view, towards which a load leans as it turns.
+
+    That is half way of its leaning: a load that has come upright may slew after that, or yaw.
+    """
     upright = axes(recording.column("body_orientation", load.body))[:, :2, 2]
-    lean = np.abs(upright[np.argmax(np.linalg.norm(upright, axis=1))])
+    leans = np.linalg.norm(upright, axis=1)
+    lean = np.abs(upright[np.argmax(leans >= 0.5 * leans.max())])
     return "x" if lean[0] >= lean[1] else "y"
 
 

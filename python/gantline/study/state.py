@@ -31,6 +31,7 @@ __all__ = [
     "State",
     "Worst",
     "differs",
+    "free_to_slide",
     "rest_json",
     "settled",
     "stands",
@@ -66,6 +67,7 @@ class State:
         checks: Its checks, of slings that the case cuts none.
         first_order: Tensions of slings by sensitivities about the lift as it is given [N]; of a case that
             varies lengths of slings.
+        slides: Loads that stand on contacts whose friction is left out, as `free_to_slide` has them.
     """
 
     case: str
@@ -83,6 +85,7 @@ class State:
     stands: tuple[str, ...] = ()
     checks: Sequence[Check] = ()
     first_order: Mapping[str, float] = field(default_factory=dict)
+    slides: tuple[str, ...] = ()
 
     @property
     def label(self) -> str:
@@ -109,6 +112,16 @@ class State:
         """Whether there is an equilibrium, it is stable, what should hang does, and no check failed."""
         is_stable = self.rest is not None and self.rest.is_stable
         return is_stable and not self.stands and not has_failed(self.checks)
+
+    @property
+    def fails_as_it_slides(self) -> tuple[str, ...]:
+        """Loads that are free to slide where a check fails, which may be all that is amiss.
+
+        A load that has been set down on a deck that leans slides as far as its slings let it, and pulls at
+        them. Of an equilibrium that is unstable more is to be said.
+        """
+        is_stable = self.rest is not None and self.rest.is_stable
+        return self.slides if is_stable and not self.is_sound else ()
 
     @property
     def not_lifted(self) -> tuple[str, ...]:
@@ -157,6 +170,7 @@ class State:
             "stands": list(self.stands),
             "not_lifted": list(self.not_lifted),
             "partly_stands": list(self.partly_stands),
+            "fails_as_it_slides": list(self.fails_as_it_slides),
             **values_of(self),
             "first_order_sling_tension": dict(self.first_order) or None,
             "failed": list(self.failed),
@@ -200,7 +214,22 @@ def settled(question: Statics, time: float | None, state: State, ending: Sequenc
         cause = f"{problem.cause} ({problem.element})"
         return replace(state, time=problem.time, cause=cause, first_order={})
     checks = check_recording(_without(rest.recording, state.cut), ending)
-    return replace(state, time=rest.time, rest=rest, checks=checks)
+    return replace(state, time=rest.time, rest=rest, checks=checks, slides=free_to_slide(question, rest))
+
+
+def free_to_slide(question: Statics, rest: Equilibrium) -> tuple[str, ...]:
+    """Loads that stand in an equilibrium on contacts that have friction in a run, and none there."""
+    if rest.losses == "held":
+        return ()
+    document = question.assembly.document
+    touching = [one for kind in ("contacts", "supports", "pairs") for one in document.get(kind, ())]
+    rough = {one["name"] for one in touching if one.get("friction", 0.0) > 0.0}
+    found = []
+    for load in rest.recording.rig.loads:
+        bears = [one for one in load.contacts if rest.recording.column("contact_force", one)[-1] > 0.0]
+        if rough.intersection(one.partition("/")[0] for one in bears):
+            found.append(load.name)
+    return tuple(found)
 
 
 def unstartable(state: State, time: float, error: StartError) -> State:

@@ -56,6 +56,8 @@ const ROUNDS: usize = 40;
 const FRICTION_ROUNDS: usize = 200;
 /// What friction does that has no such end.
 const NO_BALANCE: &str = "its friction and what that holds find no balance";
+/// What a drum does that comes to no end.
+const NO_HOLD: &str = "its motor or brake and what pulls at the drum find no balance";
 /// What a hull does that bears less than its weight.
 const SINKS: &str = "it sinks: no hull bears that weight";
 /// Wider shifts, as multiples, where one leaves nothing but rounding of a light node between stiff parts. The widest
@@ -195,7 +197,7 @@ impl Statics {
             let has_lengths = length <= LENGTH_LEFT;
             // Friction that is set anew moves what has found its length.
             unsettled = if has_lengths { 0 } else { unsettled + 1 };
-            let drums = self.follow_drums(system, state);
+            let (drum, drums) = self.follow_drums(system, state);
             if let Err(stuck) = descended
                 && !(drums > DRUMS_LEFT && self.is_at_a_joint(system, stuck))
             {
@@ -208,14 +210,15 @@ impl Statics {
                 // Friction is a share of other forces: it contracts, lengths may not.
                 (row, "lengths that cannot change contradict one another")
             } else if round == last {
-                let row = system.friction.get(self.pace.worst()).copied().unwrap_or(0);
-                if losses.contacts == Contacts::Held && self.let_slide(system, row) {
+                let rubbing = system.friction.get(self.pace.worst()).copied().unwrap_or(0);
+                if losses.contacts == Contacts::Held && self.let_slide(system, rubbing) {
                     last += FRICTION_ROUNDS;
                     // Not from wherever the search has got to.
                     state.q.copy_from_slice(&start);
                     continue;
                 }
-                (row, NO_BALANCE)
+                // Of drums that do not settle friction has not been asked.
+                if drums > DRUMS_LEFT { (drum, NO_HOLD) } else { (rubbing, NO_BALANCE) }
             } else {
                 continue;
             };

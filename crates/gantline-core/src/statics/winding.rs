@@ -99,12 +99,12 @@ impl Statics {
     }
 
     /// Drums give way where their rims see what motors and brakes can hold: ρ T, of which the gradients of rows have
-    /// T (1 + ε/2) ρ/(1 + ε_d). The largest change, relative to what they hold, of those that do not hold well within it.
+    /// T (1 + ε/2) ρ/(1 + ε_d). The largest change, relative to what they hold, of those that do not hold well within it, behind its row.
     /// That jumps at the joint of two pieces of rope, where a search gets no further if it began with what belongs to
     /// neither: the piece counts to which it gives way.
-    pub(super) fn follow_drums(&mut self, system: &System, state: &State) -> f64 {
+    pub(super) fn follow_drums(&mut self, system: &System, state: &State) -> (usize, f64) {
         let here = &self.search.here;
-        let mut most = 0.0_f64;
+        let mut most = (0, 0.0_f64);
         for (row, bearing) in self.bearings.iter_mut().enumerate() {
             let (AnyConstraint::Brake(brake), Part::Hold(known)) =
                 (system.constraint_of_row(row), &mut bearing.part)
@@ -134,7 +134,10 @@ impl Statics {
             });
             let rows: f64 = pulls.sum();
             let wanted = if rim == 0.0 { whole } else { whole * rows / rim };
-            most = most.max(wrong(*known, wanted, here.tension[row]) / whole.max(f64::MIN_POSITIVE));
+            let off = wrong(*known, wanted, here.tension[row]) / whole.max(f64::MIN_POSITIVE);
+            if off > most.1 {
+                most = (row, off);
+            }
             *known = wanted;
         }
         most

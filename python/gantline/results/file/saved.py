@@ -89,6 +89,7 @@ class SavedCase:
         remarks: What it asks for in vain, and that it changes nothing.
         has_losses: Whether some of these equilibria are bounds of what losses of sheaves do.
         partly_stands: Loads that stand with a part of their weight in the first of them, in words.
+        slides: Loads that stand where a check fails, on contacts whose friction is left out.
     """
 
     name: str
@@ -97,6 +98,7 @@ class SavedCase:
     remarks: Sequence[str] = ()
     has_losses: bool = False
     partly_stands: Sequence[str] = ()
+    slides: Sequence[str] = ()
 
 
 @dataclass(frozen=True)
@@ -317,6 +319,7 @@ def _case(given: Mapping[str, Any]) -> SavedCase:
     states = [object_of(one) for one in list_in(given, "states")]
     troubles: list[str] = []
     remarks: list[str] = []
+    slides: list[str] = []
     for state in states:
         # Files from before there was the word say nothing of it.
         vain = list_in(state, "in_vain") if "in_vain" in state else []
@@ -330,14 +333,17 @@ def _case(given: Mapping[str, Any]) -> SavedCase:
         standing = list_in(state, "stands") if "stands" in state else []
         troubles += [f"{load} stands" for load in standing if isinstance(load, str)]
         troubles += [f"{name} failed" for name in list_in(state, "failed") if isinstance(name, str)]
+        sliding = list_in(state, "fails_as_it_slides") if "fails_as_it_slides" in state else []
+        slides += [load for load in sliding if isinstance(load, str)]
     if states and all(state.get("changes_nothing") is True for state in states):
         remarks.append("changes nothing")
-    told, said = (tuple(dict.fromkeys(each)) for each in (troubles, remarks))
+    remarks += [f"{load} is free to slide there" for load in slides]
+    told, said, free = (tuple(dict.fromkeys(each)) for each in (troubles, remarks, slides))
     has_losses = any(state.get("losses") != "none" for state in states)
     # Files from before there was the word say nothing of it.
     partly = list_in(states[0], "partly_stands") if states and "partly_stands" in states[0] else []
     stands = [one for one in partly if isinstance(one, str)]
-    return SavedCase(text_in(given, "case"), len(states), told, said, has_losses, stands)
+    return SavedCase(text_in(given, "case"), len(states), told, said, has_losses, stands, free)
 
 
 def _worst(given: Mapping[str, Any]) -> SavedWorst:
