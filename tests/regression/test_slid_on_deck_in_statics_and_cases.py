@@ -8,6 +8,7 @@ of its weight in them and its falls 7 degrees out of plumb. `statics --steps` to
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -62,6 +63,15 @@ def test_statics_say_what_holds_it(tmp_path: Path) -> None:
     assert f"{_FAILS}; --held {_HOLDS}" in said
     held = _said(tmp_path, ", friction: 0.3", "statics", "--held")
     assert "FAILED" not in held and _FAILS not in held
+
+
+def test_statics_as_json_name_it(tmp_path: Path) -> None:
+    """By the name that `cases --json` has for it; with friction nothing slides there."""
+    path = tmp_path / "scenario.yaml"
+    path.write_text(_lift(", friction: 0.3"), encoding="utf-8")
+    for more, names in (([], ["box"]), (["--held"], [])):
+        numbers = json.loads(gantline("statics", str(path), "--json", *more).stdout)
+        assert numbers["fails_as_it_slides"] == names
 
 
 def test_cases_say_what_holds_it(tmp_path: Path) -> None:

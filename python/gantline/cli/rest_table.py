@@ -32,10 +32,15 @@ def heading_of(
         for moment, name in rest.slides
     ]
     bounds = "; bounds: all slip along the rope, all against"
-    slides = free_to_slide(question, rest)
-    state = State("", "", rest.losses, rest.time, rest, checks=checks, slides=slides)
+    state = _state(question, rest, checks)
     loose = slid_loads(question, rest) or stands_loosely([rest]) or fails_as_it_slides([state])
     return [*lines, *friction_of(rest, bounds=bounds), *loose]
+
+
+def _state(question: Statics, rest: Equilibrium, checks: Sequence[Check]) -> State:
+    """What cases look at in an equilibrium."""
+    slides = free_to_slide(question, rest)
+    return State("", "", rest.losses, rest.time, rest, checks=checks, slides=slides)
 
 
 def friction_of(rest: Equilibrium, *, bounds: str = "") -> list[str]:
@@ -252,6 +257,7 @@ def _standing(rest: Equilibrium, bound: Equilibrium) -> list[str]:
 
 
 def statics_json(
+    question: Statics,
     rest: Equilibrium,
     bounds: list[Equilibrium],
     nowhere: Mapping[Losses, NoEquilibriumError],
@@ -260,7 +266,6 @@ def statics_json(
     margins: list[Margin],
     checks: Sequence[Check],
     of_bounds: Sequence[Sequence[Check]],
-    left_out: Sequence[str],
 ) -> dict[str, Any]:
     """An equilibrium as a JSON object, SI units, with sentences on what it leaves out of the lift."""
     return {
@@ -295,5 +300,6 @@ def statics_json(
         "outcome": outcome_of(checks).value,
         "verdict": verdict_of(checks),
         "checks": [check.to_json() for check in checks],
-        "left_out": list(left_out),
+        "left_out": list(question.scenario.left_out_at_rest),
+        "fails_as_it_slides": list(_state(question, rest, checks).fails_as_it_slides),
     }

@@ -172,6 +172,7 @@ def _as_json(question: Statics, answer: _Answer, sensitivities: bool) -> str:
     from gantline.cli.rest_table import statics_json
 
     numbers = statics_json(
+        question,
         answer.rest,
         answer.bounds,
         answer.nowhere,
@@ -180,7 +181,6 @@ def _as_json(question: Statics, answer: _Answer, sensitivities: bool) -> str:
         answer.margins,
         answer.checks,
         answer.of_bounds,
-        question.scenario.left_out_at_rest,
     )
     return json.dumps(numbers, indent=2, allow_nan=False)
 
