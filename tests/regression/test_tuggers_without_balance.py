@@ -1,13 +1,17 @@
 """A transformer that two tuggers drag over a deck without friction: "its friction … find no balance".
 
 `gantline statics --steps` had no equilibrium at 50 % of a step that pumps, "its friction and what that
-holds find no balance (on_grillage/8)", below the words that contacts are without friction there. What did
-not settle were the tuggers that keep the pull of its tag lines; the contact was the first of those that
-nobody had asked.
+holds find no balance (on_grillage/8)", below the words that contacts are without friction there. Then it
+named a tugger, after 15 s and 100 000 steps. Neither was at fault: without friction the transformer slides
+off the edge of its grillage, where the places at which it touches change to and fro from step to step, until
+the 500 steps of a search are used up. That drums are out of balance where a search is stuck was taken for one
+that stands at the joint of two pieces of its rope, and 200 such searches were made on end; the tuggers lay
+within a piece each.
 """
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import pytest
@@ -18,9 +22,16 @@ from gantline.statics import NoEquilibriumError, Statics
 LIFT = Path(__file__).with_name("tuggers_without_balance.yaml")
 
 
-def test_the_drum_that_does_not_settle_is_named() -> None:
+def test_what_slides_is_named() -> None:
     """Without its tag lines, and with pulls of half as much, the lift has an equilibrium then."""
+    statics = Statics(load_scenario(LIFT))
+    begun = time.process_time()
     with pytest.raises(NoEquilibriumError) as found:
-        Statics(load_scenario(LIFT)).equilibrium(716.0)
-    assert found.value.cause == "its motor or brake and what pulls at the drum find no balance"
-    assert found.value.element in {"tag.one.tugger", "tag.two.tugger"}
+        statics.equilibrium(716.0)
+    assert found.value.element == "transformer"
+    assert found.value.cause == (
+        "it slides over what it stands on, which without friction does not hold it, "
+        "to where no step brings its forces closer to balance"
+    )
+    # One search in place of 200: 0.3 s where it was 15 s.
+    assert time.process_time() - begun < 5.0

@@ -84,12 +84,16 @@ impl Holding {
         way * (side.force_at_rest() - side.slope() * v[self.dof]) + pressed.sum::<f64>()
     }
 
-    /// True where it cannot hold, or slips the wrong way: by the forces of all rows, velocities, and what its row moves by.
-    pub fn is_wrong(&self, mode: Mode, tension: &[f64], v: &[f64], rate: f64) -> bool {
+    /// True where it cannot hold, or slips the wrong way: by the forces of all rows and their rounding, velocities, and what
+    /// its row moves by.
+    pub fn is_wrong(&self, mode: Mode, (tension, noise): (&[f64], &[f64]), v: &[f64], rate: f64) -> bool {
         let force = tension[self.row];
         if mode == Mode::Acting {
             let bound = self.bound(force.signum(), tension, v);
-            return force.abs() > bound + ROUNDING * (bound + force.abs());
+            // A sheave holds the difference of what pulls on both sides.
+            let beside = self.pressed.iter().filter(|(_, weight)| *weight > 0.0);
+            let known: f64 = beside.map(|&(row, _)| noise[row]).sum();
+            return force.abs() > bound + ROUNDING * (bound + force.abs()) + known;
         }
         let speed = rate.abs().max(self.asked.abs()).max(self.speed.abs());
         (rate - self.asked) * self.way < -ROUNDING * speed

@@ -56,6 +56,9 @@ const PLAIN_ROUNDS: usize = 30;
 const WHOLE_ROUNDS: usize = 60;
 /// Rounding in a law's value, relative to the terms it is the sum of.
 const ROUNDING: f64 = 1e-12;
+/// The same of what a span is stretched by, as a share of the whole rope, which is of the size of the coordinates that its
+/// parts are differences of.
+const LENGTH_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Fixed point of friction forces, relative to the bound μN.
 const FRICTION_TOLERANCE: f64 = 1e-10;
 
@@ -98,6 +101,8 @@ pub struct Complementarity {
     /// With light sheaves, rows that are found together.
     balance: Balance,
     noise: Vec<f64>,
+    /// To how much the value of a row is known that is the difference of two lengths [m].
+    rounding: Vec<f64>,
     wrong: Vec<usize>,
     factored: bool,
 }
@@ -106,9 +111,16 @@ impl Complementarity {
     /// All rows slack.
     pub fn new(system: &System) -> Self {
         let rows = system.rows.count();
+        let mut rounding = vec![0.0; rows];
+        let lengths = system.ropes().flat_map(|rope| {
+            let whole: f64 = rope.spans.iter().map(|span| span.length).sum();
+            rope.spans.iter().map(move |_| whole)
+        });
+        rounding.iter_mut().zip(lengths).for_each(|(known, length)| *known = LENGTH_ROUNDING * length);
         Self {
             balance: Balance::new(system),
             noise: vec![0.0; rows],
+            rounding,
             modes: vec![Mode::Slack; rows],
             tension: vec![0.0; rows],
             trial: vec![0.0; rows],
@@ -319,7 +331,7 @@ impl Complementarity {
                 * reach
                 + problem.value[row].abs();
             let noise = if law.compliance() > 0.0 {
-                ROUNDING * terms / law.compliance()
+                (ROUNDING * terms + self.rounding[row]) / law.compliance()
             } else {
                 ROUNDING * (self.tension[row].abs() + terms * self.inertia_over_time(system, problem, row))
             };
@@ -338,7 +350,7 @@ impl Complementarity {
                 continue;
             }
             let rate = system.rows.rate(problem.gradient, brake.row, v);
-            if brake.is_wrong(self.modes[brake.row], &self.tension, v, rate) {
+            if brake.is_wrong(self.modes[brake.row], (&self.tension, &self.noise), v, rate) {
                 self.wrong.push(brake.row);
             }
         }

@@ -58,6 +58,9 @@ const FRICTION_ROUNDS: usize = 200;
 const NO_BALANCE: &str = "its friction and what that holds find no balance";
 /// What a drum does that comes to no end.
 const NO_HOLD: &str = "its motor or brake and what pulls at the drum find no balance";
+/// What a search does that ends without balance, and where it ends so on supports.
+const NO_STEP: &str = "no step brings its forces closer to balance";
+const SLIDES: &str = "it slides over what it stands on, which without friction does not hold it, to where no step brings its forces closer to balance";
 /// What a hull does that bears less than its weight.
 const SINKS: &str = "it sinks: no hull bears that weight";
 /// Wider shifts, as multiples, where one leaves nothing but rounding of a light node between stiff parts. The widest
@@ -199,7 +202,7 @@ impl Statics {
             unsettled = if has_lengths { 0 } else { unsettled + 1 };
             let (drum, drums) = self.follow_drums(system, state);
             if let Err(stuck) = descended
-                && !(drums > DRUMS_LEFT && self.is_at_a_joint(system, stuck))
+                && !(drums > DRUMS_LEFT && self.is_at_a_joint(system, state, stuck))
             {
                 return Err(self.explain(system, stuck, losses));
             }
@@ -375,7 +378,8 @@ impl Statics {
                 (body(system.tree.owner[dof]), cause)
             }
             Stuck::NoStep(dof) => {
-                (body(system.tree.owner[dof]), "no step brings its forces closer to balance")
+                let stuck = system.tree.owner[dof];
+                (body(stuck), if self.slides_freely(system, losses, stuck) { SLIDES } else { NO_STEP })
             }
         };
         NoEquilibrium { element, cause: cause.to_owned() }
@@ -385,6 +389,22 @@ impl Statics {
     fn sunk<'system>(&self, system: &'system System) -> Option<&'system Vessel> {
         let pose = &self.search.here.frame.kinematics.pose;
         system.vessels.iter().find(|vessel| is_under_water(system, vessel, pose))
+    }
+
+    /// Whether this body stands on something whose friction does not hold it.
+    fn slides_freely(&self, system: &System, losses: Losses, body: usize) -> bool {
+        let carries = |&&row: &&usize| match system.rows.laws[row] {
+            Law::Friction { normal, coefficient, .. } => {
+                coefficient > 0.0 && self.search.here.tension[normal] > 0.0
+            }
+            _ => false,
+        };
+        let stands = |&row: &usize| match system.constraint_of_row(row) {
+            AnyConstraint::Contact(contact) => contact.facing.bodies.contains(&Some(body)),
+            AnyConstraint::Touch(touch) => touch.facing.bodies.contains(&Some(body)),
+            _ => false,
+        };
+        losses.contacts == Contacts::Free && system.friction.iter().filter(carries).any(stands)
     }
 
     /// Whether a stream pushes while contacts carry that friction does not hold.

@@ -143,10 +143,16 @@ impl Statics {
         most
     }
 
-    /// Whether a search got stuck with a drum out of balance, which may stand at the joint of two pieces of its rope.
-    pub(super) fn is_at_a_joint(&self, system: &System, stuck: Stuck) -> bool {
-        let is_out = |place: &CoilPlace| self.search.here.imbalance(place.dof) > BALANCED;
-        matches!(stuck, Stuck::NoStep(_)) && system.coils.iter().any(is_out)
+    /// Whether a search got stuck with a drum out of balance that stands at the joint of two pieces of its rope. Of one that
+    /// lies within a piece the search is stuck by something else, and no other bound brings it further.
+    pub(super) fn is_at_a_joint(&self, system: &System, state: &State, stuck: Stuck) -> bool {
+        let here = &self.search.here;
+        let is_out = |(index, place): (usize, &CoilPlace)| {
+            let (wound, outside) = (place.wound(&here.q), here.frame.passing[index].outside);
+            let [below, above] = [-JOINT, JOINT].map(|by| state.coils[index].passing(wound + by, outside));
+            here.imbalance(place.dof) > BALANCED && below != above
+        };
+        matches!(stuck, Stuck::NoStep(_)) && system.coils.iter().enumerate().any(is_out)
     }
 
     /// From an equilibrium, or from where [`Statics::resume`] has been told, to the next one downhill of it, with drives

@@ -17,6 +17,10 @@ use std::sync::Arc;
 
 use crate::rope::curve::Curve;
 
+/// A sheave that turns on once its rope has parted uses up what lies beside it. Such a span has the gradient and the w of
+/// one of which this share of its length is left; they multiply no force.
+const LEFT: f64 = 1e-6;
+
 /// A degree of freedom that feeds rope into a span.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Feed {
@@ -75,7 +79,7 @@ impl Span {
         self.length + self.feeds.iter().map(|feed| feed.rate * q[feed.position]).sum::<f64>()
     }
 
-    /// The row at the configuration `q`, where the span is `length` [m] long.
+    /// The row at the configuration `q`, where the span is `length` [m] long. It has no value where nothing is left of it.
     #[inline]
     pub fn stretch(&self, q: &[f64], length: f64) -> Stretch {
         if self.feeds.is_empty() {
@@ -88,10 +92,12 @@ impl Span {
             return Stretch { unstretched, value: length - unstretched, scale: 1.0, supply: -1.0 };
         }
         let unstretched = self.unstretched(q);
-        let scale = (self.length / unstretched).sqrt();
+        let left = unstretched.max(LEFT * self.length);
+        let scale = (self.length / left).sqrt();
         let excess = length - unstretched;
-        let supply = -scale * (1.0 + 0.5 * excess / unstretched);
-        Stretch { unstretched, value: excess * scale, scale, supply }
+        let supply = -scale * (1.0 + 0.5 * excess / left);
+        let value = if unstretched > 0.0 { excess * scale } else { f64::NAN };
+        Stretch { unstretched, value, scale, supply }
     }
 
     /// Value and rate of the row from the length of a fed span and the rate of that, with w, −∂g/∂L and L known.
@@ -112,7 +118,10 @@ impl Span {
 
     /// w at the configuration `q` but for that of a curve: tension over the force of the row.
     pub fn scale(&self, q: &[f64]) -> f64 {
-        if self.feeds.is_empty() { 1.0 } else { (self.length / self.unstretched(q)).sqrt() }
+        if self.feeds.is_empty() {
+            return 1.0;
+        }
+        (self.length / self.unstretched(q).max(LEFT * self.length)).sqrt()
     }
 
     /// What changes of the row's force λ and of L do to the tension w λ: w (dλ − λ dL/2L).

@@ -5,6 +5,7 @@ use super::LOOKS;
 use super::evaluation::Evaluation;
 use crate::constraint::Law;
 use crate::record::pulls::Bearers;
+use crate::solver::complementarity::Mode;
 use crate::system::System;
 
 /// The start of a step and its looks.
@@ -71,9 +72,10 @@ impl Looks {
     }
 
     /// Keeps for rows over light sheaves the forces at the end of the part that is made before sheaves turn over, where no drum
-    /// feeds them.
-    pub fn note_arriving(&mut self, system: &System, at: &Evaluation) {
-        for (light, now) in system.light.iter().zip(&at.light) {
+    /// feeds them. Rope that is gone bears nothing, whatever its way would stretch it to.
+    pub fn note_arriving(&mut self, system: &System, at: &Evaluation, modes: &[Mode]) {
+        let lights = system.light.iter().zip(&at.light);
+        for (light, now) in lights.filter(|(light, _)| !modes[light.rows.start].is_absent()) {
             self.forces[POINTS - 1][light.rows.clone()].copy_from_slice(&now.arriving);
         }
     }

@@ -96,7 +96,7 @@ impl Adaptive {
     fn note_arrival(&mut self, system: &System, state: &State) {
         if system.coils.is_empty() || system.light.is_empty() {
             self.looks.note(system, LOOKS.len(), &self.next);
-            self.looks.note_arriving(system, &self.next);
+            self.looks.note_arriving(system, &self.next, &state.modes);
         } else {
             // What drums feed is known where all rows are.
             self.probe_frozen(system, state, self.made);
