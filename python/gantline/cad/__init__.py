@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from gantline.arguments import path_of
 from gantline.cad.assumptions import Assumptions
 from gantline.cad.errors import CadError
 from gantline.cad.files import content
@@ -39,8 +40,9 @@ def read(path: str | Path, given: Assumptions | None = None, *, keep: bool = Tru
 
     Raises:
         CadError: if it cannot be read, with one plain sentence.
+        TypeError: if it is no path.
     """
-    place = Path(path)
+    place = path_of(path, "a CAD file")
     data = content(place)
     if _is_ocx(place, data):
         model = _kept(place, data, Assumptions(), keep)

@@ -120,13 +120,15 @@ def adjust_lengths(
         CannotBeError: If it cannot be had, with the reason.
         NoEquilibriumError: If the lift as it is given has no equilibrium.
         ScenarioError: If the lift file is not right.
-        TypeError: If an angle or a share is no number, such as a text with a unit.
+        TypeError: If an angle or a share is no number, such as a text with a unit, or shares have no names.
         ValueError: If nothing is wanted, or a sling is asked for that there is not.
     """
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
     slung = resolve(scenario).slings
     known = {name: one.length for name, one in slung.items()}
     chosen = list(known) if slings is None else names_of("slings", slings)
+    if shares is not None and not isinstance(shares, Mapping):
+        raise TypeError(f"shares: a dictionary by slings is needed, not {type(shares).__name__}")
     _refuse(chosen, shares or {}, known)
     if slopes is None and heading is None and not shares:
         raise ValueError("nothing is wanted of the load: slopes, a heading or shares are")

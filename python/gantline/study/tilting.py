@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 import numpy.typing as npt
 
-from gantline.arguments import needed
+from gantline.arguments import needed, number
 from gantline.assembly.afloat.water import frozen
 from gantline.assembly.spatial import inertia_matrix
 from gantline.cad.mass_properties import point_inertia
@@ -292,9 +292,12 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
 
     Raises:
         TypeError: If it is no scenario, such as a `Statics`, whose `scenario` is one.
-        ValueError: If the lift has no load, or one whose centre of gravity is that of its CAD file.
+        ValueError: If the lift has no load, or one whose centre of gravity is that of its CAD file, or the
+            search has no way to go.
     """
     load = needed(scenario, Scenario, "a scenario", "'scenario' of a Statics is one").load
+    if not number(farthest, "farthest", "metres") > 0.0:
+        raise ValueError(f"farthest: {farthest:g} m is no way to look along; one above zero is needed")
     if load is None:
         raise ValueError("the lift has no load")
     at = load.centre_of_gravity.at
