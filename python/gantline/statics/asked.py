@@ -61,8 +61,10 @@ def swing_of(mode: Mode, last: Sequence[Mode], amplitude: float, frames: int) ->
     if known is None or not same or not np.array_equal(known.body_motion, mode.body_motion):
         sentence = f"mode: {mode!r} is none of those found last"
         raise ValueError(f"{sentence}; ask modes() anew after each equilibrium, and show one of its answers")
-    if not (is_number(amplitude) and math.isfinite(amplitude)):
+    if not is_number(amplitude):
         raise ValueError(f"amplitude: {amplitude!r} is no number of metres or radians")
-    if isinstance(frames, bool) or not isinstance(frames, Integral) or frames < 1:
+    if isinstance(frames, bool) or not isinstance(frames, Integral):
         raise ValueError(f"frames: {frames!r} is no whole number from 1 on")
+    if not (math.isfinite(amplitude) and frames >= 1):
+        raise ValueError(f"no motion of {frames} frames with the amplitude {amplitude:g} can be shown")
     return float(amplitude), int(frames)
