@@ -1,11 +1,11 @@
 """Texts with units, None and other slips that ended inside, and a mode that was shown as another.
 
 `gantline.hydro.Attitude("2 m")` ended in `hydrostatics` with "can't multiply sequence by non-int of type
-'numpy.float64'", `float_free(..., density="1.025 t/m^3")` with "unsupported operand type(s) for /", a density of
-`hydrostatics` was taken as it came and failed where mass was asked for, `equilibrium(losses=None)` ended with
-"'None' is not an instance of 'str'", `write_report(..., beside="folder")` with "'str' object has no attribute
-'cases'", `command(..., motion=[])` with "unhashable type", `run_sweep(lift, None, ...)` within `re`, and
-`margins_of(..., farthest=-1.0)` said that there was a margin of −1 m.
+'numpy.float64'", `float_free(..., density="1.025 t/m^3")` with "unsupported operand type(s) for /". A density
+of `hydrostatics` was taken as it came and failed where mass was asked for. `equilibrium(losses=None)` ended
+with "'None' is not an instance of 'str'", `write_report(..., beside="folder")` with "'str' object has no
+attribute 'cases'", `command(..., motion=[])` with "unhashable type", `run_sweep(lift, None, ...)` within
+`re`, and `margins_of(..., farthest=-1.0)` said that there was a margin of −1 m.
 
 `swing` went by the number of a mode alone: after another `modes()`, or with a mode of another lift, it showed
 whatever had that number now under the words of the old one. After another equilibrium it said that there was
