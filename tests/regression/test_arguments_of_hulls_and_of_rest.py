@@ -122,6 +122,31 @@ def test_what_is_none_of_what_there_is_is_told(ask: Callable[[], object], told: 
         ask()
 
 
+def test_a_database_takes_lists_of_numbers() -> None:
+    """Lists had no `shape`; a displacement in words went into the file that was written."""
+    matrices = [[[1e6 if row == column else 0.0 for column in range(6)] for row in range(6)]] * 2
+    given: dict[str, Any] = {
+        "name": "barge",
+        "source": "made here",
+        "frequencies": [0.5, 1.0],
+        "added_mass": matrices,
+        "damping": matrices,
+        "infinite_added_mass": matrices[0],
+        "reference": [0.0, 0.0, 0.0],
+    }
+    made = hydro.HydrodynamicDatabase(**given)
+    assert made.added_mass.shape == (2, 6, 6)
+    for key, wrong, told in (
+        ("frequencies", None, "what is given as its frequencies is no array of numbers"),
+        ("frequencies", [[0.5, 1.0]], "its frequencies are no single row"),
+        ("damping", "nothing", "what is given as its damping is no array of numbers"),
+        ("displacement", "20 000 m^3", "'20 000 m.3' is no number, and its displacement is one"),
+        ("density", WATER, "'1.025 t/m.3' is no number, and its density is one"),
+    ):
+        with pytest.raises(hydro.DatabaseError, match=told):
+            hydro.HydrodynamicDatabase(**given | {key: wrong})
+
+
 def test_a_verb_that_is_none_is_told() -> None:
     """As a misspelt one is."""
     with pytest.raises(gantline.CommandError, match=r"motion: \[\] is none"):

@@ -90,7 +90,7 @@ def read_light_mesh(
     from gantline.cad import cache
     from gantline.cad.simplify import light_mesh
 
-    place = Path(path)
+    place = path_of(path, "a CAD file")
     key = cache.digest(content(place), place.name, given or Assumptions(), most)
     kept = cache.load(key) if keep else None
     if kept is not None:
@@ -119,7 +119,7 @@ def read_surface(
     """
     from gantline.cad.mesh_file import mesh_format, read_surface_file
 
-    place = Path(path)
+    place = path_of(path, "a CAD file")
     if mesh_format(place) is not None:
         return read_surface_file(place, given if given is not None else Assumptions())
     if _is_ocx(place, content(place)):
