@@ -43,6 +43,10 @@ def recorded() -> gantline.Recording:
     return gantline.simulate("pulleys", duration=0.1)
 
 
+def by_adaptive() -> gantline.Simulation:
+    return gantline.Simulation("pulleys", duration=0.1, integrator="adaptive")
+
+
 @pytest.mark.parametrize(
     ("ask", "told"),
     [
@@ -106,6 +110,14 @@ def test_what_is_no_number_or_name_is_told(ask: Callable[[], object], told: str)
             r"losses: \[\] is none; they are none, forward, backward",
         ),
         (lambda: at_rest().lose(LIST), r"the lift has no load \[\]"),
+        (
+            lambda: study.adjust_lengths("spreader_bar", slopes=(0.0, 0.0), most=-1.0),
+            "most: -1 m is no change",
+        ),
+        (
+            lambda: study.finer_simulation(by_adaptive(), recorded()),
+            "recording is by del, and the simulation by adaptive",
+        ),
         (lambda: hydro.wigley_hull(10.0, 1.0, 1.0, 1.0, HALF), "stations: 2.5 is no whole number from 1 on"),
         (
             lambda: hydro.Hull("skin", TEXT, [[0, 1, 2]]),

@@ -103,6 +103,7 @@ class Statics:
 
     Raises:
         ScenarioError: If the lift file is not right, or the lift has no statics (lengths that are adjusted).
+        TypeError: If `goes_on` is no function.
     """
 
     def __init__(
@@ -112,6 +113,8 @@ class Statics:
         goes_on: Callable[[], bool] | None = None,
         assembly: Assembly | None = None,
     ) -> None:
+        if goes_on is not None and not callable(goes_on):
+            raise TypeError(f"goes_on: a function is needed, not {type(goes_on).__name__}")
         self.scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
         self.assembly = assemble(self.scenario) if assembly is None else assembly
         try:
