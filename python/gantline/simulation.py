@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 from gantline import _core
 from gantline.arguments import is_number, needed, told
@@ -164,6 +164,10 @@ class Simulation:
     def __repr__(self) -> str:
         title = self.assembly.rig.get("title", "")
         return f"<Simulation {title!r}: at {self._core.time():g} s of {self.duration:g} s, {self.status}>"
+
+    def __reduce__(self) -> NoReturn:
+        """For pickle and copy, which would share what runs, or end in words of the core."""
+        raise TypeError("a Simulation cannot be copied or pickled; `save` gives its state, in bytes")
 
     @property
     def duration(self) -> float:

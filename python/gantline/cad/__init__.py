@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from gantline.arguments import path_of
 from gantline.cad.assumptions import Assumptions
 from gantline.cad.errors import CadError
 from gantline.cad.files import content
@@ -39,8 +40,9 @@ def read(path: str | Path, given: Assumptions | None = None, *, keep: bool = Tru
 
     Raises:
         CadError: if it cannot be read, with one plain sentence.
+        TypeError: if it is no path.
     """
-    place = Path(path)
+    place = path_of(path, "a CAD file")
     data = content(place)
     if _is_ocx(place, data):
         model = _kept(place, data, Assumptions(), keep)
@@ -88,7 +90,7 @@ def read_light_mesh(
     from gantline.cad import cache
     from gantline.cad.simplify import light_mesh
 
-    place = Path(path)
+    place = path_of(path, "a CAD file")
     key = cache.digest(content(place), place.name, given or Assumptions(), most)
     kept = cache.load(key) if keep else None
     if kept is not None:
@@ -117,7 +119,7 @@ def read_surface(
     """
     from gantline.cad.mesh_file import mesh_format, read_surface_file
 
-    place = Path(path)
+    place = path_of(path, "a CAD file")
     if mesh_format(place) is not None:
         return read_surface_file(place, given if given is not None else Assumptions())
     if _is_ocx(place, content(place)):

@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from gantline.arguments import number
 from gantline.cad.errors import CadError
 from gantline.units import DIMENSIONS
 
@@ -40,11 +41,11 @@ class Assumptions:
 
     def __post_init__(self) -> None:
         lengths = DIMENSIONS["length"]
-        if self.unit is not None and self.unit not in lengths:
+        if self.unit is not None and self.unit not in tuple(lengths):
             raise CadError(f"'{self.unit}' is no unit of length that is known here: {', '.join(lengths)}")
-        if not 0 < self.density < 1e5:
+        if not 0 < number(self.density, "density", "kilograms per cubic metre") < 1e5:
             raise CadError(f"a density of {self.density:g} kg/m^3 is not that of a material; steel has 7850")
-        if self.thickness is not None and not 0 < self.thickness < 10:
+        if self.thickness is not None and not 0 < number(self.thickness, "thickness", "metres") < 10:
             raise CadError(f"a plate thickness of {self.thickness:g} m is not possible; 10 mm is 0.01")
 
     def scale(self, size: float) -> tuple[float, str, str | None]:

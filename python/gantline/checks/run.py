@@ -128,7 +128,7 @@ def values_of(recording: Recording, name: str, at: BoolArray | None = None) -> d
     Raises:
         KeyError: If there is no such quantity.
     """
-    if name not in LIMITS:
+    if name not in tuple(LIMITS):
         raise KeyError(f"no quantity that limits can be set for is {name!r}; they are {', '.join(LIMITS)}")
     measure = LIMITS[name]
     pick = min if measure.at_least else max

@@ -8,7 +8,7 @@ from itertools import product
 from math import prod
 from pathlib import Path
 
-from gantline.arguments import path_of
+from gantline.arguments import listed, path_of
 from gantline.replacing import replaced
 from gantline.results.recording import Recording, no_variable, recorded
 from gantline.results.variable import FloatArray
@@ -33,10 +33,12 @@ def columns(recording: Recording, variables: Sequence[str] = ()) -> Iterator[tup
         variables: Which; all over time, but for `rope_point`, where none is named.
 
     Raises:
+        TypeError: If these are no names.
         VariableError: If a variable is not there, or not over time.
     """
     if isinstance(variables, str):
         raise VariableError(f"'{variables}' is a text, and a list is needed, such as ['{variables}']")
+    variables = listed(variables, "variables: a list of names", "such as ['hook_load']")
     known = recorded(recording).variables
     over_time = [name for name, one in known.items() if one.dims[:1] == ("time",) and name != "time"]
     for name in variables:

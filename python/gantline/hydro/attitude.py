@@ -16,7 +16,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["Attitude"]
+from gantline.arguments import needed, number
+
+__all__ = ["Attitude", "attitude_of"]
 
 Array = npt.NDArray[np.float64]
 
@@ -75,3 +77,15 @@ class Attitude:
         flat = cls(0.0, heel, trim, middle)
         normal = flat.normal
         return cls(float(-(height + normal[0] * middle) / normal[2]), heel, trim, middle)
+
+
+def attitude_of(given: object) -> Attitude:
+    """An attitude as it is.
+
+    Raises:
+        TypeError: If it is none, such as a draft alone, or a part of it is no number.
+    """
+    found = needed(given, Attitude, "an attitude", "gantline.hydro.Attitude(4.0) has a draft of 4 m")
+    for name, unit in (("draft", "metres"), ("heel", "radians"), ("trim", "radians"), ("middle", "metres")):
+        number(getattr(found, name), name, unit)
+    return found

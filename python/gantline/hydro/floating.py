@@ -19,8 +19,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gantline.arguments import needed, number
-from gantline.hydro.attitude import Attitude
+from gantline.arguments import number
+from gantline.hydro.attitude import Attitude, attitude_of
 from gantline.hydro.hull import Hull, hull_of
 from gantline.hydro.hydrostatics import SEA_WATER, Hydrostatics, hydrostatics
 
@@ -193,13 +193,14 @@ def float_free(
 
     Raises:
         CannotFloatError: if it weighs more than all its volume displaces.
-        TypeError: if the mass is no number, the hull none, or the start no attitude.
+        TypeError: if mass or density is no number, the hull none, or the start no attitude.
         ValueError: if the centre of gravity is no point.
     """
     hull_of(hull)
     number(mass, "mass", "kilograms")
+    number(density, "density", "kilograms per cubic metre")
     if start is not None:
-        needed(start, Attitude, "an attitude", "gantline.hydro.Attitude(4.0) has a draft of 4 m")
+        attitude_of(start)
     volume, whole = mass / density, hull.closure.volume
     if not 0 < volume < whole:
         raise CannotFloatError(

@@ -74,16 +74,21 @@ class Hull:
         doubts: What is doubtful about where they come from, a sentence each.
 
     Raises:
-        ValueError: if a coordinate is not finite, a vertex does not exist, or nothing is enclosed.
+        ValueError: if these are no such arrays, a coordinate is not finite, a vertex does not exist, or
+            nothing is enclosed.
     """
 
     def __init__(
         self, name: str, vertices: npt.ArrayLike, triangles: npt.ArrayLike, *, doubts: Sequence[str] = ()
     ) -> None:
-        points = np.asarray(vertices, dtype=float).reshape(-1, 3)
-        faces = np.asarray(triangles, dtype=np.int64).reshape(-1, 3)
-        if not len(faces):
-            raise ValueError(f"{name}: a hull needs triangles")
+        try:
+            points = np.asarray(vertices, dtype=float).reshape(-1, 3)
+            faces = np.asarray(triangles, dtype=np.int64).reshape(-1, 3)
+        except (TypeError, ValueError):  # a text, say, or rows of other lengths
+            shapes = "vertices are numbers [m] of the shape (n, 3), triangles whole numbers of (m, 3)"
+            raise ValueError(f"{name}: its vertices and triangles are no mesh; {shapes}") from None
+        if not (len(faces) and len(points)):
+            raise ValueError(f"{name}: a hull needs vertices and triangles")
         size = float(np.linalg.norm(np.ptp(points, axis=0)))
         if not np.isfinite(size) or size == 0:
             raise ValueError(f"{name}: its coordinates enclose nothing")

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from gantline.arguments import needed
-from gantline.hydro.attitude import Attitude
+from gantline.arguments import number
+from gantline.hydro.attitude import Attitude, attitude_of
 from gantline.hydro.hull import Hull, hull_of
 
 __all__ = ["SEA_WATER", "Hydrostatics", "hydrostatics"]
@@ -143,10 +143,11 @@ def hydrostatics(hull: Hull, attitude: Attitude, density: float = SEA_WATER) -> 
     """Hydrostatics of a hull in an attitude; the density of the water in [kg/m^3].
 
     Raises:
-        TypeError: If it is no hull, or no attitude, such as a draft alone.
+        TypeError: If it is no hull, no attitude, such as a draft alone, or the density is no number.
     """
     hull_of(hull)
-    needed(attitude, Attitude, "an attitude", "gantline.hydro.Attitude(4.0) has a draft of 4 m")
+    attitude_of(attitude)
+    number(density, "density", "kilograms per cubic metre")
     normal, height = attitude.normal, attitude.height
     below, skin = hull.below(normal, height), hull.surface(normal, height)
     volume, area = below["volume"], below["area"]

@@ -17,6 +17,7 @@ import numpy as np
 import numpy.typing as npt
 from numpy.polynomial import Legendre
 
+from gantline.arguments import path_of
 from gantline.hydro.database import AXES, DatabaseError
 from gantline.hydro.table_file import Titles, read_table
 
@@ -179,7 +180,7 @@ def read_motion_record(path: str | Path) -> MotionRecord:
     Raises:
         DatabaseError: if it cannot be read, with the line, in one plain sentence.
     """
-    place = Path(path)
+    place = path_of(path, "the file of a motion record")
     columns, lines = read_table(place, _TITLES)
     if len(columns) < 2:
         raise DatabaseError(f"{place}:1: there is no motion beside the time; {_TITLES.right} are right")
@@ -228,7 +229,7 @@ def write_motion_record(record: MotionRecord, path: str | Path) -> None:
         path: of the file, `.csv`.
     """
     units = np.repeat([1.0, _TURN["deg"]], 3)
-    with Path(path).open("w", encoding="utf-8", newline="") as file:
+    with path_of(path, "a file to write").open("w", encoding="utf-8", newline="") as file:
         file.write(",".join(f"{name} [{next(iter(unit))}]" for name, unit in _UNITS.items()) + "\n")
         for number, sample in enumerate((record.motion + record.mean) / units):
             values = [number * record.interval, *sample]

@@ -16,6 +16,7 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+from gantline.arguments import path_of
 from gantline.hydro.database import AXES, DatabaseError, ForcesAround
 from gantline.hydro.database.around import all_round
 from gantline.hydro.table_file import Titles, read_table
@@ -121,7 +122,7 @@ def read_raos(path: str | Path, phases: Phases) -> DisplacementRaos:
     Raises:
         DatabaseError: if it cannot be read, with the line, in one plain sentence.
     """
-    place = Path(path)
+    place = path_of(path, "the file of a table of motions")
     _, lines = read_table(place, _TITLES)
     values: dict[tuple[float, float], tuple[int, Complex]] = {}
     for number, said in lines:
@@ -173,7 +174,7 @@ def write_raos(raos: DisplacementRaos, path: str | Path) -> None:
         raos: any.
         path: of the file, `.csv`.
     """
-    with Path(path).open("w", encoding="utf-8", newline="") as file:
+    with path_of(path, "a file to write").open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow([f"{name} [{next(iter(unit))}]" for name, unit in _UNITS.items()])
         for place, direction in enumerate(np.degrees(raos.directions)):

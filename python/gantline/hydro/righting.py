@@ -133,11 +133,13 @@ def righting_arms(
 
     Raises:
         CannotFloatError: if it weighs more than all its volume displaces.
-        TypeError: if the mass or an angle is no number, or the hull none.
+        TypeError: if the mass, an angle, the density or the correction is no number, or the hull none.
         ValueError: if the centre of gravity is no point, or an angle more than half a turn.
     """
     hull_of(hull)
     number(mass, "mass", "kilograms")
+    number(density, "density", "kilograms per cubic metre")
+    number(correction, "correction", "metres")
     angles = _angles(heel)
     centre = point(centre_of_gravity) + np.array([0.0, 0.0, correction])
     righting = Righting(hull, mass, centre, density=density)

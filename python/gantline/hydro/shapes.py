@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from numbers import Integral
 
 import numpy as np
 import numpy.typing as npt
@@ -31,9 +32,11 @@ def raked_barge(size: Sequence[float], rake: float, transom: float, name: str = 
     """A barge whose bottom rises at both ends, over `rake` [m], up to `transom` [m] below its deck.
 
     Raises:
+        TypeError: if a side, rake or transom is no number.
         ValueError: if a side is not above zero, or the rakes do not fit.
     """
     length, breadth, depth = _sides(name, size)
+    rake, transom = number(rake, f"{name}: rake", "metres"), number(transom, f"{name}: transom", "metres")
     if not (0 < 2 * rake < length and 0 < transom < depth):
         raise ValueError(f"{name}: rakes of {rake:g} m and ends of {transom:g} m do not fit into its sides")
     sill = depth - transom
@@ -47,8 +50,16 @@ def wigley_hull(
     """Wigley's parabolic hull, y = B/2 (1 - (2x/L)^2)(1 - (z/T)^2), wall-sided above its water.
 
     Volume 4/9 LBT, waterplane 2/3 LB; the mesh comes close to them with the squares of its numbers.
+
+    Raises:
+        TypeError: if a side is no number.
+        ValueError: if a side is not above zero, or there are no stations or waterlines.
     """
     length, breadth, draft = _sides("wigley", (length, breadth, draft))
+    freeboard = number(freeboard, "wigley: freeboard", "metres")
+    for name, count in (("stations", stations), ("waterlines", waterlines)):
+        if isinstance(count, bool) or not isinstance(count, Integral) or count < 1:
+            raise ValueError(f"wigley: {name}: {count!r} is no whole number from 1 on")
     x = np.linspace(-1.0, 1.0, stations + 1)
     z = np.concatenate([np.linspace(-1.0, 0.0, waterlines + 1), [freeboard / draft]])
     half = breadth / 2 * (1 - x[:, None] ** 2) * (1 - np.minimum(z, 0.0)[None, :] ** 2)

@@ -32,11 +32,19 @@ class Tank:
         length: along the vessel [m].
         breadth: across it [m].
         density: of what is in it [kg/m^3].
+
+    Raises:
+        TypeError: if one of these is no number.
     """
 
     length: float
     breadth: float
     density: float = 1025.0
+
+    def __post_init__(self) -> None:
+        number(self.length, "length", "metres")
+        number(self.breadth, "breadth", "metres")
+        number(self.density, "density", "kilograms per cubic metre")
 
     @property
     def transverse(self) -> float:

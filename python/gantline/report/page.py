@@ -25,7 +25,7 @@ from gantline.report.section import Section
 from gantline.report.steps import StepsContinued
 from gantline.report.subject import Subject
 from gantline.report.tables import Checks, Energy, Equalizers, LiftFile
-from gantline.results.file.saved import Beside, read_beside
+from gantline.results.file.saved import Beside, beside_of, read_beside
 from gantline.results.recording import Recording, recorded
 from gantline.units import DIMENSIONS
 from gantline.viewer import bundle, pack
@@ -148,7 +148,8 @@ def write_report(recording: Recording, path: str | Path, *, beside: Beside | Non
         ValueError: If the recording cannot be drawn, or has no samples.
     """
     target = path_of(path, "a file to write")
-    text = render_report(recorded(recording), beside=beside or read_beside(target.parent, recording))
+    found = beside_of(beside) or read_beside(target.parent, recorded(recording))
+    text = render_report(recording, beside=found)
     replace_text(target, text)
     return target
 

@@ -8,7 +8,7 @@ from functools import cached_property
 from gantline.checks import Check, check_recording
 from gantline.results import series
 from gantline.results.ending import Ending, ending_of
-from gantline.results.file.saved import Beside
+from gantline.results.file.saved import Beside, beside_of
 from gantline.results.progress import under_way
 from gantline.results.recording import Recording
 from gantline.results.rig import Rig
@@ -33,7 +33,7 @@ class Subject:
 
     def __init__(self, recording: Recording, beside: Beside | None = None) -> None:
         self.recording = recording
-        self.beside = beside or Beside()
+        self.beside = beside_of(beside) or Beside()
 
     @property
     def rig(self) -> Rig:

@@ -171,8 +171,13 @@ class Recording:
 
         Raises:
             KeyError: If there is no such variable or name.
+            TypeError: If it is no name.
         """
         variable = self[name]
+        if not isinstance(
+            label, str
+        ):  # an array is compared with each name, and is then neither true nor false
+            raise TypeError(f"label: one name along {name} is needed, not {type(label).__name__}")
         for axis, dim in enumerate(variable.dims):
             labels = self._coordinates.get(dim, ())
             if dim != "xyz" and dim != "wxyz" and label in labels:
@@ -199,7 +204,12 @@ class Recording:
 
         Raises:
             KeyError: If no recording has events of this kind.
+            TypeError: If it is no kind.
         """
+        if kind is not None and not isinstance(kind, str):
+            raise TypeError(
+                f"kind: one kind of event is needed, not {type(kind).__name__}; 'lift_off' is one"
+            )
         found = [event for event in self._events if kind is None or event[1] == kind]
         # Of a version to come a recording may have kinds that are not known here.
         if not found and kind is not None and kind not in EVENT_KINDS:

@@ -42,6 +42,7 @@ from gantline.statics.answers import (
     Sensitivity,
     likely,
 )
+from gantline.statics.asked import increment_of, losses_of, swing_of
 from gantline.statics.come_free import come_free, without
 from gantline.statics.linear import LinearModel, linear_model
 from gantline.statics.motion import drums_of, in_words
@@ -102,6 +103,7 @@ class Statics:
 
     Raises:
         ScenarioError: If the lift file is not right, or the lift has no statics (lengths that are adjusted).
+        TypeError: If `goes_on` is no function.
     """
 
     def __init__(
@@ -111,6 +113,8 @@ class Statics:
         goes_on: Callable[[], bool] | None = None,
         assembly: Assembly | None = None,
     ) -> None:
+        if goes_on is not None and not callable(goes_on):
+            raise TypeError(f"goes_on: a function is needed, not {type(goes_on).__name__}")
         self.scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
         self.assembly = assemble(self.scenario) if assembly is None else assembly
         try:
@@ -121,6 +125,7 @@ class Statics:
         self._lock = RLock()
         self._goes_on = goes_on
         self._last: Losses | NoEquilibriumError | None = None
+        self._modes: list[Mode] = []
         self._streams = streams(self.assembly.document)
         self._is_stable = True
         self._bodies = {body["name"]: body for body in self.assembly.document["bodies"]}
@@ -162,7 +167,9 @@ class Statics:
 
         Raises:
             NoEquilibriumError: If there is none.
-            ValueError: If the time is not one of the lift, or what slides does so in no direction.
+            TypeError: If an increment is no number.
+            ValueError: If the time is not one of the lift, there are no such losses, or what slides does so
+                in no direction.
         """
         duration = self.scenario.duration
         moment = duration if time is None else time
@@ -171,9 +178,7 @@ class Statics:
             if not is_number(moment):
                 raise ValueError(f"time: {moment!r} is no number of seconds; the lift {lasts}")
             raise ValueError(f"time: {moment:g} s is no time of the lift, which {lasts}")
-        start = None if increment is None else [float(part) for part in increment]
-        if start is not None and not np.isfinite(start).all():
-            raise ValueError(f"increment: {increment!r} has a part that is not finite")
+        start, losses = increment_of(increment), losses_of(losses)
         way = None if slide is None else direction_of(slide, "slide")
         self._last = None
         self._core, gone = self._whole, set[str]()
@@ -201,9 +206,9 @@ class Statics:
         Raises:
             NoEquilibriumError: If there is none.
             TypeError: If it is no bytes at all.
-            ValueError: If it is no state of this lift.
+            ValueError: If it is no state of this lift, or there are no such losses.
         """
-        self._last = None
+        self._last, losses = None, losses_of(losses)
         needed(state, bytes, "a saved state", "`save` of a simulation gives one, in bytes")
         try:
             found = self._core.settle_saved(state, losses)
@@ -283,7 +288,7 @@ class Statics:
             ValueError: If the lift has no such load.
         """
         bodies = {one.name: one.body for one in self.rig.loads}
-        if load not in bodies:
+        if load not in list(bodies):
             known = ", ".join(bodies) or "none"
             raise ValueError(f"the lift has no load {load!r}; its loads: {known}")
         losses = self._of_last()
@@ -323,7 +328,7 @@ class Statics:
         other = copy(self)
         try:
             other._core, other._lock = self._core.heavier(added, losses), RLock()
-            other._whole = other._core
+            other._whole, other._modes = other._core, []
         except RuntimeError as problem:
             raise NoEquilibriumError(self._core.time(), *problem.args) from None
         return other, other._recording("at rest with more weight")
@@ -341,6 +346,7 @@ class Statics:
 
     def _nowhere(self, moment: float, element: str, cause: str) -> NoEquilibriumError:
         """That there is none; noted, so that nothing is asked about it."""
+        self._modes = []
         self._last = NoEquilibriumError(moment, element, with_advice(self.scenario, element, cause))
         return self._last
 
@@ -352,7 +358,7 @@ class Statics:
         return come_free(self.rig, dict(zip(self._core.names()["rope"], tensions, strict=True)))
 
     def _found(self, found: dict[str, Any], losses: Losses) -> Equilibrium:
-        self._last = losses
+        self._last, self._modes = losses, []
         moment = float(found["time"])
         recording = self._recording(f"at rest at {moment:g} s")
         for _, _, crane in recording.events("tipping"):  # downhill of the start lies the crane on its back
@@ -419,7 +425,8 @@ class Statics:
                 flows=flows,
             )
 
-        return [mode(number, float(square)) for number, square in enumerate(found["square"])]
+        self._modes = [mode(number, float(square)) for number, square in enumerate(found["square"])]
+        return list(self._modes)
 
     @_one_at_a_time
     def linear_model(self, frequency: float | None = None) -> LinearModel:
@@ -453,10 +460,7 @@ class Statics:
         Raises:
             ValueError: If it is no mode found last, or amplitude or frames are not right.
         """
-        if not isinstance(mode, Mode):
-            raise ValueError(f"mode: {mode!r} is no Mode; modes() answers with them")
-        if not (math.isfinite(amplitude) and frames >= 1):
-            raise ValueError(f"no motion of {frames} frames with the amplitude {amplitude:g} can be shown")
+        amplitude, frames = swing_of(mode, self._modes, amplitude, frames)
         moved = mode.body_motion.reshape(-1, 2, 3)
         largest = max([float(np.linalg.norm(moved, axis=2).max()), *map(abs, mode.flows.values())])
         self._core.swing(mode.number, amplitude / largest if largest > 0.0 else 0.0, frames)
@@ -528,7 +532,7 @@ class Statics:
         self._refuse_unknown(step)
         if moment not in ("begins", "ends"):
             raise ValueError(f"moment: {moment!r} is none; a step 'begins' or 'ends'")
-        self._last = None
+        self._last, self._modes = None, []
         try:
             return self._core.when(step, moment == "ends", self.scenario.duration, self._goes_on)
         except RuntimeError as problem:

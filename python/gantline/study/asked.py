@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from gantline.arguments import listed
+
 __all__ = ["count_of", "names_of"]
 
 
@@ -11,11 +13,11 @@ def names_of(what: str, given: Iterable[str]) -> list[str]:
     """Names in a list; a single text has letters, which are no names.
 
     Raises:
-        TypeError: If it is a text.
+        TypeError: If it is a text, or nothing that has several.
     """
     if isinstance(given, str):
         raise TypeError(f"{what}: '{given}' is a text, and a list of names is needed, such as ['{given}']")
-    return list(given)
+    return listed(given, f"{what}: a list of names", "a single one is a list too")
 
 
 def count_of(what: str, given: object) -> int:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from gantline.arguments import number
 from gantline.assembly.afloat.hulls import hull_mesh
 from gantline.scenario import Scenario
 from gantline.scenario.afloat.tanks import bodies_afloat
@@ -51,7 +52,9 @@ def vessel_of(scenario: Scenario, name: str | None) -> str:
         raise ValueError(f"{moved[0]} {sentence}; with 'masses' and 'tanks' in its place it floats")
     if name is not None:
         if name not in fitting:
-            raise QuestionError("vessel", f"'{name}' is not a vessel with tanks; {nearest(name, fitting)}")
+            raise QuestionError(
+                "vessel", f"'{name}' is not a vessel with tanks; {nearest(str(name), fitting)}"
+            )
         return name
     if not fitting:
         raise ValueError("no vessel with tanks floats in this lift; give one 'tanks'")
@@ -109,7 +112,7 @@ def moment_of(question: Statics, time: float | None, step: str | None) -> float:
     scenario = question.scenario
     if step is None:
         moment = scenario.duration if time is None else time
-        if not 0.0 <= moment <= scenario.duration:
+        if not 0.0 <= number(moment, "time", "seconds") <= scenario.duration:
             raise QuestionError(
                 "time", f"{moment:g} s is not in the lift, which lasts {scenario.duration:g} s"
             )

@@ -120,13 +120,16 @@ def adjust_lengths(
         CannotBeError: If it cannot be had, with the reason.
         NoEquilibriumError: If the lift as it is given has no equilibrium.
         ScenarioError: If the lift file is not right.
-        TypeError: If an angle or a share is no number, such as a text with a unit.
-        ValueError: If nothing is wanted, or a sling is asked for that there is not.
+        TypeError: If an angle, a share or `most` is no number, such as a text with a unit, or shares have no
+            names.
+        ValueError: If nothing is wanted, nothing may change, or a sling is asked for that there is not.
     """
     scenario = without_cases(lift if isinstance(lift, Scenario) else load_scenario(lift))
     slung = resolve(scenario).slings
     known = {name: one.length for name, one in slung.items()}
     chosen = list(known) if slings is None else names_of("slings", slings)
+    if shares is not None and not isinstance(shares, Mapping):
+        raise TypeError(f"shares: a dictionary by slings is needed, not {type(shares).__name__}")
     _refuse(chosen, shares or {}, known)
     if slopes is None and heading is None and not shares:
         raise ValueError("nothing is wanted of the load: slopes, a heading or shares are")
@@ -136,6 +139,8 @@ def adjust_lengths(
         number(angle, "slopes", "radians")
     if heading is not None:
         number(heading, "heading", "radians")
+    if most is not None and not number(most, "most", "metres") > 0.0:
+        raise ValueError(f"most: {most:g} m is no change; one above zero is needed")
     limit = {name: _MOST * known[name] if most is None else most for name in chosen}
     unknowns = [
         Unknown(f"slings.{name}.length", ("length", f"sling.{name}"), known[name], limit[name])

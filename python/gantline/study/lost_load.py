@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from gantline.arguments import needed
 from gantline.hydro import CannotFloatError, Heeled, Hull, Righting
 from gantline.results import series
 from gantline.results.afloat.attitude import Lie
@@ -199,9 +200,12 @@ def lose_load(question: Statics, rest: Equilibrium, load: str) -> LostLoad:
 
     Raises:
         NoEquilibriumError: If there is none without it.
+        TypeError: If it is asked of a lift file, or of no equilibrium.
         ValueError: If there is no such load, or no vessel that floats freely, or the load rests on one, which
             does not lose it.
     """
+    needed(question, Statics, "a lift to ask for equilibria", "gantline.Statics(lift) is one")
+    needed(rest, Equilibrium, "an equilibrium", "`equilibrium` of a Statics gives one")
     vessels = [vessel for vessel in rest.recording.rig.vessels if not vessel.is_carried]
     if rest.recording.rig.vessels and not vessels:
         raise ValueError("vessels with 'wave_motion' move by that alone, whatever they lose")

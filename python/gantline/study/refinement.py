@@ -35,14 +35,19 @@ def finer_simulation(simulation: Simulation, recording: Recording) -> Simulation
 
     Raises:
         TypeError: If one of them is something else.
+        ValueError: If the recording is by another method.
     """
     needed(simulation, Simulation, "a simulation", "gantline.Simulation makes one of a lift")
     recorded(recording)
     used: dict[str, Any] = dict(simulation.settings["integrator"])
-    kind = used.pop("type")
+    kind, ran = used.pop("type"), recording.attributes["settings"]["integrator"]
+    if ran.get("type") != kind:
+        raise ValueError(
+            f"the recording is by {ran.get('type')}, and the simulation by {kind}; its own is right"
+        )
     for name, share in _SHARES.items():
         if name in used:
-            used[name] = share * recording.attributes["settings"]["integrator"][name]
+            used[name] = share * ran[name]
     times = {name: simulation.settings[name] for name in ("duration", "sample_interval")}
     return Simulation(simulation.scenario, integrator=kind, **used, **times)
 

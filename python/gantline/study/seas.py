@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field, replace
+from numbers import Integral
 from pathlib import Path
 from typing import Any
 
@@ -296,6 +297,8 @@ def run_seas(
     scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
     name = _name_of(scenario, waves)
     train = (scenario.waves or {})[name]
+    if isinstance(records, bool) or not isinstance(records, Integral):
+        raise NoSeaError("records", f"{records!r} is no whole number from 1 on")
     if records < 1:
         raise NoSeaError("records", f"{records} are none")
     if records > 1 and not _seeds(scenario):

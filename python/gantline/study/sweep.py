@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from gantline.arguments import needed
 from gantline.scenario import Scenario, ScenarioError, StartError, load_scenario
 from gantline.scenario.errors import Problem
 from gantline.scenario.file.tree import TextNode
@@ -72,7 +73,7 @@ def run_sweep(
         Each value with what was found, as soon as it is; errors come with the first.
 
     Raises:
-        TypeError: If `count` is no whole number.
+        TypeError: If `count` is no whole number, or the path no text.
         ValueError: If there are to be none.
         PathError: If the path leads nowhere or to no quantity.
         UnitError: If the values are no quantities of one dimension.
@@ -81,6 +82,7 @@ def run_sweep(
     """
     count = count_of("count", count)
     scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
+    needed(path, str, "path: a text", "such as 'load.weight.calculated'")
     given = node_at(scenario.tree, path)
     if given is not None and not isinstance(given, TextNode):
         raise PathError(f"'{path}' has several values; name one of its parts")

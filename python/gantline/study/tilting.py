@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 import numpy.typing as npt
 
-from gantline.arguments import needed
+from gantline.arguments import listed, needed, number
 from gantline.assembly.afloat.water import frozen
 from gantline.assembly.spatial import inertia_matrix
 from gantline.cad.mass_properties import point_inertia
@@ -140,9 +140,12 @@ def tilting_of(question: Statics, rest: Equilibrium, modes: Sequence[Mode]) -> l
         modes: Its slowest natural motions; where these do not tell how a load tilts, more are found.
 
     Raises:
-        TypeError: If it is asked of a lift file; `Statics` is made of one.
+        TypeError: If it is asked of a lift file, of which `Statics` is made, or of no equilibrium or modes.
     """
     needed(question, Statics, "a lift to ask for equilibria", "gantline.Statics(lift) is one")
+    needed(rest, Equilibrium, "an equilibrium", "`equilibrium` of a Statics gives one")
+    for mode in listed(modes, "a list of modes", "`modes` of a Statics gives one"):
+        needed(mode, Mode, "a mode", "`modes` of a Statics gives a list of them")
     found = (_tilting(question, rest, modes, load) for load in _hanging_clear(rest))
     return [one for one in found if one is not None]
 
@@ -291,12 +294,16 @@ def margins_of(scenario: Scenario, rest: Equilibrium, *, farthest: float = _FART
         farthest: Where the search ends [m].
 
     Raises:
-        TypeError: If it is no scenario, such as a `Statics`, whose `scenario` is one.
-        ValueError: If the lift has no load, or one whose centre of gravity is that of its CAD file.
+        TypeError: If it is no scenario, such as a `Statics`, whose `scenario` is one, or no equilibrium.
+        ValueError: If the lift has no load, or one whose centre of gravity is that of its CAD file, or the
+            search has no way to go.
     """
     load = needed(scenario, Scenario, "a scenario", "'scenario' of a Statics is one").load
+    if not number(farthest, "farthest", "metres") > 0.0:
+        raise ValueError(f"farthest: {farthest:g} m is no way to look along; one above zero is needed")
     if load is None:
         raise ValueError("the lift has no load")
+    needed(rest, Equilibrium, "an equilibrium", "`equilibrium` of a Statics gives one")
     at = load.centre_of_gravity.at
     if at == "from_cad":
         sentence = "the centre of gravity is that of the CAD file"

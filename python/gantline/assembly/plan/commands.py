@@ -86,7 +86,7 @@ def commanded(scenario: Scenario, text: str, motion: str | None) -> Commanded:
         CommandError: If it means nothing, or several things, or something that nothing drives.
     """
     text = str(text)  # what is no name is refused as one that means nothing
-    if motion is not None and motion not in MOTIONS:
+    if motion is not None and motion not in tuple(MOTIONS):
         raise CommandError(f"motion: {motion!r} is none; {nearest(str(motion), MOTIONS)}")
     known = {verb: movers(scenario, kind) for verb, kind in MOTIONS.items() if motion in (None, verb)}
     found = {verb: full_name(text, of) for verb, of in known.items()}

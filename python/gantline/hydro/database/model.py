@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from gantline.arguments import is_number
 from gantline.hydro.database.around import ForcesAround, all_round, beside
 from gantline.hydro.database.outlying import outliers
 from gantline.hydro.waves import wave_number as number_of_waves
@@ -100,6 +101,7 @@ class HydrodynamicDatabase:
     doubts: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
+        self._take_arrays()
         count = len(self.frequencies)
         if count == 0:
             raise DatabaseError(f"{self.source}: there are no frequencies in it")
@@ -133,6 +135,29 @@ class HydrodynamicDatabase:
                     found = f"what {name} does to {self.name} is no {count} × 6 × 6 numbers that are finite"
                     raise DatabaseError(f"{self.source}: {found}")
         self._hold_waves()
+
+    def _take_arrays(self) -> None:
+        """Take lists of numbers for arrays; raise DatabaseError where there are no numbers."""
+        kinds = {"directions": "directions", "excitation": "wave forces", "drift": "drift forces"}
+        needed = {"frequencies": "frequencies", "added_mass": "added mass", "damping": "damping"}
+        more = {"infinite_added_mass": "added mass at infinite frequency", "reference": "reference point"}
+        for name, what in {**needed, **more, **kinds}.items():
+            given = getattr(self, name)
+            if given is None and name not in needed:
+                continue
+            try:
+                values = np.asarray(given, dtype=complex if name == "excitation" else float)
+            except (TypeError, ValueError):  # texts, or lists of several lengths
+                values = np.zeros(())
+            if not values.ndim:
+                raise DatabaseError(f"{self.source}: what is given as its {what} is no array of numbers")
+            object.__setattr__(self, name, values)
+        if self.frequencies.ndim != 1:
+            raise DatabaseError(f"{self.source}: its frequencies are no single row")
+        for name, unit in (("density", "kg/m^3"), ("displacement", "m^3"), ("water_depth", "m")):
+            value = getattr(self, name)
+            if value is not None and not is_number(value):
+                raise DatabaseError(f"{self.source}: {value!r} is no number, and its {name} is one [{unit}]")
 
     def _hold_waves(self) -> None:
         """Raise DatabaseError where directions or wave forces are none."""

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
+from gantline.arguments import needed
 from gantline.results.file.saved_json import list_in, number_in, object_of, text_in
 from gantline.results.file.saved_seas import SavedSeas
 from gantline.results.recording import Recording, open_recording
@@ -37,6 +38,7 @@ __all__ = [
     "SavedLostLoad",
     "SavedSwing",
     "SavedWorst",
+    "beside_of",
     "digest_of",
     "read_beside",
 ]
@@ -244,6 +246,16 @@ class Beside:
     lost_load: SavedLostLoad | None = None
     seas: SavedSeas | None = None
     left_out: Sequence[str] = ()
+
+
+def beside_of(given: Beside | None) -> Beside | None:
+    """What lies beside a recording, as it is.
+
+    Raises:
+        TypeError: If it is something else, such as a folder.
+    """
+    right = "`beside` is found in the folder of the report where it is not given"
+    return None if given is None else needed(given, Beside, "what lies beside a recording", right)
 
 
 def read_beside(folder: Path, recording: Recording) -> Beside:
