@@ -117,9 +117,16 @@ impl Complementarity {
             rope.spans.iter().map(move |_| whole)
         });
         rounding.iter_mut().zip(lengths).for_each(|(known, length)| *known = LENGTH_ROUNDING * length);
+        // Of spans between light sheaves, which are found with these, no more is asked.
+        let compliances = system.rows.laws.iter().map(Law::compliance);
+        let noise = rounding
+            .iter()
+            .zip(compliances)
+            .map(|(known, compliance)| known / compliance.max(f64::MIN_POSITIVE));
+        let noise = noise.collect();
         Self {
             balance: Balance::new(system),
-            noise: vec![0.0; rows],
+            noise,
             rounding,
             modes: vec![Mode::Slack; rows],
             tension: vec![0.0; rows],
