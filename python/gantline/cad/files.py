@@ -30,6 +30,10 @@ def content(path: Path) -> bytes:
                 data = packed.read(_LARGEST + 1)
         else:
             data = path.read_bytes()
+    except CadError:
+        raise
+    except ValueError:  # a name with a zero byte
+        raise CadError(f"{path}: cannot be read (not a usable file name)") from None
     except (OSError, EOFError) as problem:
         reason = getattr(problem, "strerror", None) or str(problem)
         raise CadError(f"{path}: cannot be read ({reason.lower()}){_instead(path)}") from None
@@ -44,9 +48,11 @@ def _instead(path: Path) -> str:
     """Which file beside one that is not there may be meant."""
     try:
         beside = {one.name.lower(): one.name for one in path.parent.iterdir()}
+        # Has an error of its own where a name is too long, or a folder may not be entered.
+        is_there = path.exists()
     except OSError:
         return ""
-    near = [] if path.exists() else get_close_matches(path.name.lower(), beside, 1, _ALIKE)
+    near = [] if is_there else get_close_matches(path.name.lower(), beside, 1, _ALIKE)
     return f"; is '{beside[near[0]]}' meant?" if near else ""
 
 

@@ -56,13 +56,13 @@ def new(
     text, beside = (template(), []) if source is None else _shipped(source)
     files = {folder / FILE_NAME: text.encode(), folder / "lift.schema.json": schema_text().encode()}
     files |= {folder / path.name: path.read_bytes() for path in beside}
-    if folder.exists() and not folder.is_dir():
-        stop(f"{folder}: is a file; the name of a folder is needed")
-    # The schema is gantline's own, and of this version once it is written anew.
-    for path in (folder / FILE_NAME, *(folder / path.name for path in beside)):
-        if path.exists():
-            stop(f"{path}: exists already; nothing was written")
-    with writing(folder):
+    with writing(folder):  # whether something is there cannot be told of every name either
+        if folder.exists() and not folder.is_dir():
+            stop(f"{folder}: is a file; the name of a folder is needed")
+        # The schema is gantline's own, and of this version once it is written anew.
+        for path in (folder / FILE_NAME, *(folder / path.name for path in beside)):
+            if path.exists():
+                stop(f"{path}: exists already; nothing was written")
         folder.mkdir(parents=True, exist_ok=True)
         for path, content in files.items():
             replace_bytes(path, content)
