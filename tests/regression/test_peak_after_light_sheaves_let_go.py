@@ -11,7 +11,21 @@ import math
 
 import pytest
 
-from mechanics import G, Json, Run, adaptive, body, document, drum, end, flow, half_turn, rope, simulate, slider
+from mechanics import (
+    G,
+    Json,
+    Run,
+    adaptive,
+    body,
+    document,
+    drum,
+    end,
+    flow,
+    half_turn,
+    rope,
+    simulate,
+    slider,
+)
 
 MASS, RADIUS, HIGH = 1000.0, 0.5, 10.0
 STIFFNESS, RHO = 1e7, 1.1
@@ -40,7 +54,7 @@ def test_a_rope_that_breaks_bore_its_breaking_force_at_most(drum_too: bool) -> N
     """It breaks at m g of its first swing, below the 2 m g of that; then the weight falls freely for a second."""
     force = MASS * G
     run = adaptive(hung(drum_too, breaking_force=force), 1.0, tension_tolerance=1.0)
-    (at, _), = run.events("broken")
+    ((at, _),) = run.events("broken")
     # ½ g (1 s)², and the rope would be stretched by 24 %: 2.4 MN.
     assert fallen(run) > 4.0
     assert run.peak("r") == pytest.approx(force, abs=1.0)

@@ -60,7 +60,8 @@ const NO_BALANCE: &str = "its friction and what that holds find no balance";
 const NO_HOLD: &str = "its motor or brake and what pulls at the drum find no balance";
 /// What a search does that ends without balance, and where it ends so on supports.
 const NO_STEP: &str = "no step brings its forces closer to balance";
-const SLIDES: &str = "it slides over what it stands on, which without friction does not hold it, to where no step brings its forces closer to balance";
+const SLIDES: &str = "it slides over what it stands on, which without friction does not hold it, \
+    to where no step brings its forces closer to balance";
 /// What a hull does that bears less than its weight.
 const SINKS: &str = "it sinks: no hull bears that weight";
 /// Wider shifts, as multiples, where one leaves nothing but rounding of a light node between stiff parts. The widest
