@@ -1,9 +1,9 @@
 """`del` with an equalizing rope that is just taut under locking pins: "not settled in 3450 of 22750 steps".
 
-Nothing stretches such a rope, so what it is stretched by is rounding of its own length, 1e-14 m, and it pulled
-with 5e-8 N or hung slack by that. Forces were held against their laws to 1e-12 of these 1e-14 m: a step took 43
-factorisations on average, 100 over sheaves with losses and inertia, whose stick and slip was decided by the same
-newtons, and many came to no end. Users were told to try a shorter step.
+Nothing stretches such a rope, so what it is stretched by is rounding of its own length, 1e-14 m, and it
+pulled with 5e-8 N or hung slack by that. Forces were held against their laws to 1e-12 of these 1e-14 m: a
+step took 43 factorisations on average, 100 over sheaves with losses and inertia, whose stick and slip was
+decided by the same newtons, and many came to no end. Users were told to try a shorter step.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """A sheave with inertia went on turning after its rope had parted, and the run ended there.
 
-What passes a sheave changes the unstretched lengths beside it, (F1), of a rope that nothing holds any more too.
-When nothing was left of one the run stopped: "the step fell below 0.0000000001 s: forces change faster than any
-step can follow (f4)", by `del` "the equations are singular here". The equalizing rope of a snatched equalizer
-with losses and inertia broke, and 0.4 s later the run could not go on.
+What passes a sheave changes the unstretched lengths beside it, (F1), of a rope that nothing holds any more
+too. When nothing was left of one the run stopped: "the step fell below 0.0000000001 s: forces change faster
+than any step can follow (f4)", by `del` "the equations are singular here". The equalizing rope of a
+snatched equalizer with losses and inertia broke, and 0.4 s later the run could not go on.
 """
 
 from __future__ import annotations

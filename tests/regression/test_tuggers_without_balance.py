@@ -11,7 +11,6 @@ within a piece each.
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import pytest
@@ -25,7 +24,6 @@ LIFT = Path(__file__).with_name("tuggers_without_balance.yaml")
 def test_what_slides_is_named() -> None:
     """Without its tag lines, and with pulls of half as much, the lift has an equilibrium then."""
     statics = Statics(load_scenario(LIFT))
-    begun = time.process_time()
     with pytest.raises(NoEquilibriumError) as found:
         statics.equilibrium(716.0)
     assert found.value.element == "transformer"
@@ -33,5 +31,3 @@ def test_what_slides_is_named() -> None:
         "it slides over what it stands on, which without friction does not hold it, "
         "to where no step brings its forces closer to balance"
     )
-    # One search in place of 200: 0.3 s where it was 15 s.
-    assert time.process_time() - begun < 5.0
