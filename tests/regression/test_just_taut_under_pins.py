@@ -3,7 +3,9 @@
 Nothing stretches such a rope, so what it is stretched by is rounding of its own length, 1e-14 m, and it
 pulled with 5e-8 N or hung slack by that. Forces were held against their laws to 1e-12 of these 1e-14 m: a
 step took 43 factorisations on average, 100 over sheaves with losses and inertia, whose stick and slip was
-decided by the same newtons, and many came to no end. Users were told to try a shorter step.
+decided by the same newtons, and many came to no end. Users were told to try a shorter step. Over light
+sheaves with losses 130 of 22,500 steps came to no end for longer, where 1e-12 of the stretches of spans was
+taken for their rounding: that is of their lengths.
 """
 
 from __future__ import annotations
@@ -20,7 +22,9 @@ SHEAVES = "efficiency: 1.0, rotating_mass: 0 kg"
 METHOD = "\nsimulation: {integrator: del, step: 2 ms}\n"
 
 
-@pytest.mark.parametrize("sheaves", [SHEAVES, "efficiency: 0.98, rotating_mass: 100 kg"])
+@pytest.mark.parametrize(
+    "sheaves", [SHEAVES, "efficiency: 0.98, rotating_mass: 0 kg", "efficiency: 0.98, rotating_mass: 100 kg"]
+)
 def test_what_rounding_decides_is_settled(sheaves: str) -> None:
     """Slings go taut under the pins and 300 t are hoisted: all steps settle, nearly all at once."""
     text = LIFT.read_text(encoding="utf-8")

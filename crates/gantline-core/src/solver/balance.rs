@@ -31,8 +31,6 @@ const BEYOND: f64 = 0.5;
 /// Share of d·φ before the step that may be left there.
 const LEFT: f64 = 0.1;
 
-/// Rounding of a rope's length, relative to what its spans are stretched by.
-const ROUNDING: f64 = 1e-12;
 /// Solutions after which Newton's method goes in circles, and then not all of the way, but shares that never come again.
 const STRAIGHT: usize = 12;
 /// Of the golden section.
@@ -76,6 +74,8 @@ struct LightRope {
     compliance: Vec<f64>,
     /// h + τ [s].
     reach: f64,
+    /// What of all stretches together is rounding.
+    noise: f64,
     /// x if nothing passes, and tensions S T, of the solution.
     found: [Vec<f64>; 2],
     /// The same of where Newton's method is.
@@ -136,6 +136,7 @@ impl LightRope {
             per_supply: room(),
             compliance: room(),
             reach: 0.0,
+            noise: 0.0,
             found: [room(), room()],
             here: [room(), room()],
             between: room(),
@@ -144,6 +145,7 @@ impl LightRope {
 
     fn read(&mut self, system: &System, light: &LightSheaves, h: f64, guess: &Guess) {
         self.reach = h + system.rows.laws[light.rows.start].damping_time();
+        self.noise = 0.0;
         for (index, row) in light.rows.clone().enumerate() {
             let after = light.dofs.get(index).map_or(0.0, |&dof| guess.v[dof]);
             let before = index.checked_sub(1).map_or(0.0, |sheave| guess.v[light.dofs[sheave]]);
@@ -151,6 +153,7 @@ impl LightRope {
             self.compliance[index] = compliance * per * per;
             self.found[0][index] = guess.trial[row] * compliance * per - self.reach * (after - before);
             self.found[1][index] = guess.tension[row] / per;
+            self.noise += guess.noise[row] * compliance * per;
         }
     }
 
@@ -195,10 +198,9 @@ impl LightRope {
 
     /// True where it is just as long as its way, without any tension: that is so whether it counts as loose or not.
     fn is_just_loose(&self) -> bool {
-        let noise = ROUNDING * self.found[0].iter().map(|stretch| stretch.abs()).sum::<f64>();
         let mut stretches = self.found[1].iter().zip(&self.compliance);
-        self.found[0].iter().sum::<f64>().abs() <= noise
-            && stretches.all(|(tension, compliance)| (tension * compliance).abs() <= noise)
+        self.found[0].iter().sum::<f64>().abs() <= self.noise
+            && stretches.all(|(tension, compliance)| (tension * compliance).abs() <= self.noise)
     }
 
     /// True where that is how the guess had it.

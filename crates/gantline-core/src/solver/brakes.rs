@@ -25,6 +25,8 @@ pub struct Holding {
     pub row: usize,
     /// Degree of freedom of its flow or joint.
     pub dof: usize,
+    /// True where that alone is held: not against the spin of a sheave.
+    is_alone: bool,
     /// w [m/s or rad/s].
     pub asked: f64,
     /// Direction of its force while it slips, 1 or −1.
@@ -49,8 +51,8 @@ impl Holding {
             (timeline.motion(state.time + h).position - timeline.motion(state.time).position) / h
         });
         let speed = state.v[brake.dof];
-        let mut holding =
-            Self { row, dof: brake.dof, asked, speed, way: state.memory[row], ..Self::default() };
+        let (dof, is_alone) = (brake.dof, brake.spin.is_none());
+        let mut holding = Self { row, dof, is_alone, asked, speed, way: state.memory[row], ..Self::default() };
         if let Some(held) = timeline.and_then(|timeline| timeline.braked(state.time)) {
             holding.capacity = [held; 2];
             return holding;
@@ -61,6 +63,12 @@ impl Holding {
             *pressed = (*span, brake.weight(at, *span));
         }
         holding
+    }
+
+    /// True where it holds its flow or joint at rest: exactly, since rounding that adds up would decide which rope a drum
+    /// pays out first as it lets go.
+    pub fn rests(&self, modes: &[Mode]) -> bool {
+        self.is_alone && self.asked == 0.0 && modes[self.row] == Mode::Acting
     }
 
     fn side(&self) -> usize {

@@ -212,6 +212,9 @@ impl Complementarity {
                 *tension = tension.max(0.0);
             }
         }
+        for brake in self.brakes.iter().filter(|brake| brake.rests(&self.modes)) {
+            v[brake.dof] = 0.0;
+        }
         Ok(outcome)
     }
 

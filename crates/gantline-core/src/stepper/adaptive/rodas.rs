@@ -90,6 +90,8 @@ pub struct Rodas {
     slid: Vec<f64>,
     /// What is known of k^z.
     recalled: Vec<f64>,
+    /// Rows and degrees of freedom of brakes that hold these alone, and at rest.
+    resting: Vec<(usize, usize)>,
     /// ∂τ/∂t at the start of the step, by waves alone; empty without any.
     over_time: Vec<f64>,
     /// Right sides of (AD3), of degrees of freedom and of rows, and x.
@@ -116,6 +118,7 @@ impl Rodas {
             sum: vec![0.0; size],
             slid: vec![0.0; system.friction.len()],
             recalled: vec![0.0; force::states(&system.tree)],
+            resting: resting(system),
             over_time: if force::knows_time(&system.tree) { vec![0.0; size] } else { Vec::new() },
             force: vec![0.0; size],
             rows: vec![0.0; system.rows.count()],
@@ -184,7 +187,7 @@ impl Rodas {
             self.row_sides(system, state, stage, h);
             self.recall(system, stage, h);
             system.clock.time(Stage::Solution, || self.matrix.solve(&self.force, &self.rows, &mut self.x));
-            self.increments(system, stage, kappa);
+            self.increments(system, state, stage, kappa);
             self.slide(system, state, stage, kappa);
             self.remember(system, stage, kappa);
         }
@@ -193,7 +196,7 @@ impl Rodas {
     }
 
     /// (AD2): the stage's increments from x, and those of the tensions of inextensible ropes.
-    fn increments(&mut self, system: &System, stage: usize, kappa: f64) {
+    fn increments(&mut self, system: &System, state: &State, stage: usize, kappa: f64) {
         let k = &mut self.k[stage];
         self.matrix.spins.increments(kappa, &self.x, &mut k.phi);
         for dof in 0..self.x.len() {
@@ -203,8 +206,20 @@ impl Rodas {
         for (tension, &row) in k.rigid.iter_mut().zip(&system.rigid) {
             *tension = self.matrix.row_solution(row) / kappa;
         }
-        let Increment { phi, v, .. } = k;
+        self.keep_at_rest(state, stage);
+        let Increment { phi, v, .. } = &mut self.k[stage];
         self.matrix.coils.increments(system, &self.here.frame, kappa, (phi, v, &self.r));
+    }
+
+    /// What brakes hold does not move at all: rounding that adds up would decide which rope a drum pays out first as it
+    /// lets go.
+    fn keep_at_rest(&mut self, state: &State, stage: usize) {
+        for &(row, dof) in &self.resting {
+            if state.modes[row] == Mode::Acting && state.v[dof] == 0.0 {
+                let k = &mut self.k[stage];
+                (k.phi[dof], k.v[dof], k.a[dof]) = (0.0, 0.0, 0.0);
+            }
+        }
     }
 
     /// The stage's increment of the anchors of sliding contacts.
@@ -230,4 +245,12 @@ impl Rodas {
             memory.answer(kappa, &tangent.motion(Some(phi), &self.x), past);
         }
     }
+}
+
+/// Brakes of a flow or joint by itself, beside those of motors, which may be driven, and of light sheaves, whose flows
+/// follow from lengths.
+fn resting(system: &System) -> Vec<(usize, usize)> {
+    let is_motor = |row: usize| system.motors.iter().any(|(other, _)| *other == row);
+    let alone = system.exerting_brakes().filter(|(row, brake)| brake.spin.is_none() && !is_motor(*row));
+    alone.map(|(row, brake)| (row, brake.dof)).collect()
 }
