@@ -60,11 +60,11 @@ def test_a_report_stands_beside_its_recording_or_where_it_is_wanted(tmp_path: Pa
 
 def test_what_is_no_recording_gets_one_sentence(tmp_path: Path) -> None:
     (tmp_path / "text.nc").write_text("no recording")
-    for verb in ("report", "view"):
+    for verb, of_folder in (("report", "is no recording"), ("view", "a lift file or its folder is needed")):
         for asked, words in (
             (tmp_path / "nothing.nc", "nothing.nc"),
             (tmp_path / "text.nc", "text.nc"),
-            (tmp_path / "folder", "is no recording"),
+            (tmp_path / "folder", of_folder),
         ):
             result = says(verb, asked)
             assert result.exit_code == 2, result.output

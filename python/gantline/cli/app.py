@@ -37,6 +37,7 @@ _CALLED = (
     ("'gantline check LIFT' looks a lift file over", "validate verify"),
     ("'gantline cad FILE' reads CAD files", "import"),
     ("'gantline view RECORDING' shows a result", "open play show"),
+    ("'gantline view LIFT' shows the report of a lift file, anew at each save", "watch preview edit"),
     ("'gantline export RECORDING FILE' writes pictures, films and tables", "animate convert film plot"),
     ("'gantline new FOLDER' starts a lift file", "create init"),
     ("'gantline new -h' names the lifts that come with gantline", "examples list scenarios"),

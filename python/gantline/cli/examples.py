@@ -70,7 +70,10 @@ EXAMPLES: dict[str, tuple[tuple[str, str], ...]] = {
         ("gantline report results/mylift", "the report beside its recording, made anew"),
         ("gantline report results/mylift/recording.nc -o lift.html", "somewhere else"),
     ),
-    "view": (("gantline view results/mylift", "in the browser, and again when it changes"),),
+    "view": (
+        ("gantline view mylift", "while you write it: the report, anew at each save"),
+        ("gantline view results/mylift", "of what has been run, and again when it changes"),
+    ),
     "export": (
         ("gantline export results/mylift lift.glb", "for Blender"),
         ("gantline export results/mylift t.csv --variable rope_tension", "for spreadsheets"),

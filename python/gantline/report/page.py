@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -28,7 +29,7 @@ from gantline.report.tables import Checks, Energy, Equalizers, LiftFile
 from gantline.results.file.saved import Beside, beside_of, read_beside
 from gantline.results.recording import Recording, recorded
 from gantline.units import DIMENSIONS
-from gantline.viewer import bundle, pack
+from gantline.viewer import Packed, bundle, pack
 from gantline.viewer.inline import json_for_script, policy, script_is_safe
 
 #: Sections in the order of the report.
@@ -67,13 +68,16 @@ _BEFORE_UNIT = re.compile(rf"(?<=[0-9_]) (?=(?:{_UNITS})(?![\w/^]))")
 _STYLES = ("report.css", "first_page.css", "narrow.css", "print.css")
 
 
-def render_report(recording: Recording, *, beside: Beside | None = None, reload_from: str = "") -> str:
+def render_report(
+    recording: Recording, *, beside: Beside | None = None, reload_from: str = "", notice: str = ""
+) -> str:
     """The report of a recording as HTML.
 
     Args:
         recording: Any recording.
         beside: Equilibrium, cases and seas of the same lift, where they are known.
         reload_from: Where a served page asks whether the recording has changed; empty for a file.
+        notice: What stands above all of it, line by line as given; nothing if empty.
 
     Returns:
         A page that reads nothing from elsewhere.
@@ -86,7 +90,21 @@ def render_report(recording: Recording, *, beside: Beside | None = None, reload_
         raise ValueError(
             "this recording has no samples to show: its run has not begun, or failed in its first step"
         )
-    return _rendered(Subject(recording, beside), SECTIONS, reload_from=reload_from)
+    return _rendered(Subject(recording, beside), SECTIONS, reload_from=reload_from, notice=notice)
+
+
+def render_notice(title: str, notice: str, *, reload_from: str) -> str:
+    """A served page that has nothing to show yet, and says why.
+
+    Args:
+        title: What the page is called.
+        notice: What it says, line by line as given.
+        reload_from: Where it asks whether there is something now.
+
+    Raises:
+        BundleMissing: If the player is not built in this installation.
+    """
+    return _page(title, sections=(), packed=None, reload_from=reload_from, notice=notice)
 
 
 def render_live(recording: Recording) -> str:
@@ -103,11 +121,13 @@ def render_live(recording: Recording) -> str:
 
 
 def _rendered(
-    subject: Subject, wanted: tuple[Section, ...], *, reload_from: str = "", live_from: str = ""
+    subject: Subject,
+    wanted: tuple[Section, ...],
+    *,
+    reload_from: str = "",
+    live_from: str = "",
+    notice: str = "",
 ) -> str:
-    program = bundle()
-    if not script_is_safe(program.script):
-        raise ValueError("the player's program holds an end of a script element")
     packed = pack(subject.recording)
     environment = _environment()
     sections = []
@@ -116,16 +136,40 @@ def _rendered(
         if content is not None:
             html = environment.get_template(section.template).render(section=section, **content)
             sections.append({"anchor": section.anchor, "title": section.title, "html": Markup(html)})
+    return _page(
+        _title(subject),
+        sections=sections,
+        packed=packed,
+        reload_from=reload_from,
+        live_from=live_from,
+        notice=notice,
+    )
+
+
+def _page(
+    title: str,
+    *,
+    sections: Sequence[Mapping[str, str]],
+    packed: Packed | None,
+    reload_from: str = "",
+    live_from: str = "",
+    notice: str = "",
+) -> str:
+    program = bundle()
+    if not script_is_safe(program.script):
+        raise ValueError("the player's program holds an end of a script element")
     style = f"{program.style}\n{_style()}"
-    return environment.get_template("page.html").render(
-        title=_title(subject),
-        rig=subject.rig,
-        policy=policy([program.script], [style], connect="'self'" if reload_from or live_from else "'none'"),
+    connect = "'self'" if reload_from or live_from else "'none'"
+    template = _environment().get_template("page.html")
+    return template.render(
+        title=title,
+        policy=policy([program.script], [style], connect=connect),
         style=Markup(style),
         script=Markup(program.script),
-        header=Markup(json_for_script(packed.header_text())),
-        data=Markup(packed.data_text()),
+        header=None if packed is None else Markup(json_for_script(packed.header_text())),
+        data=None if packed is None else Markup(packed.data_text()),
         sections=sections,
+        notice=notice,
         reload_from=reload_from,
         live_from=live_from,
     )

@@ -21,7 +21,7 @@ from gantline.scenario.gear import SlingDefaults
 from gantline.scenario.mechanics import Mechanics
 from gantline.scenario.model import Scenario
 
-__all__ = ["FILE_NAME", "load_scenario", "parse_scenario"]
+__all__ = ["FILE_NAME", "lift_file", "load_scenario", "parse_scenario"]
 
 #: Name of the lift file in a folder that stands for a lift.
 FILE_NAME = "scenario.yaml"
@@ -40,6 +40,18 @@ def load_scenario(path: str | Path) -> Scenario:
 
     Raises:
         ScenarioError: with every problem that was found, each with line, path and what would be right.
+        TypeError: if it is no path.
+    """
+    file = lift_file(path)
+    source = str(file)
+    return parse_scenario(read_text(file, source), source)
+
+
+def lift_file(path: str | Path) -> Path:
+    """The file that a lift is read from: itself, the ``scenario.yaml`` of a folder, or of one of `shipped`.
+
+    Raises:
+        ScenarioError: if it cannot be one; whether it can be read is not looked at.
         TypeError: if it is no path.
     """
     if not isinstance(path, (str, PathLike)):
@@ -64,9 +76,8 @@ def load_scenario(path: str | Path) -> Scenario:
             )
             sentence = f"is a folder {holds}; {right}"
             raise ScenarioError(str(file), [Problem(None, "", sentence)])
-        file = file / FILE_NAME
-    source = str(file)
-    return parse_scenario(read_text(file, source), source)
+        return file / FILE_NAME
+    return file
 
 
 def parse_scenario(text: str | Mapping[str, Any], source: str | None = None) -> Scenario:
