@@ -82,7 +82,7 @@ def test_the_tables_of_keys_say_how_quantities_are_written(monkeypatch: pytest.M
 def test_verbs_that_show_a_recording_name_all_that_is_shown_beside_it() -> None:
     text = page("reference/command_line.md")
     for verb in ("report", "view"):
-        section = text.split(f"## `gantline {verb} RECORDING`\n")[1].split("\n## ")[0]
+        section = text.split(f"\n## `gantline {verb} ")[1].split("\n## ")[0]
         assert [name for name in FILES_BESIDE if f"`{name}`" not in section] == [], verb
 
 

@@ -121,7 +121,7 @@ class _Page:
         self._making = threading.Lock()
 
     def try_out(self, address: str) -> None:
-        """Make the page; what is wrong ends the program. Of a large recording a line says where it will be."""
+        """Make the page; what is wrong ends the program. Of a large recording a line says where it is."""
         from gantline.viewer import BundleMissing
 
         size = self._file.stat().st_size if self._file.is_file() else 0
