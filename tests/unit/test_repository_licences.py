@@ -106,13 +106,12 @@ def test_packages_of_the_player_have_permissive_licences(licences: Any) -> None:
 def licence_of(name: str) -> str:
     """SPDX expression of an installed package."""
     data = metadata.metadata(name)
-    expression = data.get("License-Expression")
-    if expression:
-        return str(expression)
+    if "License-Expression" in data:
+        return str(data["License-Expression"])
     said = [line.split(" :: ")[-1] for line in data.get_all("Classifier") or [] if line.startswith("License")]
     if said:
         return " AND ".join(CLASSIFIERS.get(line, f"'{line}'") for line in said)
-    return str(data.get("License"))
+    return str(data["License"]) if "License" in data else "None"
 
 
 def needed(names: list[str]) -> Iterator[str]:
