@@ -133,13 +133,13 @@ def test_how_a_margin_is_said(run: Recording) -> None:
 def test_what_it_says_is_what_was_recorded(run: Recording) -> None:
     """Of samples at which the load is clear; the other end of the stroke is 3 m away. 70 t hang from it.
 
-    Friction holds the rod from then on.
+    Friction holds the rod where it has come out the most.
     """
     phc = run.rig.compensators[0]
     out = run.column("rod_out", "PHC")
     clear = (run["contact_force"].values == 0.0).all(axis=1)
     least, most, last = out[clear].min(), out[clear].max(), out[-1]
-    assert out[0] < least == last == most
+    assert least < last == most
     assert run.metrics()["least_rod_out.PHC"] == least
     assert run.metrics()["largest_rod_out.PHC"] == most
     assert run.metrics()["stroke_margin.PHC"] == pytest.approx(min(least, 3.0 - most) / 3.0, rel=1e-12)
