@@ -220,6 +220,14 @@ impl Timeline {
         (course.0 + added.0 + led.0 + by_waves, course.1 + added.1 + led.1 + jerk)
     }
 
+    /// True where it stands still from `time` [s] to the next break.
+    pub fn rests(&self, time: f64) -> bool {
+        let stands = |course: &Course| {
+            course.motion(time).velocity == 0.0 && course.acceleration(time, time) == (0.0, 0.0)
+        };
+        self.waves.is_none() && [&self.course, &self.added, &self.along].into_iter().all(stands)
+    }
+
     /// The next time after `time` [s] at which a ramp starts or ends, or waves have grown.
     pub fn next_break(&self, time: f64) -> f64 {
         let grown = self.waves.as_ref().map(|waves| waves.rise_time).filter(|&at| at > time);

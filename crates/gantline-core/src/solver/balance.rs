@@ -258,14 +258,19 @@ impl Balance {
     pub fn begin(&mut self, system: &System, gradient: &[f64], modes: &mut [Mode], brakes: &mut [Holding]) {
         let first_brake = system.first_brake_row();
         for (light, rope) in system.light.iter().zip(&mut self.ropes) {
-            let modes = &mut modes[light.rows.clone()];
-            if modes.contains(&Mode::Acting) && modes.contains(&Mode::Slack) {
-                modes.fill(Mode::Acting);
+            let spans = &mut modes[light.rows.clone()];
+            if spans.contains(&Mode::Acting) && spans.contains(&Mode::Slack) {
+                spans.fill(Mode::Acting);
             }
             for (index, row) in light.rows.clone().enumerate() {
                 let flow = light.dofs[index.min(light.dofs.len() - 1)];
                 let supply = system.rows.entries(gradient, row).find(|(dof, _)| *dof == flow);
                 rope.per_supply[index] = supply.map_or(1.0, |(_, supply)| supply.abs().recip());
+            }
+            // The search starts from what the state knows, as after a restore: the same bytes.
+            for (way, &row) in rope.division.slips.way.iter_mut().zip(&light.brakes) {
+                let towards = brakes[row - first_brake].way;
+                *way = if modes[row] == Mode::Slipping { if towards > 0.0 { 1 } else { -1 } } else { 0 };
             }
             for (row, ratio) in light.brakes.iter().zip(&light.ratio) {
                 for (span, weight) in &mut brakes[row - first_brake].pressed {

@@ -52,7 +52,8 @@ impl Holding {
         });
         let speed = state.v[brake.dof];
         let (dof, is_alone) = (brake.dof, brake.spin.is_none());
-        let mut holding = Self { row, dof, is_alone, asked, speed, way: state.memory[row], ..Self::default() };
+        let mut holding =
+            Self { row, dof, is_alone, asked, speed, way: state.memory[row], ..Self::default() };
         if let Some(held) = timeline.and_then(|timeline| timeline.braked(state.time)) {
             holding.capacity = [held; 2];
             return holding;

@@ -222,7 +222,11 @@ impl Del {
                 self.bias.update(&system.tree, &frame.kinematics, &self.middle, None, None, &mut self.c);
             });
             let change = distance(&self.c, &self.previous);
-            if round > 0 && change <= BIAS_TOLERANCE * largest(&self.c) {
+            // Where nothing weighs along the joints c may be rounding of its terms alone: less than that of momentum.
+            let momenta =
+                self.v.iter().zip(&system.tree.inertia_scale).map(|(v, inertia)| (v * inertia).abs());
+            let rounding = f64::EPSILON * momenta.fold(0.0, f64::max) / h;
+            if round > 0 && change <= rounding.max(BIAS_TOLERANCE * largest(&self.c)) {
                 settled = true;
                 break;
             }

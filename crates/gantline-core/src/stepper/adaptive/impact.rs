@@ -219,6 +219,12 @@ impl Adaptive {
         self.rate.phi.fill(0.0);
         self.rate.a.fill(0.0);
         system.clock.time(Stage::Solution, || matrix.solve(&self.rate.phi, &self.rows, &mut self.rate.a));
+        // What they hold they hold exactly: rounding of each step would add up.
+        for (row, brake) in brakes(system).filter(|(_, brake)| brake.spin.is_none()) {
+            if state.modes[row] == Mode::Acting {
+                self.rate.a[brake.dof] = 0.0;
+            }
+        }
         Ok(())
     }
 

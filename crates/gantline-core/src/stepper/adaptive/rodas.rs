@@ -90,8 +90,8 @@ pub struct Rodas {
     slid: Vec<f64>,
     /// What is known of k^z.
     recalled: Vec<f64>,
-    /// Rows and degrees of freedom of brakes that hold these alone, and at rest.
-    resting: Vec<(usize, usize)>,
+    /// Rows and degrees of freedom of brakes that hold these alone, and at rest; of motors their drives.
+    resting: Vec<(usize, usize, Option<usize>)>,
     /// ∂τ/∂t at the start of the step, by waves alone; empty without any.
     over_time: Vec<f64>,
     /// Right sides of (AD3), of degrees of freedom and of rows, and x.
@@ -214,8 +214,9 @@ impl Rodas {
     /// What brakes hold does not move at all: rounding that adds up would decide which rope a drum pays out first as it
     /// lets go.
     fn keep_at_rest(&mut self, state: &State, stage: usize) {
-        for &(row, dof) in &self.resting {
-            if state.modes[row] == Mode::Acting && state.v[dof] == 0.0 {
+        for &(row, dof, drive) in &self.resting {
+            let is_driven = drive.is_some_and(|drive| !state.plan.timelines[drive].rests(state.time));
+            if state.modes[row] == Mode::Acting && state.v[dof] == 0.0 && !is_driven {
                 let k = &mut self.k[stage];
                 (k.phi[dof], k.v[dof], k.a[dof]) = (0.0, 0.0, 0.0);
             }
@@ -247,10 +248,9 @@ impl Rodas {
     }
 }
 
-/// Brakes of a flow or joint by itself, beside those of motors, which may be driven, and of light sheaves, whose flows
-/// follow from lengths.
-fn resting(system: &System) -> Vec<(usize, usize)> {
-    let is_motor = |row: usize| system.motors.iter().any(|(other, _)| *other == row);
-    let alone = system.exerting_brakes().filter(|(row, brake)| brake.spin.is_none() && !is_motor(*row));
-    alone.map(|(row, brake)| (row, brake.dof)).collect()
+/// Brakes and motors of a flow or joint by itself, beside those of light sheaves, whose flows follow from lengths.
+fn resting(system: &System) -> Vec<(usize, usize, Option<usize>)> {
+    let alone = system.exerting_brakes().filter(|(_, brake)| brake.spin.is_none());
+    let drive = |row: usize| system.motors.iter().find(|(other, _)| *other == row).map(|&(_, drive)| drive);
+    alone.map(|(row, brake)| (row, brake.dof, drive(row))).collect()
 }
