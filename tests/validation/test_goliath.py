@@ -278,8 +278,8 @@ def test_losses_leave_the_residual_of_the_closed_form() -> None:
         assert carried / carried.mean() == pytest.approx(pairs / pairs.mean(), rel=1e-3)
 
 
-def test_what_the_lower_hook_bears_of_a_block_that_is_turned() -> None:
-    """Moments about the lugs that stay, of the block of the guide: (a cos + b sin)/(l cos + h sin) of 450 t.
+def test_what_the_lower_hook_bears_of_a_ship_block_that_is_turned() -> None:
+    """By moments about the lugs that stay (a cos + b sin)/(l cos + h sin) of the 450 t of the ship block.
 
     It bears nothing from where the centre of gravity is plumb below these, tan = a/-b.
     """
