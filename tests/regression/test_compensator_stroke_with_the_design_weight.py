@@ -17,7 +17,7 @@ from gantline.scenario import parse_scenario
 from gantline.statics import Statics
 from lift_text import changed
 from of_recording import checks_of
-from shown import ROOT, lift_on
+from shown import ROOT, lift_on, unsaid
 
 TEXT = lift_on(ROOT / "docs" / "concepts" / "compensator.md", "A manifold under a passive compensator")
 #: Stroke [m], pulls of the gas at both ends of it [N], exponent, and the column of gas by (PC2) [m].
@@ -50,7 +50,10 @@ def out(mass: float) -> float:
 
 def test_a_limit_between_both_is_a_warning() -> None:
     """1.32 m out of 70 t, 2.00 m of 77 t, of 3 m: 44 % from the inner stop, 33 % from the outer one."""
-    assert out(77.0) - out(70.0) == pytest.approx(0.68, abs=0.01)
+    farther = out(77.0) - out(70.0)
+    assert farther == pytest.approx(0.68, abs=0.01)
+    said = f"by (PC1): {farther:.2f} m of 3 m for a tenth more of the 70 t above"
+    assert unsaid("docs/concepts/compensator.md", said) == []
     recording = lift(70.0, 1.1, "40 %")
     # What stands for the gas has chords, 1e-4 of the pull, which is 0.8 mm.
     assert float(recording.column("rod_out", "PHC")[-1]) == pytest.approx(out(70.0), abs=1e-3)

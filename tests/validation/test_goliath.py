@@ -276,3 +276,24 @@ def test_losses_leave_the_residual_of_the_closed_form() -> None:
         # Two parts carry a sling with its moving sheave, 300 kg, and half of the sling, 90 kg: 0.1 %.
         carried = np.array(upright) + 300 * G
         assert carried / carried.mean() == pytest.approx(pairs / pairs.mean(), rel=1e-3)
+
+
+def test_what_the_lower_hook_bears_of_a_ship_block_that_is_turned() -> None:
+    """By moments about the lugs that stay (a cos + b sin)/(l cos + h sin) of the 450 t of the ship block.
+
+    It bears nothing from where the centre of gravity is plumb below these, tan = a/-b.
+    """
+    a, b, length, height = 12.9, -0.5, 23.4, 6.4
+    shares = [
+        450
+        * (a * math.cos(turned) + b * math.sin(turned))
+        / (length * math.cos(turned) + height * math.sin(turned))
+        for turned in np.radians([0.0, 30.0, 60.0])
+    ]
+    alone = math.degrees(math.atan2(a, -b))
+    said = (
+        f"these are {shares[0]:.0f} t level, {shares[1]:.0f} t at 30° and {shares[2]:.0f} t at 60°; "
+        f"the two others bear all of it from {alone:.1f}° on"
+    )
+    assert [round(share) for share in shares] == [248, 209, 157]
+    assert unsaid("docs/guides/goliath.md", said) == []

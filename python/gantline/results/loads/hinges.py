@@ -150,7 +150,9 @@ def hinge_moments_kept(pulled: Columns, names: Names, rig: Rig) -> dict[str, Var
     count = 2 * len(rig.hinges)
     if not count or len(pulled["time"]) < count:
         return {}
-    columns, names = hinge_columns(pulled, names, rig)
+    # Names have events that are found in samples too, such as `too_close`: moments have none of their own.
+    moments = {name: column for name, column in pulled.items() if name != "event_time"}
+    columns, names = hinge_columns(moments, names, rig)
     borne = {name: columns[name][-count:] for name in ("hinge_push", "hinge_moment")}
     state, _ = hinge_state(borne, names, rig)
     time = Variable(("hinge_peak",), pulled["time"][-count:], "s", "when hinges bore most, over all steps")
