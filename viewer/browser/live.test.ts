@@ -35,6 +35,7 @@ describe("a lift that runs", () => {
     // Who listens is told that it runs, not how far it is, ten times a second.
     const heard = await page.locator(".gl-live").ariaSnapshot();
     expect(heard).toBe("- status: The lift is being simulated");
+    await page.evaluate(() => globalThis.gantlinePage!.session.pin("sling.S1"));
     lookedAt();
     await page.waitForFunction(
       () => document.querySelector(".gl-live")?.getAttribute("data-ended") === "done",
@@ -60,6 +61,26 @@ describe("a lift that runs", () => {
     for (const [place, part] of last.path.entries())
       expect(Math.abs(part - recorded[place]!)).toBeLessThan(1e-6);
     expect(await page.locator(".gl-slider").getAttribute("max")).toBe(String(found.end));
+    // What is told of peaks is that of all that has been recorded, not of what there was when the page was opened.
+    const told = await page.evaluate(() => {
+      const { player, session } = globalThis.gantlinePage!;
+      const { ropes, lugs } = session.lift.header;
+      const peaks = ropes
+        .filter((rope) => lugs.some((lug) => lug.rope === rope.name))
+        .map((rope) => rope.peak);
+      const { peak, peakTime } = ropes.find((rope) => rope.name === "sling.S1")!;
+      return {
+        most: `at most ${(peak / 1e3).toFixed(1)} kN at ${peakTime.toFixed(2)} s`,
+        pinned: document.querySelector(".gl-pinned-head .gl-quiet")!.textContent,
+        inWords: document.querySelector(".gl-pinned .gl-plot")!.getAttribute("aria-label"),
+        curve: `to ${(peak / 1e3).toFixed(1)} kN`,
+        scale: player!.stage!.world.arrows.largest,
+        largest: Math.max(...peaks),
+      };
+    });
+    expect(told.pinned).toContain(told.most);
+    expect(told.inWords).toContain(told.curve);
+    expect(told.scale).toBe(told.largest);
     expect(troubles).toEqual([]);
     await page.close();
   });

@@ -49,6 +49,17 @@ describe("a curve", () => {
     expect([curve.isKnownAt(-1), curve.isKnownAt(0), curve.isKnownAt(9)]).toEqual([false, true, false]);
   });
 
+  it("has no value in a gap, which no number begins, and goes on behind it", () => {
+    const samples = Uint32Array.of(0, 1, 2, 4);
+    const values = Float32Array.of(2, 4, Number.NaN, 1);
+    const broken = new Curve({ ...entry, first: 0, count: 4 }, time, samples, values);
+    const known = [0.5, 1, 1.5, 2, 3.9, 4].map((when) => broken.isKnownAt(when));
+    expect(known).toEqual([true, true, false, false, false, true]);
+    expect([broken.at(0.5), broken.at(1), broken.at(4)]).toEqual([3, 4, 1]);
+    expect([broken.lastUpTo(0.5), broken.lastUpTo(3), broken.lastUpTo(4)]).toEqual([3, 4, 1]);
+    expect([broken.least, broken.largest]).toEqual([1, 4]);
+  });
+
   it("is highest where all steps say so, else where its samples do", () => {
     expect(curve.top).toEqual([4, 1]);
     const finer = { ...entry, peak: [4.5, 0.7] as [number, number] };

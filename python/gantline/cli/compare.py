@@ -205,7 +205,35 @@ def _simulate(side: _Side, folder: Path) -> None:
     assert side.recording is not None
     file = folder / f"{side.letter.lower()}.nc"
     with writing(file):
+        if side.letter == "A":
+            _remove_earlier(folder)
         side.recording.save(file)
+
+
+def _remove_earlier(folder: Path) -> None:
+    """Remove what an earlier comparison left, but for what is of A: it would pass for that of the new one.
+
+    Raises:
+        OSError: If there is something that cannot be removed.
+    """
+    for name in _WRITTEN:
+        if not name.startswith("a."):
+            remove_file(folder / name)
+    if any(folder.glob("*.png")):
+        from gantline.plot.pictures import comparison_picture_files
+
+        for name in comparison_picture_files(_loads_before(folder)):
+            remove_file(folder / name)
+
+
+def _loads_before(folder: Path) -> list[str]:
+    """Loads of the recording of A that is there; none of one that cannot be read."""
+    from gantline.results.file.netcdf import load_rig
+
+    try:
+        return [load.name for load in load_rig(folder / "a.nc").loads]
+    except (FileNotFoundError, ValueError):
+        return []
 
 
 def _compare(sides: list[_Side], folder: Path) -> Comparison:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shlex
 import textwrap
+from contextlib import suppress
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -63,12 +64,31 @@ def new(
         for path in (folder / FILE_NAME, *(folder / path.name for path in beside)):
             if path.exists():
                 stop(f"{path}: exists already; nothing was written")
-        folder.mkdir(parents=True, exist_ok=True)
-        for path, content in files.items():
-            replace_bytes(path, content)
+        _write(folder, files)
     for path in files:
         typer.echo(path)
     typer.echo(f"Next: gantline run {shlex.quote(str(folder))}")
+
+
+def _write(folder: Path, files: dict[Path, bytes]) -> None:
+    """Write all files or none: a lift file without what belongs to it would be taken for the user's own.
+
+    Raises:
+        OSError: If one of them cannot be written.
+    """
+    made = [path for path in (folder, *folder.parents) if not path.exists()]
+    new = [path for path in files if not path.exists()]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for path, content in files.items():
+            replace_bytes(path, content)
+    except BaseException:
+        for path in new:
+            path.unlink(missing_ok=True)
+        with suppress(OSError):  # others may have put something there meanwhile
+            for path in made:
+                path.rmdir()
+        raise
 
 
 def _shipped(name: str) -> tuple[str, list[Path]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TypeVar
@@ -47,6 +47,12 @@ _WIDE, _THIN = 3.0, 1.1
 _MILLIMETRES = (1e-3, "mm")
 _DEGREES = (float(np.radians(1.0)), "deg")
 _PALE = 0.5  # share of white in a curve of A
+
+
+def comparison_names(loads: Iterable[str]) -> list[str]:
+    """Names of all pictures that a comparison of lifts with these loads may have."""
+    kinds = ["sling_tension", "rope_tension", "hook_load", "hinge_force", "motion", "load_motion"]
+    return [f"compare_{kind}" for kind in (*kinds, *(f"load_motion_{name}" for name in loads))]
 
 
 def comparison_figures(comparison: Comparison) -> Iterator[tuple[str, Figure]]:

@@ -15,7 +15,7 @@ from PIL.Image import Image, fromarray
 
 from gantline.arguments import needed, path_of
 from gantline.plot import by_equalizer, traces, views
-from gantline.plot.comparison import comparison_figures
+from gantline.plot.comparison import comparison_figures, comparison_names
 from gantline.plot.energy import energy
 from gantline.plot.style import RC
 from gantline.plot.vessels import vessels
@@ -87,6 +87,11 @@ def save_pictures(recording: Recording, directory: str | Path) -> list[Path]:
         OSError: If they cannot be written there.
     """
     return write_pictures(figures(recording), directory)
+
+
+def comparison_picture_files(loads: Iterable[str]) -> list[str]:
+    """Names of all files that pictures of a comparison of lifts with these loads may have."""
+    return [f"{name}.png" for name in comparison_names(loads)]
 
 
 def save_comparison_pictures(comparison: Comparison, directory: str | Path) -> list[Path]:

@@ -69,6 +69,26 @@ def faithful(time: FloatArray, values: FloatArray, kept: Places, off: float, mos
     return kept
 
 
+def with_gaps(values: FloatArray, kept: Places, *, goes_on: bool = False) -> Places:
+    """Samples of a curve with those at which it ends and begins again, so that no line leads over a gap.
+
+    Args:
+        values: Shape (time,); where one is no number, the curve has no value.
+        kept: Those of its samples that are kept, increasing, each with a value.
+        goes_on: Whether there were values before, of a curve that is packed in parts.
+
+    Returns:
+        Increasing indices into `values`: of each gap the first sample, and those with values on both sides.
+    """
+    known = np.isfinite(values)
+    edges = np.flatnonzero(known[1:] != known[:-1])
+    ends = edges[known[edges]]
+    gaps = ends + 1
+    if goes_on and len(known) and not known[0]:
+        gaps = np.append(gaps, 0)
+    return np.unique(np.concatenate([kept, ends, gaps, edges[~known[edges]] + 1]))
+
+
 def _extremes(values: FloatArray, edges: Places) -> Places:
     known = np.where(np.isnan(values), -np.inf, values)
     begins = edges[:-1]

@@ -29,7 +29,7 @@ from gantline.results.surroundings import ground_of, structures_of, water_level
 from gantline.results.variable import FloatArray
 from gantline.viewer.arrays import Arrays
 from gantline.viewer.curves import curves
-from gantline.viewer.decimate import Places, faithful, frames, peaks
+from gantline.viewer.decimate import Places, faithful, frames, peaks, with_gaps
 from gantline.viewer.shapes import packed_shape, vector
 from gantline.viewer.turning import natural_lengths, sheave_angles
 
@@ -309,7 +309,6 @@ def _curves(recording: Recording, since: int, arrays: Arrays) -> list[dict[str, 
     buckets = int(np.clip(_CURVE_POINTS // (4 * max(len(every), 1)), 100, 500))
     values = [curve.values[since:] for curve in every]
     time, share = recording.time[since:], _CURVE_POINTS // max(len(every), 1)
-    # A distance ends where the ropes that it is about have parted.
     places = [faithful(time, one, peaks(one, buckets), _CURVE_OFF, share) for one in values]
     # What others leave of their share is for those that it was too small for.
     short = [number for number, at in enumerate(places) if len(at) >= share]
@@ -317,6 +316,8 @@ def _curves(recording: Recording, since: int, arrays: Arrays) -> list[dict[str, 
     for number in short:
         most = len(places[number]) + left // len(short)
         places[number] = faithful(time, values[number], places[number], _CURVE_OFF, most)
+    # A distance ends where the ropes that it is about have parted, a spread where the load stands again.
+    places = [with_gaps(one, at, goes_on=since > 0) for one, at in zip(values, places, strict=True)]
     bounds = np.concatenate([[0], np.cumsum([len(one) for one in places])])
     arrays.plain("curve_sample", np.concatenate(places) if places else [], "u4")
     kept = [one[at] * curve.factor for curve, one, at in zip(every, values, places, strict=True)]

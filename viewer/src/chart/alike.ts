@@ -60,7 +60,7 @@ function hides(
   ] as const)
     for (let place = one.before(begin); place < one.times.length && one.times[place]! <= end; place++) {
       const time = one.times[place]!;
-      if (time < begin) continue;
+      if (time < begin || Number.isNaN(one.values[place]!)) continue;
       count += 1;
       if (!two.isKnownAt(time)) continue;
       const off = Math.abs(y(one.values[place]!) - y(two.at(time)));

@@ -35,7 +35,7 @@ export class Chart {
   private readonly lines = svg("g", { fill: "none" });
   private readonly brush = svg("rect", { class: "gl-brush" });
   private readonly marks = svg("g", {});
-  private readonly families: Family[];
+  private families: Family[];
   /** Curves that share colours, and with whom; each has one of its own where there are enough. */
   private readonly areMany: boolean;
   private readonly cursors: Cursors;
@@ -59,7 +59,7 @@ export class Chart {
     this.height = spec.height ?? 260;
     const every = spec.groups.flatMap((group) => session.lift.group(group));
     this.curves = spec.only === undefined ? every : every.filter((curve) => curve.entry.name === spec.only);
-    this.families = familiesOf(this.curves, spec.extreme ?? "largest");
+    this.families = this.sorted();
     this.areMany = this.curves.length > COLOURS;
     this.legend = new Legend(session, this.curves, this.families, spec);
     const dots = this.areMany ? [] : this.curves;
@@ -92,6 +92,18 @@ export class Chart {
   remove(): void {
     for (const end of this.ends) end();
     this.root.replaceChildren();
+  }
+
+  private sorted(): Family[] {
+    return familiesOf(this.curves, this.spec.extreme ?? "largest");
+  }
+
+  /** More has been recorded: other curves may count most now, and come to more. */
+  private takeMore(): void {
+    this.families = this.sorted();
+    this.legend.tellExtremes(this.families);
+    set(this.svg, { "aria-label": this.inWords() });
+    this.draw();
   }
 
   /** What the plot shows, for those who cannot see it. */
@@ -209,8 +221,13 @@ export class Chart {
     const first = Math.max(0, curve.before(begin));
     const last = Math.min(curve.times.length - 1, curve.before(end) + 1);
     let way = "";
-    for (let place = first; place <= last; place++)
-      way += `${place === first ? "M" : "L"}${this.x(curve.times[place]!).toFixed(1)} ${this.y(curve.values[place]!).toFixed(1)}`;
+    let pen = "M";
+    for (let place = first; place <= last; place++) {
+      const value = curve.values[place]!;
+      if (!Number.isNaN(value))
+        way += `${pen}${this.x(curve.times[place]!).toFixed(1)} ${this.y(value).toFixed(1)}`;
+      pen = Number.isNaN(value) ? "M" : "L";
+    }
     const pinned = this.session.pinned;
     const mine = pinned === curve.entry.name;
     // Curves that lie upon each other: the first is the widest.
@@ -248,8 +265,9 @@ export class Chart {
   private listen(): void {
     for (const topic of ["time", "hover", "play"] as const)
       this.ends.push(this.session.on(topic, () => this.mark()));
-    for (const topic of ["span", "pin", "hidden", "data"] as const)
+    for (const topic of ["span", "pin", "hidden"] as const)
       this.ends.push(this.session.on(topic, () => this.draw()));
+    this.ends.push(this.session.on("data", () => this.takeMore()));
     this.svg.addEventListener("pointermove", (event) => this.onMove(event));
     this.svg.addEventListener("pointerleave", () => this.leave());
     this.svg.addEventListener("pointerdown", (event) => {

@@ -18,6 +18,8 @@ export class Legend {
   private readonly values: HTMLElement[] = [];
   private readonly buttons: HTMLButtonElement[] = [];
   private readonly texts: string[] = [];
+  /** Of each family in a row of its own what its curves come to. */
+  private readonly abouts: HTMLElement[] = [];
   private readonly pace = new Pace(READABLE);
   private readonly upon = element("span", { class: "gl-legend-family gl-quiet" });
 
@@ -25,7 +27,7 @@ export class Legend {
     private readonly session: Session,
     private readonly curves: Curve[],
     families: Family[],
-    spec: ChartSpec,
+    private readonly spec: ChartSpec,
   ) {
     this.root = element("div", {
       class: "gl-legend",
@@ -33,11 +35,12 @@ export class Legend {
       "aria-label": `Curves of ${spec.title}`,
     });
     const areMany = curves.length > COLOURS;
-    for (const { name, colour, members, extremes } of families) {
+    for (const { name, colour, members } of families) {
       const row = areMany ? element("div", { class: "gl-legend-family" }, swatch(colour)) : this.root;
       if (areMany) {
-        const about = extremes.map((index, place) => this.extreme(curves[index]!, spec, place));
-        row.append(element("strong", {}, name), element("span", { class: "gl-quiet" }, about.join(", ")));
+        const about = element("span", { class: "gl-quiet" });
+        this.abouts.push(about);
+        row.append(element("strong", {}, name), about);
         this.root.append(row);
       }
       // Of a family each curve has its colour, so that its name alone stands for it.
@@ -49,8 +52,17 @@ export class Legend {
         element("span", { class: "gl-legend-family" }, `and ${curves.length - MOST_SHOWN} more`),
       );
     this.root.append(this.upon);
+    this.tellExtremes(families);
     this.ends = (["hidden", "pin"] as const).map((topic) => session.on(topic, () => this.showPressed()));
     this.showPressed();
+  }
+
+  /** What the curves of each family come to; families as in the constructor. */
+  tellExtremes(families: Family[]): void {
+    this.abouts.forEach((about, place) => {
+      const { extremes } = families[place]!;
+      about.textContent = extremes.map((index, rank) => this.extreme(this.curves[index]!, rank)).join(", ");
+    });
   }
 
   /** Which curves lie upon each other, by the indices of each group. */
@@ -61,7 +73,8 @@ export class Legend {
   }
 
   /** What the curve that counts most comes to, and when. */
-  private extreme(curve: Curve, spec: ChartSpec, place: number): string {
+  private extreme(curve: Curve, place: number): string {
+    const { spec } = this;
     const isLargest = spec.extreme !== "smallest" && place === 0;
     const [value, time] = isLargest ? curve.top : [curve.least, curve.leastTime];
     const number = valueText(value, spec.unit, curve.top[0]);

@@ -26,7 +26,7 @@ export function endNames(families: Family[], curves: Curve[], paper: Paper): SVG
   const named = families.flatMap(({ colour, extremes }) =>
     extremes.map((index) => ({ colour, curve: curves[index]! })),
   );
-  const ends = named.map(({ curve }) => paper.y(curve.at(span[1])));
+  const ends = named.map(({ curve }) => paper.y(curve.lastUpTo(span[1])));
   const places = apart(ends, LINE, area.top + 4, area.bottom);
   return named.flatMap(({ colour, curve }, index) => {
     const [from, to] = [ends[index]!, places[index]!];

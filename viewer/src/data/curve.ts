@@ -1,4 +1,4 @@
-/** One series over time, decimated so that its peaks are there. */
+/** One series over time, decimated so that its peaks are there; no number is where a gap begins. */
 
 import type { CurveEntry } from "./format";
 
@@ -49,12 +49,21 @@ export class Curve {
     return lastNotAfter(this.times, time);
   }
 
-  /** Whether it has a value at a time: a spread has none before lift-off, a distance none once its rope has parted. */
+  /** Whether it has a value at a time: a spread has none while the load stands, a distance none once its rope has parted. */
   isKnownAt(time: number): boolean {
-    return time >= this.times[0]! && time <= this.times[this.times.length - 1]!;
+    const isWithin = time >= this.times[0]! && time <= this.times[this.times.length - 1]!;
+    return isWithin && !Number.isNaN(this.at(time));
   }
 
-  /** Value at a time, by straight lines; constant beyond the ends. */
+  /** The last value up to a time, beyond a gap too; no number before the first one. */
+  lastUpTo(time: number): number {
+    if (this.isKnownAt(time)) return this.at(time);
+    let place = this.before(time);
+    while (place > 0 && Number.isNaN(this.values[place]!)) place -= 1;
+    return this.values[place] ?? Number.NaN;
+  }
+
+  /** Value at a time, by straight lines; constant beyond the ends, no number in a gap. */
   at(time: number): number {
     const place = this.before(time);
     const begin = this.values[place] ?? Number.NaN;

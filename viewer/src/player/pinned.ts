@@ -9,6 +9,7 @@ import type { Session } from "./session";
 export class Pinned {
   readonly root = element("section", { class: "gl-pinned", hidden: true, "aria-label": "Pinned rope" });
   private readonly value = element("strong", { class: "gl-pinned-value" });
+  private readonly most = element("span", { class: "gl-quiet" });
   private chart: Chart | null = null;
   private text = "";
 
@@ -19,6 +20,7 @@ export class Pinned {
   ) {
     session.on("pin", () => this.show());
     session.on("time", () => this.showValue());
+    session.on("data", () => this.showMost());
   }
 
   private show(): void {
@@ -32,14 +34,12 @@ export class Pinned {
     if (!rope) return;
     const lug = this.session.lift.header.lugs.find((one) => one.rope === rope.name);
     const close = button("Let go of this rope", ICONS.close, () => this.session.pin(null));
-    const share = rope.used === null ? "" : `, ${shown(100 * rope.used, 1)} % of its minimum breaking force`;
-    const about = `at most ${forceText(rope.peak, rope.peak, 1)} at ${shown(rope.peakTime, 2)} s${share}`;
     const head = element(
       "div",
       { class: "gl-pinned-head" },
       element("span", { class: "gl-pinned-name" }, rope.name, lug ? ` at lug ${lug.name}` : ""),
       this.value,
-      element("span", { class: "gl-quiet" }, about),
+      this.most,
       close,
     );
     const holder = element("div", { class: "gl-pinned-plot" });
@@ -53,7 +53,16 @@ export class Pinned {
     };
     this.chart = new Chart(this.session, spec, holder);
     this.text = "";
+    this.showMost();
     this.showValue();
+  }
+
+  /** What it carries at most: of a lift that runs, so far. */
+  private showMost(): void {
+    const rope = this.session.lift.header.ropes.find((one) => one.name === this.session.pinned);
+    if (!rope) return;
+    const share = rope.used === null ? "" : `, ${shown(100 * rope.used, 1)} % of its minimum breaking force`;
+    this.most.textContent = `at most ${forceText(rope.peak, rope.peak, 1)} at ${shown(rope.peakTime, 2)} s${share}`;
   }
 
   private showValue(): void {

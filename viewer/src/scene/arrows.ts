@@ -11,7 +11,6 @@ const Z = new Vector3(0, 0, 1);
 export class Arrows {
   readonly mesh: InstancedMesh;
   private readonly slings: number[];
-  private readonly largest: number;
   private readonly rgb = new Float32Array(3);
 
   constructor(
@@ -22,11 +21,16 @@ export class Arrows {
     const { ropes, contacts, lugs } = lift.header;
     const held = new Set(lugs.map((lug) => lug.rope));
     this.slings = ropes.map((_, index) => index).filter((index) => held.has(ropes[index]!.name));
-    this.largest = Math.max(1, ...this.slings.map((index) => ropes[index]!.peak));
     const count = Math.max(1, contacts.length + this.slings.length);
     this.mesh = new InstancedMesh(arrowGeometry(), new MeshBasicMaterial(), count);
     this.mesh.frustumCulled = false;
     this.mesh.count = 0;
+  }
+
+  /** Largest force of a sling so far [N]: of a lift that runs it grows. */
+  get largest(): number {
+    const { ropes } = this.lift.header;
+    return this.slings.reduce((most, index) => Math.max(most, ropes[index]!.peak), 1);
   }
 
   update(palette: Palette, tensionScale: number): void {
