@@ -19,8 +19,8 @@ def test_pages_say_what_happens_without_compensation(tmp_path: Path) -> None:
     """The swell picks it up 2.3 s after it has touched, and drops it: speed, and forces that then act.
 
     It bounces before, so that twelve runs whose weights differ by 1e-9 to 1e-4 come down at 9.1 to
-    9.3 m/min; so do runs on different processors. Samples of 50 ms had 338 to 427 kN of what stools bear, over
-    all steps it is 486 kN in eight such runs, to 0.2 %. The guides of all had 552 kN.
+    9.3 m/min; so do runs on different processors. Of what stools bear samples of 50 ms had 338 to 427 kN;
+    over all steps it is 486 kN in eight such runs, to 0.2 %. The guides of all had 552 kN.
     """
     shutil.copytree(SCENARIO, tmp_path / "lift")
     file = tmp_path / "lift" / "scenario.yaml"
