@@ -157,6 +157,17 @@ def _equalizer_sling_cut(recording: Recording) -> list[str]:
     ]
 
 
+def _equalizer_yard(recording: Recording) -> list[str]:
+    hung = 100.0 * recording["load_transferred"].values[_during(recording, "hold point 1"), 0]
+    turned = np.degrees(recording.metrics()["peak_load_yaw"])
+    bent = max(values_of(recording, "rope_load_of_breaking_force").values())
+    return [
+        f"between {hung.min():.0f} and {hung.max():.0f} % at the first one",
+        f"by {turned:.0f}° at the end.",
+        f"slings use {100.0 * bent:.0f} % of their minimum breaking force",
+    ]
+
+
 def _floating_crane_and_crawlers(recording: Recording) -> list[str]:
     hooks = [recording.column("hook_load", name)[-1] / _G / 1e3 for name in ("fc.H2", "c1.H", "c2.H")]
     pressures = recording["ground_pressure"].values[-1] / 1e3
@@ -190,6 +201,7 @@ def _wind_turbine(recording: Recording) -> list[str]:
 _TOLD: dict[str, Callable[[Recording], list[str]]] = {
     "crane_barge_in_swell": _crane_barge_in_swell,
     "equalizer_sling_cut": _equalizer_sling_cut,
+    "equalizer_yard": _equalizer_yard,
     "floating_crane": _floating_crane,
     "floating_crane_and_crawlers": _floating_crane_and_crawlers,
     "goliath": _goliath,

@@ -19,8 +19,8 @@ def test_pages_say_what_happens_without_compensation(tmp_path: Path) -> None:
     """The swell picks it up 2.3 s after it has touched, and drops it: speed, and forces that then act.
 
     It bounces before, so that twelve runs whose weights differ by 1e-9 to 1e-4 come down at 9.1 to
-    9.3 m/min, and stools bear 338 to 427 kN; so do runs on different processors. The guides of all had
-    552 kN.
+    9.3 m/min; so do runs on different processors. Of what stools bear samples of 50 ms had 338 to 427 kN;
+    over all steps it is 486 kN in eight such runs, to 0.2 %. The guides of all had 552 kN.
     """
     shutil.copytree(SCENARIO, tmp_path / "lift")
     file = tmp_path / "lift" / "scenario.yaml"
@@ -37,9 +37,10 @@ def test_pages_say_what_happens_without_compensation(tmp_path: Path) -> None:
     assert speed is not None
     stools = [name for name in recording.coordinates["contact"] if name.startswith("support.")]
     assert 8.5 < float(speed[1]) < 9.5
-    assert 330.0 < max(recording.column("contact_force", name).max() for name in stools) / 1e3 < 430.0
+    largest = recording.metrics()["peak_support_force"] / 1e3
+    assert max(recording.column("contact_force", name).max() for name in stools) / 1e3 < 0.9 * largest
     guide = f"{recording['guide_force'].values.max() / 1e3:.0f} kN"
-    lands, stool = "9 m/min", "330 to 430 kN"
+    lands, stool = "9 m/min", f"{largest:.0f} kN"
     page = "docs/concepts/heave_compensation.md"
     assert unsaid(page, f"comes down at {lands}", f"a stool bears {stool} for", f"{guide} for 132 kN") == []
     assert unsaid("docs/guides/afloat.md", f"drops it at {lands}") == []
