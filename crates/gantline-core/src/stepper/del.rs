@@ -40,6 +40,8 @@ use super::flows::{self, StepFlows};
 use super::frame::Frame;
 use super::loosening::Loosening;
 use super::{StepError, StepReport, adjust, coils, parting, pinning, removing, seats, slinging, spots};
+use glam::DVec3;
+
 use crate::clock::Stage;
 use crate::constraint::rope::span::Span;
 use crate::event::EventLog;
@@ -59,6 +61,8 @@ use crate::tree::bias::NewtonEuler;
 const BIAS_ROUNDS: usize = 12;
 /// Change of a velocity-dependent force that ends the rounds, relative to the largest generalised force.
 const BIAS_TOLERANCE: f64 = 1e-12;
+/// The same relative to the largest wrench that bodies need, of which as much is rounding.
+const BIAS_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Change, relative to the largest generalised force at the old velocity, after which rounds come to no end.
 const RUNAWAY: f64 = 1e30;
 /// Beyond this a velocity [m/s, rad/s] is an error of the step: nothing is faster than light.
@@ -222,11 +226,7 @@ impl Del {
                 self.bias.update(&system.tree, &frame.kinematics, &self.middle, None, None, &mut self.c);
             });
             let change = distance(&self.c, &self.previous);
-            // Where nothing weighs along the joints c may be rounding of its terms alone: less than that of momentum.
-            let momenta =
-                self.v.iter().zip(&system.tree.inertia_scale).map(|(v, inertia)| (v * inertia).abs());
-            let rounding = f64::EPSILON * momenta.fold(0.0, f64::max) / h;
-            if round > 0 && change <= rounding.max(BIAS_TOLERANCE * largest(&self.c)) {
+            if round > 0 && change <= (BIAS_TOLERANCE * largest(&self.c)).max(self.rounding()) {
                 settled = true;
                 break;
             }
@@ -264,6 +264,13 @@ impl Del {
         }
         report.complementarity_residual = self.rows.residual(system);
         Ok(report)
+    }
+
+    /// Rounding of c: where nothing weighs along the joints it may be that alone of the wrenches that it is made from
+    /// [N, N m].
+    fn rounding(&self) -> f64 {
+        let wrenches = self.bias.wrenches.iter().flat_map(|wrench| [wrench.force, wrench.moment]);
+        BIAS_ROUNDING * wrenches.map(DVec3::length).fold(0.0, f64::max)
     }
 
     /// What the step does to the energy, to the modes of the rows and to what the next one sets out from.
