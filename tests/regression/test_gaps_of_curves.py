@@ -43,7 +43,10 @@ def test_a_distance_ends_with_the_ropes_that_it_is_about() -> None:
     time = np.linspace(0.0, 40.0, 2001)
     lift = ringing_lift()
     distance = np.where(time < 25.0, 2.0, np.inf)[:, None]
-    variables = {**lift.variables, "clearance": Variable(("time", "pair"), distance, "m", "smallest distance")}
+    variables = {
+        **lift.variables,
+        "clearance": Variable(("time", "pair"), distance, "m", "smallest distance"),
+    }
     lift = Recording(variables, {**lift.coordinates, "pair": ("slings - block",)}, lift.attributes)
     packed = pack(lift)
     curve = next(one for one in packed.header["curves"] if one["group"] == "clearance")
