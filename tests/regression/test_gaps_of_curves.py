@@ -47,7 +47,7 @@ def test_a_distance_ends_with_the_ropes_that_it_is_about() -> None:
         **lift.variables,
         "clearance": Variable(("time", "pair"), distance, "m", "smallest distance"),
     }
-    lift = Recording(variables, {**lift.coordinates, "pair": ("slings - block",)}, lift.attributes)
+    lift = Recording(variables, {**lift.coordinates, "pair": ("slings - skid",)}, lift.attributes)
     packed = pack(lift)
     curve = next(one for one in packed.header["curves"] if one["group"] == "clearance")
     part = slice(curve["first"], curve["first"] + curve["count"])
