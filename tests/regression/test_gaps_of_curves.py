@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
+from gantline.results import Recording, Variable
 from gantline.viewer import pack
 from gantline.viewer.decimate import with_gaps
 from packed_arrays import unpacked
@@ -35,6 +36,25 @@ def test_a_load_that_stands_for_a_moment_has_no_spread_there() -> None:
     # Known up to the gap and right after it.
     assert {500, 1000, 1100, 1500} <= set(samples[~np.isnan(values)].astype(int).tolist())
     np.testing.assert_allclose(values[~np.isnan(values)], 2.0, rtol=1e-6)
+
+
+def test_a_distance_ends_with_the_ropes_that_it_is_about() -> None:
+    """Without end in the recording from 25 s on; a page has no number there, and none that has no end."""
+    time = np.linspace(0.0, 40.0, 2001)
+    lift = ringing_lift()
+    distance = np.where(time < 25.0, 2.0, np.inf)[:, None]
+    variables = {
+        **lift.variables,
+        "clearance": Variable(("time", "pair"), distance, "m", "smallest distance"),
+    }
+    lift = Recording(variables, {**lift.coordinates, "pair": ("slings - skid",)}, lift.attributes)
+    packed = pack(lift)
+    curve = next(one for one in packed.header["curves"] if one["group"] == "clearance")
+    part = slice(curve["first"], curve["first"] + curve["count"])
+    samples, values = unpacked(packed, "curve_sample")[part], unpacked(packed, "curve_value")[part]
+    np.testing.assert_array_equal(samples[-2:], [1249, 1250])
+    np.testing.assert_array_equal(values[-2:], [2.0, np.nan])
+    assert not np.isinf(values).any()
 
 
 def test_a_gap_between_two_parts_of_a_curve_is_one() -> None:

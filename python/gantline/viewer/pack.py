@@ -307,7 +307,8 @@ def _curves(recording: Recording, since: int, arrays: Arrays) -> list[dict[str, 
         return []
     every = list(curves(recording))
     buckets = int(np.clip(_CURVE_POINTS // (4 * max(len(every), 1)), 100, 500))
-    values = [curve.values[since:] for curve in every]
+    # A distance to ropes that have parted is without end, which nobody can draw.
+    values = [np.where(np.isfinite(one.values), one.values, np.nan)[since:] for one in every]
     time, share = recording.time[since:], _CURVE_POINTS // max(len(every), 1)
     places = [faithful(time, one, peaks(one, buckets), _CURVE_OFF, share) for one in values]
     # What others leave of their share is for those that it was too small for.
@@ -316,7 +317,7 @@ def _curves(recording: Recording, since: int, arrays: Arrays) -> list[dict[str, 
     for number in short:
         most = len(places[number]) + left // len(short)
         places[number] = faithful(time, values[number], places[number], _CURVE_OFF, most)
-    # A distance ends where the ropes that it is about have parted, a spread where the load stands again.
+    # A distance ends where those ropes do, a spread where the load stands again.
     places = [with_gaps(one, at, goes_on=since > 0) for one, at in zip(values, places, strict=True)]
     bounds = np.concatenate([[0], np.cumsum([len(one) for one in places])])
     arrays.plain("curve_sample", np.concatenate(places) if places else [], "u4")
