@@ -13,7 +13,7 @@ import pytest
 
 from verbs import gantline
 
-#: A bar on one sling at a lug of its end, the centre of gravity on its axis `off` that axis.
+#: A bar on one sling at a lug of its end, at a height that is that of its centre of gravity or not.
 BAR = """
 format: 1
 lift: {{title: A bar}}
@@ -37,8 +37,8 @@ plan:
 
 @pytest.mark.parametrize(("height", "is_upright"), [("0.5 m", True), ("0.9 m", False)])
 def test_only_what_leans_has_one(height: str, is_upright: bool, tmp_path: Path) -> None:
-    """The lug comes plumb over the centre of gravity: with both on its axis that axis is upright, and with the
-    lug 0.4 m beside it leans by atan(0.4 / 4).
+    """The lug comes plumb over the centre of gravity: with both on its axis that axis is upright, and with
+    the lug 0.4 m beside, it leans by atan(0.4 / 4).
     """
     lift = tmp_path / "lift.yaml"
     lift.write_text(BAR.format(height=height), encoding="utf-8")
