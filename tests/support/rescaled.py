@@ -29,6 +29,7 @@ POWERS = {
     "rotational_damping": Fraction(9, 2),
     "inertia": Fraction(5),
     "area": Fraction(2),
+    "volume": Fraction(3),
     "mass_moment": Fraction(4),
     "coupled_damping": Fraction(7, 2),
     "mass_per_length": Fraction(2),
@@ -36,6 +37,15 @@ POWERS = {
     "stress": Fraction(1),
     "ratio": Fraction(0),
 }
+
+#: What grows with the masses of a lift where all else stays: whatever has a force or a mass in it.
+WEIGHED = frozenset(
+    {
+        *("mass", "force", "power", "mass_flow", "stiffness", "damping", "torque", "rotational_stiffness"),
+        *("rotational_damping", "inertia", "mass_moment", "coupled_damping", "mass_per_length", "density"),
+        "stress",
+    }
+)
 
 _UNITS = {
     unit: dimension for dimension, units in DIMENSIONS.items() for unit in units if unit not in ("", "%")
@@ -70,5 +80,14 @@ def at_scale(text: str, scale: float) -> str:
 
     def write(number: float, unit: str, dimension: str) -> str:
         return f"{number * scale ** float(POWERS[dimension])!r} {unit}"
+
+    return rewritten(text, write)
+
+
+def at_weight(text: str, factor: float) -> str:
+    """The same lift so many times as heavy, as strong and as stiff: lengths and times stay."""
+
+    def write(number: float, unit: str, dimension: str) -> str:
+        return f"{number * (factor if dimension in WEIGHED else 1.0)!r} {unit}"
 
     return rewritten(text, write)

@@ -1,4 +1,5 @@
-"""The same lift in other units, and at a quarter of its size: nothing in it may know a unit or a size.
+"""The same lift in other units, at a quarter of its size, and of twice the weight: nothing in it may know a
+unit, a size or a weight.
 
 By Froude's law, gravity and densities as they are, a lift λ times as large goes its way in √λ of the time:
 
@@ -19,7 +20,7 @@ import pytest
 import gantline
 from gantline.checks import check_recording
 from gantline.results.recording import Recording
-from rescaled import POWERS, at_scale, in_other_units
+from rescaled import POWERS, at_scale, at_weight, in_other_units
 
 #: A module that four slings take off the ground one after another; gear, rules and limits of every kind.
 PICKED_UP = """
@@ -118,6 +119,8 @@ mechanics:
       route: [{type: end, body: barge, at: [88 m, 0 m, 31 m]}, {type: end, body: module, at: [0 m, 0 m, 2 m]}]
 simulation: {sample_interval: 0.03125 s, tension_tolerance: 16 N, position_tolerance: 0.03125 mm}
 """
+#: What of that is recorded is a force.
+FORCES = ("rope_tension", "contact_force", "hook_load", "rope_peak_tension")
 LIFTS = {"picked up": PICKED_UP, "afloat": AFLOAT}
 #: Powers of the scale of what is recorded.
 RECORDED = {
@@ -188,3 +191,21 @@ def test_a_quarter_of_the_size(name: str, runs: dict[str, Recording]) -> None:
         if was.value and check.value:
             power = 2 * math.log(check.value / was.value, scale)
             assert power == pytest.approx(round(power), abs=1e-3)
+
+
+@pytest.mark.parametrize("factor", [2.0, 0.5])
+def test_twice_and_half_as_heavy(factor: float, runs: dict[str, Recording]) -> None:
+    """Masses, forces, stiffness and damping times μ: M v̇ = f is then μ times itself, so that all goes the
+    same way at the same times under μ times the forces. A power of two is exact in binary, and so is each sum
+    and product of such numbers: not one digit may differ.
+    """
+    was = runs["picked up"]
+    found = gantline.simulate(gantline.parse_scenario(at_weight(PICKED_UP, factor)))
+    assert found.events() == was.events()
+    for name in RECORDED:
+        if name in was:
+            share = factor if name in FORCES else 1.0
+            np.testing.assert_array_equal(found[name].values, share * was[name].values, err_msg=name)
+    for before, after in zip(check_recording(was), check_recording(found), strict=True):
+        assert (after.name, after.element, after.verdict) == (before.name, before.element, before.verdict)
+        assert (after.utilisation or 0.0) == pytest.approx(before.utilisation or 0.0, rel=1e-12)

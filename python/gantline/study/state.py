@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -20,7 +21,8 @@ from gantline.checks import (
 from gantline.results import alike, series
 from gantline.results.file.saved import LOSSES, QUANTITIES
 from gantline.results.recording import Recording
-from gantline.results.rotation import heading
+from gantline.results.rotation import axes, heading
+from gantline.results.variable import FloatArray
 from gantline.scenario import StartError
 from gantline.statics import Equilibrium, Losses, NoEquilibriumError, Statics
 from gantline.units import format_quantity
@@ -42,6 +44,8 @@ __all__ = [
 
 #: Shares of the weight of a load that is not lifted, of which a check tells, and of one that hangs [1].
 _PARTLY = (0.05, 0.95)
+#: How far an axis leans from plumb that points anywhere; searches leave 1e-9 rad or so [rad].
+_UPRIGHT = 1e-6
 
 
 @dataclass(frozen=True)
@@ -294,15 +298,21 @@ def values_of(state: State) -> dict[str, dict[str, float]]:
 def rest_json(rest: Equilibrium) -> dict[str, Any]:
     """An equilibrium as a JSON object, SI units: what it is like, and values of `QUANTITIES` by element.
 
-    The heading of loads [rad] stands beside their tilt.
+    The heading of loads [rad] stands beside their tilt; None of one whose own x axis is upright.
     """
     values = values_of(State("", "", rest.losses, rest.time, rest))
     of_loads = {
-        load.name: float(heading(rest.recording.column("body_orientation", load.body)[-1]))
+        load.name: _heading_of(rest.recording.column("body_orientation", load.body)[-1])
         for load in rest.recording.rig.loads
     }
     once = {key: of for key, of in values.items() if key != "smallest_sling_tension"}
     return {**rest.to_json(), **once, "load_heading": of_loads}
+
+
+def _heading_of(orientation: FloatArray) -> float | None:
+    """Heading of a load [rad]; None where its own x axis is upright and rounding alone would give it one."""
+    forward = axes(orientation)[:, 0]
+    return float(heading(orientation)) if math.hypot(forward[0], forward[1]) > _UPRIGHT else None
 
 
 def worst_of(states: Sequence[State]) -> list[Worst]:
