@@ -32,7 +32,9 @@ def test_nothing_is_left_and_the_program_ends_by_the_signal(name: str, tmp_path:
     number = getattr(signal, name)
     target = tmp_path / "recording.nc"
     target.write_text("of before", encoding="utf-8")
-    words = [sys.executable, "-c", _WRITE, str(target), str(int(number))]
+    # Whoever runs the tests may have it ignored, as `nohup` does.
+    own = f"import signal; signal.signal({int(number)}, signal.SIG_DFL)\n"
+    words = [sys.executable, "-c", own + _WRITE, str(target), str(int(number))]
     done = subprocess.run(words, capture_output=True, text=True)
     assert done.returncode == -number
     assert done.stdout.endswith(".part\n") and done.stderr == ""
@@ -47,4 +49,13 @@ def test_whoever_takes_the_signal_himself_keeps_it(tmp_path: Path) -> None:
     done = subprocess.run(words, capture_output=True, text=True)
     assert done.returncode == 0
     assert done.stdout.splitlines()[1:] == ["mine", "went on"]
+    assert (tmp_path / "a.txt").read_text(encoding="utf-8") == "half"
+
+
+def test_what_is_ignored_ends_nothing(tmp_path: Path) -> None:
+    """Under `nohup` a run outlives its terminal."""
+    own = "import signal; signal.signal(signal.SIGHUP, signal.SIG_IGN)\n"
+    words = [sys.executable, "-c", own + _WRITE, str(tmp_path / "a.txt"), str(int(signal.SIGHUP))]
+    done = subprocess.run(words, capture_output=True, text=True)
+    assert done.returncode == 0 and done.stdout.endswith("went on\n")
     assert (tmp_path / "a.txt").read_text(encoding="utf-8") == "half"
