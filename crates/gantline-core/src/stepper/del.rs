@@ -212,8 +212,6 @@ impl Del {
         let h = self.h;
         let mut report = StepReport { converged: true, ..StepReport::default() };
         frame.kinematics.time = state.time + 0.5 * h;
-        let mass: f64 = system.tree.bodies.iter().map(|body| body.mass).sum();
-        let weight = mass * system.tree.gravity.length();
         let (mut scale, mut settled) = (0.0, false);
         for round in 0..BIAS_ROUNDS {
             for (middle, (old, new)) in self.middle.iter_mut().zip(state.v.iter().zip(&self.v)) {
@@ -224,10 +222,10 @@ impl Del {
                 self.bias.update(&system.tree, &frame.kinematics, &self.middle, None, None, &mut self.c);
             });
             let change = distance(&self.c, &self.previous);
-            // Where nothing weighs along the joints c may be rounding of its terms alone, of momenta and of weight.
+            // Where nothing weighs along the joints c may be rounding of its terms alone: less than that of momentum.
             let momenta =
                 self.v.iter().zip(&system.tree.inertia_scale).map(|(v, inertia)| (v * inertia).abs());
-            let rounding = f64::EPSILON * (momenta.fold(0.0, f64::max) / h + weight);
+            let rounding = f64::EPSILON * momenta.fold(0.0, f64::max) / h;
             if round > 0 && change <= rounding.max(BIAS_TOLERANCE * largest(&self.c)) {
                 settled = true;
                 break;
