@@ -1,10 +1,12 @@
-"""Rope without damping over a light sheave gave back 502 J of `rope_damping`, in a run by `del` in which friction took 1.2 kJ.
+"""Rope without damping over a light sheave gave back 502 J of `rope_damping` in a run by `del`.
 
-While such a rope is slack, a step may stretch one of its spans before rope passes from the other. The spring of that span was
-booked as held, by a negative loss of its damper, and what it then let go as the method's: 502 J of the one and 508 J of the other
-in 0.8 s of a load that lowers itself on a weak brake, at steps of 0.2 ms. The sum was right, so that no remainder told.
+While such a rope is slack, a step may stretch one of its spans before rope passes from the other. The
+spring of that span was booked as held, by a negative loss of its damper, and what it then let go as the
+method's: 502 J of the one and 508 J of the other in 0.8 s of a load that lowers itself on a weak brake,
+at steps of 0.2 ms; friction took 1.2 kJ. The sum was right, so that no remainder told.
 
-Where such a rope was taken off, a run by `adaptive` that went on from a saved state booked other last bits of what it had held.
+Where such a rope was taken off, a run by `adaptive` that went on from a saved state booked other last
+bits of what it had held.
 """
 
 from __future__ import annotations
@@ -47,7 +49,7 @@ def test_rope_without_damping_damps_nothing(step: float) -> None:
 
 
 def test_it_is_taken_off_in_the_same_bytes_after_a_restore() -> None:
-    """`save`, `restore` and a step, and a step without them, by `adaptive`, through the moment at which it is taken off."""
+    """`save`, `restore` and a step of `adaptive`, and a step without them, until it is off and after."""
     steps = [
         {"name": "falls", "until": {"type": "duration", "duration": 0.44}},
         {"name": "lost", "detaches": ["r"], "until": {"type": "duration", "duration": 0.1}},

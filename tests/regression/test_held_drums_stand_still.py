@@ -3,7 +3,7 @@
 What a brake holds was solved for like all else, so it moved by rounding. A drum that let go later had then
 wound up or paid out a last 1e-16 m, and whether that lay over the rope that it took up at the start, with a
 strain of its own, was settled by it: of 118 random rigs the masses of which were changed by 2e-15 of
-themselves 12 came to other places by `del`, by up to 1e-6 m, and 15 by `adaptive` by more than that, up to 6e-5 m.
+themselves 12 came to other places by `del`, by up to 1e-6 m, and 15 by `adaptive` by more, up to 6e-5 m.
 """
 
 from __future__ import annotations
