@@ -1,8 +1,9 @@
-"""A run by `del` that went on from a saved state over light sheaves with losses did not come to the same bytes.
+"""A run by `del` that went on from a saved state over light sheaves did not come to the same bytes.
 
-Which of these sheaves slip was looked for from where the last search had ended, which no saved state holds. What is found is the
-same but for rounding, and where a rope had just gone slack, or had no stretch yet, that was another 1e-16 m: after 280 of 600
-steps of a rig with a rope, two sheaves of 15 % loss and a drum the run went on in other bytes than one that had been saved there.
+Which of these sheaves slip was looked for from where the last search had ended, which no saved state
+holds. What is found is the same but for rounding, and where a rope had just gone slack, or had no
+stretch yet, that was another 1e-16 m: after 280 of 600 steps of a rig with a rope, two sheaves of 15 %
+loss and a drum the run went on in other bytes than one that had been saved there.
 """
 
 from __future__ import annotations

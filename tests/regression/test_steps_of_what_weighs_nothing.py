@@ -1,10 +1,11 @@
 """Steps of `del` were told not to have settled where nothing weighs along the joints.
 
-The forces that depend on velocities are found by rounds, until they change by less than 1e-12 of the largest of them, that of
-weight with all else. What turns about an upright axis has no weight along it, nor have sliders that are level, and where
-centrifugal force has no lever either those forces are rounding of their terms: 1e-14 N m that change by as much. Of 1500 steps of
-a mast on a spring 359 were counted as not settled, which made a verdict of a lift doubtful, and users were told to try
-a shorter step: of 7500 shorter ones 1764 were.
+The forces that depend on velocities are found by rounds, until they change by less than 1e-12 of the
+largest of them, that of weight with all else. What turns about an upright axis has no weight along it,
+nor have sliders that are level, and where centrifugal force has no lever either those forces are
+rounding of their terms: 1e-14 N m that change by as much. Of 1500 steps of a mast on a spring 359 were
+counted as not settled, which made a verdict of a lift doubtful, and users were told to try a shorter
+step: of 7500 shorter ones 1764 were.
 """
 
 from __future__ import annotations

@@ -1,9 +1,10 @@
-"""A drum that its motor held at rest crept by rounding in `adaptive`, and so did what a brake held beside a rope without stretch.
+"""What motors held at rest crept by rounding in `adaptive`, and what friction held beside rigid ropes.
 
-What a brake holds had been made to stand still exactly, but for motors of limited force between their steps: these crept on,
-4e-19 m in three seconds under a load of 700 kg, and which rope a drum pays out first when it hauls was settled by that. And where
-an inextensible rope is put back to its length after each step, what that gave a joint held by its own friction was zero but for
-rounding, and added up to 3e-18 rad in half a second.
+What a brake holds had been made to stand still exactly, but for motors of limited force between their
+steps: these crept on, 4e-19 m in three seconds under a load of 700 kg, and which rope a drum pays out
+first when it hauls was settled by that. And where an inextensible rope is put back to its length after
+each step, what that gave a joint held by its own friction was zero but for rounding, and added up to
+3e-18 rad in half a second.
 """
 
 from __future__ import annotations
@@ -54,7 +55,7 @@ def test_a_motor_at_rest_does_not_move_its_drum_at_all(method: str) -> None:
 
 @pytest.mark.parametrize("shape", ["linear", "smooth"])
 def test_it_stands_where_it_has_come_to_before_and_after_it_hauls(shape: str) -> None:
-    """0.5 m/s within 0.2 s from 1 s on and back within 0.2 s from 1.5 s on: 0.5 (0.5 − 0.2) + 0.5 · 0.2 = 0.25 m."""
+    """0.5 m/s by ramps of 0.2 s from 1 s and from 1.5 s on: 0.5 (0.5 − 0.2) + 0.5 · 0.2 = 0.25 m."""
     ramps = [
         {"at": 1.0, "duration": 0.2, "velocity": -0.5, "shape": shape},
         {"at": 1.5, "duration": 0.2, "velocity": 0.0, "shape": shape},
@@ -68,7 +69,7 @@ def test_it_stands_where_it_has_come_to_before_and_after_it_hauls(shape: str) ->
 
 
 def test_what_friction_holds_stands_still_beside_a_rope_without_stretch() -> None:
-    """A load snatches at an arm in a stiff hinge and then swings: M = 50 kN m holds its 100 kg at 2 m for good."""
+    """A load snatches at an arm and then swings: M = 50 kN m holds its 100 kg at 2 m for good."""
     bodies = [
         body("arm", hinge(friction=50e3), 300.0, centre_of_gravity=(1, 0, 0), inertia=(50, 50, 50)),
         body("jib", slider((0, 1, 0), friction=50e3), 20.0, parent="arm", position=(2, 0, 0)),

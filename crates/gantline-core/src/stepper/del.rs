@@ -346,7 +346,11 @@ impl Del {
             self.follow_spots(system, state, frame, log);
         }
         if self.loosening.pass(system, state, frame) {
+            // See where the rows of slack rope are booked.
+            let method = state.ledger.flows.method;
             renew(system, state, frame);
+            state.ledger.flows.rope_damping +=
+                std::mem::replace(&mut state.ledger.flows.method, method) - method;
         }
         Ok(())
     }

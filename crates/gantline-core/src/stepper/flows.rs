@@ -152,6 +152,12 @@ impl StepFlows<'_> {
             return;
         }
         let after = before + self.h * rate;
+        if self.rows.modes[row] == Mode::Slack && system.light.iter().any(|light| light.rows.contains(&row)) {
+            // A span may be stretched until rope has passed from the others, which takes that back.
+            state.ledger.flows.rope_damping -= spring_energy(law, after);
+            state.ledger.flows.method += spring_energy(law, before);
+            return;
+        }
         let spring = if is_friction(law) { after } else { after.max(0.0) } / compliance;
         let damper = flow - self.h * spring * rate;
         if row < system.rope_rows() {

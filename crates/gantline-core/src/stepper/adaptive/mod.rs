@@ -137,6 +137,8 @@ pub struct Adaptive {
     start: Option<Box<State>>,
     /// True while `rodas.here` belongs to the state.
     current: bool,
+    /// True where the state is another than that to which steps have led.
+    is_restored: bool,
     /// Accelerations at the end of the last step, and whether forces have jumped since.
     before: Vec<f64>,
     jumped: bool,
@@ -180,6 +182,7 @@ impl Adaptive {
             slipping: Vec::with_capacity(system.motors.len()),
             start: None,
             current: false,
+            is_restored: false,
             before: vec![0.0; system.tree.velocities],
             jumped: false,
             made: 1.0,
@@ -199,6 +202,7 @@ impl Adaptive {
     /// Forgets what belongs to the state of the last step.
     pub fn forget(&mut self) {
         self.current = false;
+        self.is_restored = true;
     }
 
     /// Motion and forces at the share `theta` of the last step, which was made from `before`.
@@ -236,6 +240,11 @@ impl Adaptive {
         until: f64,
     ) -> Result<StepReport, StepError> {
         let mut report = StepReport { converged: true, ..StepReport::default() };
+        if std::mem::take(&mut self.is_restored) && !system.light.is_empty() {
+            // What springs over light sheaves hold is what steps see there, also as a rope is let go: the same bytes.
+            self.rodas.evaluate(system, state);
+            self.refresh(system, frame);
+        }
         self.note_slipping(system, state);
         flows::supports(system, &frame.kinematics, (&state.spots, &state.tension), &mut self.support);
         let soon = soon(state.time);
