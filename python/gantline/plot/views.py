@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -88,12 +91,13 @@ def stages(recording: Recording) -> Figure | None:
 
 
 def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
-    """One equalizer close up, across its frame, at such times of its own slings.
+    """One equalizer close up, across its frame, at such times of its own slings; no other that hangs behind it.
 
     None if it is not drawn, or has no sheaves or more than could be told from each other.
     """
     found = moments(recording, which.slings)
-    shown = [(one.name, snapshot(recording, one.sample)) for one in found]
+    others = [one for one in recording.rig.equalizers if one.name != which.name]
+    shown = [(one.name, _without(others, snapshot(recording, one.sample))) for one in found]
     has_sheaves = 0 < len(which.moving_sheaves) <= _MOST_DRAWN and which.mechanism == "sheaves"
     if not has_sheaves or which.name not in shown[0][1].frame_axes:
         return None
@@ -147,6 +151,17 @@ def _draw_strokes(panel: Axes, recording: Recording, snap: Snapshot, view: View,
 def _across(frame: FloatArray) -> View:
     """Seen across a frame: its length to the right."""
     return View(frame[:, 0], frame[:, 2], -frame[:, 1])
+
+
+def _without(others: Sequence[Equalizer], snap: Snapshot) -> Snapshot:
+    bodies = {body for other in others for body in (other.body, *other.moving_sheaves)}
+    ropes = {rope for other in others for rope in (other.equalizing_rope, *other.slings)}
+    return replace(
+        snap,
+        boxes=[box for box in snap.boxes if box.name not in bodies],
+        sheaves=[sheave for sheave in snap.sheaves if sheave.body not in bodies],
+        ropes=[rope for rope in snap.ropes if rope.name not in ropes],
+    )
 
 
 def _of_equalizer(snap: Snapshot, which: Equalizer) -> list[FloatArray]:
