@@ -16,7 +16,7 @@ from gantline.cli.seas_table import seas_table
 from gantline.results.file.saved_seas import SavedSea, SavedSeas, degrees
 from gantline.scenario import Scenario, parse_scenario
 from gantline.study import SeasResult, run_seas
-from gantline.study.seas import NoSeaError, Sea, SeaRecord
+from gantline.study.sea import NoSeaError, Sea, SeaRecord
 
 
 def lift(waves: str = SEA, **words: Any) -> Scenario:

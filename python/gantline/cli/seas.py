@@ -149,7 +149,8 @@ def _run(
     """All runs; what is wrong with the lift file or with an option ends the program."""
     with scenario_errors():
         from gantline.overrides import SettingError
-        from gantline.study.seas import NoSeaError, run_seas
+        from gantline.study.sea import NoSeaError
+        from gantline.study.seas import run_seas
 
         overrides: dict[str, Any] = {name: one.value for name, one in settings.items()}
         try:

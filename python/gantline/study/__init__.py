@@ -9,7 +9,8 @@ from gantline.study.lost_load import LostLoad, Swing, lose_load
 from gantline.study.newton import AdjustError, CannotBeError
 from gantline.study.plumb import HookAnswer, plumb_hooks
 from gantline.study.refinement import finer_simulation, refined
-from gantline.study.seas import NoSeaError, Sea, SeaRecord, SeasResult, run_seas
+from gantline.study.sea import NoSeaError, Sea, SeaRecord
+from gantline.study.seas import SeasResult, run_seas
 from gantline.study.state import State, Worst, values_of, worst_of
 from gantline.study.steps import StepAtRest, run_steps
 from gantline.study.sweep import SweepPoint, run_sweep
