@@ -146,3 +146,43 @@ def test_ctrl_c_tells_what_there_is(lift: Path, monkeypatch: pytest.MonkeyPatch)
     assert result.exit_code == 130
     assert "interrupted" in result.stderr
     assert re.search(r"^  0\.1 m +not run$", result.stdout, re.MULTILINE)
+
+
+def test_a_search_that_was_killed_goes_on(lift: Path, tmp_path: Path) -> None:
+    """With the runs that had ended; the same numbers as of one that was not."""
+    sea_of(lift)
+    folder, whole = tmp_path / "out", tmp_path / "whole"
+    asked = ["seas", str(lift), "--height", "0.2 m, 0.5 m", "--records", "2"]
+    assert gantline(*asked, "-o", str(whole)).exit_code == 0
+    folder.mkdir()
+    lines = (whole / "seas_runs.jsonl").read_bytes().splitlines(keepends=True)
+    # Killed as its third run was written.
+    (folder / "seas_runs.jsonl").write_bytes(b"".join(lines[:3]) + lines[3][:100])
+    result = gantline(*asked, "-o", str(folder), "--continue")
+    assert result.exit_code == 0, result.stderr
+    assert "Taken over  2 runs of seas_runs.jsonl" in result.stdout
+    assert (folder / "seas.json").read_bytes() == (whole / "seas.json").read_bytes()
+
+
+def test_without_it_all_is_run_anew(lift: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    for _ in range(2):
+        result = gantline("seas", str(lift), "--height", "0.1 m", "-o", str(folder))
+        assert "Taken over" not in result.stdout
+    assert len((folder / "seas_runs.jsonl").read_bytes().splitlines()) == 2
+
+
+def test_going_on_from_nothing(lift: Path, tmp_path: Path) -> None:
+    """Without a folder, without a search in it, or with one of another lift; nothing is written."""
+    folder = tmp_path / "out"
+    result = gantline("seas", str(lift), "--continue")
+    assert (result.exit_code, "name it by -o" in result.stderr) == (2, True)
+    result = gantline("seas", str(lift), "--continue", "-o", str(folder))
+    assert (result.exit_code, "no search has begun in this folder" in result.stderr) == (2, True)
+    assert not folder.exists()
+    assert gantline("seas", str(lift), "--height", "0.1 m", "-o", str(folder)).exit_code == 0
+    sea_of(lift)
+    before = (folder / "seas_runs.jsonl").read_bytes()
+    result = gantline("seas", str(lift), "--height", "0.1 m", "-o", str(folder), "--continue")
+    assert (result.exit_code, "of another state of the lift file" in result.stderr) == (2, True)
+    assert (folder / "seas_runs.jsonl").read_bytes() == before

@@ -1,8 +1,8 @@
 """The close-up of an equalizer showed the one behind it too.
 
-Two hooks of a Goliath crane stand side by side across its girder, and seen across the frame of one equalizer the
-other hangs behind it, 12 m away. Its sheaves, rope and slings were drawn as well: after a swing each sheave stood
-there twice, a hand's breadth apart, and the slings of one stood over the numbers of the other.
+Two hooks of a Goliath crane stand side by side across its girder, and seen across the frame of one equalizer
+the other hangs behind it, 12 m away. Its sheaves, rope and slings were drawn as well: after a swing each
+sheave stood there twice, a hand's breadth apart, and slings of one stood over the numbers of the other.
 """
 
 from __future__ import annotations

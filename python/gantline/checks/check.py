@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, fields
 from enum import StrEnum
 from typing import Any
 
@@ -149,6 +149,20 @@ class Check:
     def to_json(self) -> dict[str, Any]:
         """All of it as a JSON object, SI units."""
         return {**asdict(self), "verdict": self.verdict.value, "utilisation": self.utilisation}
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Check:
+        """Read what `to_json` made.
+
+        Raises:
+            ValueError: If it is something else.
+        """
+        try:
+            given = {one.name: document[one.name] for one in fields(cls)}
+            given |= {"verdict": Verdict(given["verdict"]), "cautions": tuple(given["cautions"])}
+        except (KeyError, TypeError) as error:
+            raise ValueError(f"no check: {error}") from None
+        return cls(**given)
 
 
 def has_failed(checks: Sequence[Check]) -> bool:

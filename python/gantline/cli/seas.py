@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -36,6 +37,7 @@ _OPTIONS = {
     "periods": "--period",
     "directions": "--direction",
     "records": "--records",
+    "kept": "--continue",
 }
 
 
@@ -86,6 +88,14 @@ def seas(
     every: Annotated[
         bool, typer.Option("--every", help="Run seas higher than the first in which the lift is no go, too.")
     ] = False,
+    go_on: Annotated[
+        bool,
+        typer.Option(
+            "--continue",
+            help="Take over the runs that an earlier search in the same folder made: one that was cut off, "
+            "or of fewer seas or records.",
+        ),
+    ] = False,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print all numbers and checks as JSON, SI units.")
     ] = False,
@@ -100,7 +110,7 @@ def seas(
     sea at all, all of them being too steep. Ctrl-C ends it with what there is, and with code 130.
     """
     from gantline.replacing import replace_text
-    from gantline.results.file.saved import SEAS
+    from gantline.results.file.saved import SEA_RUNS, SEAS
     from gantline.results.file.saved_seas import SavedSeas
 
     asked: dict[str, Any] = {
@@ -116,7 +126,8 @@ def seas(
         )
     try:
         with folder_in_use(output) as folder:
-            result = _run(lift, asked, records, settings, every=every)
+            kept = _kept(folder, go_on=go_on)
+            result = _run(lift, asked, records, settings, every=every, kept=kept, anew=not go_on)
     except KeyboardInterrupt:
         warn("interrupted before any sea was run: nothing is known of them")
         raise typer.Exit(INTERRUPTED) from None
@@ -135,16 +146,42 @@ def seas(
             picture = _draw(found, folder)
             replace_text(folder / SEAS, text + "\n")
         typer.echo(f"Picture     {picture}\nSeas        {folder / SEAS}", err=as_json)
+    if result.taken_over:
+        runs = "run" if result.taken_over == 1 else "runs"
+        typer.echo(f"Taken over  {result.taken_over} {runs} of {SEA_RUNS}", err=as_json)
     if result.interrupted:
         warn("interrupted; seas of which not all records have been run are told as not run")
+        if folder is not None:
+            warn(f"--continue -o {folder} goes on from the runs that have been made")
         raise typer.Exit(INTERRUPTED)
     if all(sea.is_too_steep for sea in result.seas):
         raise typer.Exit(NO_VERDICT)
     raise typer.Exit(DONE if result.is_allowed else CHECK_FAILED)
 
 
+def _kept(folder: Path | None, *, go_on: bool) -> Path | None:
+    """The file of runs that have been made, in the folder."""
+    from gantline.results.file.saved import SEA_RUNS
+
+    if folder is None:
+        if go_on:
+            stop("--continue: needs the folder of the search that is to go on; name it by -o")
+        return None
+    kept = folder / SEA_RUNS
+    if go_on and not kept.exists():
+        stop(f"--continue: {kept} is not there: no search has begun in this folder; leave out --continue")
+    return kept
+
+
 def _run(
-    lift: Path, asked: dict[str, Any], records: int, settings: dict[str, TypedSetting], *, every: bool
+    lift: Path,
+    asked: dict[str, Any],
+    records: int,
+    settings: dict[str, TypedSetting],
+    *,
+    every: bool,
+    kept: Path | None,
+    anew: bool,
 ) -> SeasResult:
     """All runs; what is wrong with the lift file or with an option ends the program."""
     with scenario_errors():
@@ -154,12 +191,14 @@ def _run(
 
         overrides: dict[str, Any] = {name: one.value for name, one in settings.items()}
         try:
-            with telling("seas") as tell:
+            with telling("seas") as tell, nullcontext() if kept is None else writing(kept):
                 result = run_seas(
                     lift,
                     **asked,
                     records=records,
                     all_heights=every,
+                    kept=kept,
+                    anew=anew,
                     on_progress=tell,
                     **overrides,
                 )

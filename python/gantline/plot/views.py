@@ -91,7 +91,7 @@ def stages(recording: Recording) -> Figure | None:
 
 
 def equalizer(recording: Recording, which: Equalizer) -> Figure | None:
-    """One equalizer close up, across its frame, at such times of its own slings; no other that hangs behind it.
+    """One equalizer close up, across its frame, at such times of its own slings, and no other.
 
     None if it is not drawn, or has no sheaves or more than could be told from each other.
     """

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from gantline.checks import Check, Outcome, failed_names, governing, outcome_of, verdict_of
 from gantline.results.alike import first_largest
+from gantline.results.file.saved_json import list_in, number_in, object_of, text_in
 from gantline.study.extremes import Extreme, extremes_of
 
 __all__ = ["NoSeaError", "Sea", "SeaRecord"]
@@ -88,6 +89,22 @@ class SeaRecord:
             "warnings": list(self.warnings),
             "checks": [one.to_json() for one in self.checks],
         }
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> SeaRecord:
+        """Read what `to_json` made.
+
+        Raises:
+            ValueError: If it is something else.
+        """
+        return cls(
+            int(number_in(document, "record")),
+            number_in(document, "time"),
+            tuple(Check.from_json(object_of(one)) for one in list_in(document, "checks")),
+            tuple(str(one) for one in list_in(document, "warnings")),
+            text_in(document, "cause"),
+            document.get("starts") is True,
+        )
 
 
 @dataclass(frozen=True)

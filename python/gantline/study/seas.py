@@ -17,6 +17,7 @@ from gantline.results.afloat.sea_grid import SeaGrid
 from gantline.results.file.saved import digest_of
 from gantline.scenario import Scenario, ScenarioError, load_scenario
 from gantline.simulation import Simulation, SimulationError
+from gantline.study.kept_runs import KeptRuns
 from gantline.study.sea import NoSeaError, Sea, SeaRecord
 from gantline.study.side_by_side import SideBySide
 from gantline.units import si_text
@@ -40,6 +41,7 @@ class SeasResult(SeaGrid[Sea]):
         seas: All seas of the grid, by direction, period and height.
         interrupted: Whether Ctrl-C ended it before all were run.
         duration: What each run was to simulate [s].
+        taken_over: How many runs were taken from those that had been kept.
     """
 
     title: str
@@ -50,6 +52,7 @@ class SeasResult(SeaGrid[Sea]):
     seas: Sequence[Sea]
     interrupted: bool = False
     duration: float = 0.0
+    taken_over: int = 0
 
     def __repr__(self) -> str:
         run = sum(bool(sea.records) for sea in self.seas)
@@ -108,6 +111,8 @@ def run_seas(
     records: int = 1,
     all_heights: bool = False,
     workers: int | None = None,
+    kept: str | Path | None = None,
+    anew: bool = False,
     on_progress: Callable[[str], None] | None = None,
     **overrides: Any,
 ) -> SeasResult:
@@ -126,14 +131,19 @@ def run_seas(
         records: How many records of each sea: the seeds of all seas and gusts of the file, and those after.
         all_heights: Whether higher seas are run, too.
         workers: Runs at a time; None for as many as there are processors.
+        kept: A file that each run is written to as soon as it ends. Runs that it has already, of the same
+            lift with the same settings, are taken from there: after Ctrl-C or a power cut the search goes
+            on, and further seas and records cost no run that has been made.
+        anew: Whether to begin that file anew.
         on_progress: Is told in words how far it is.
         overrides: Settings of `simulate`, such as `duration` [s].
 
     Raises:
         ScenarioError: If the lift file is not right.
         SettingError: If an override is not right.
-        NoSeaError: If the lift has no such waves, nothing that differs from record to record, or a value is
-            none that waves can have; a ValueError.
+        NoSeaError: If the lift has no such waves, nothing that differs from record to record, a value is
+            none that waves can have, or `kept` is of another lift; a ValueError.
+        OSError: If `kept` cannot be read or written.
     """
     tell = told(on_progress) or (lambda _: None)
     scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
@@ -154,14 +164,16 @@ def run_seas(
         for height in heights
     ]
     # What is wrong with the lift as such, or with a setting, is no matter of a sea.
-    duration = Simulation(scenario, **overrides).duration
+    simulation = Simulation(scenario, **overrides)
+    known = None if kept is None else KeptRuns(Path(kept), simulation, name, anew=anew)
     interrupted, numbers = False, range(1, records + 1)
     with SideBySide(workers) as pool:
         try:
             for height in heights:
                 pending = {
                     place: [
-                        _submit(pool, scenario, name, seas[place], number, overrides) for number in numbers
+                        _submit(pool, scenario, name, (seas[place], number), overrides, known)
+                        for number in numbers
                     ]
                     for place in _worth_a_run(seas, height, all_heights=all_heights)
                 }
@@ -172,7 +184,17 @@ def run_seas(
             interrupted = True
             pool.give_up()
     title, text = scenario.lift.title, scenario.text
-    return SeasResult(title, text, name, train.is_regular, records, seas, interrupted, duration)
+    return SeasResult(
+        title,
+        text,
+        name,
+        train.is_regular,
+        records,
+        seas,
+        interrupted,
+        simulation.duration,
+        0 if known is None else known.taken_over,
+    )
 
 
 def _worth_a_run(seas: Sequence[Sea], height: float, *, all_heights: bool) -> list[int]:
@@ -227,8 +249,15 @@ def _seeds(scenario: Scenario) -> dict[str, int]:
 
 
 def _submit(
-    pool: SideBySide, scenario: Scenario, name: str, sea: Sea, number: int, overrides: Mapping[str, Any]
+    pool: SideBySide,
+    scenario: Scenario,
+    name: str,
+    wanted: tuple[Sea, int],
+    overrides: Mapping[str, Any],
+    kept: KeptRuns | None,
 ) -> Future[SeaRecord]:
+    """A record of a sea, by its number: run, or taken from those that are kept."""
+    sea, number = wanted
     train = (scenario.waves or {})[name]
     height, period = ("height", "period") if train.is_regular else ("significant_height", "peak_period")
     changes: dict[str, Any] = {
@@ -239,7 +268,7 @@ def _submit(
     if number > 1:
         changes |= {path: seed + number - 1 for path, seed in _seeds(scenario).items()}
 
-    def work() -> SeaRecord:
+    def run() -> SeaRecord:
         try:
             simulation = Simulation(scenario.changed(changes), **overrides)
             recording = simulation.run(on_progress=lambda _: pool.goes_on())
@@ -249,5 +278,15 @@ def _submit(
             return SeaRecord(number, stop.time, check_recording(stop.recording), cause=str(stop))
         warnings = tuple(str(one) for one in recording.attributes.get("warnings") or ())
         return SeaRecord(number, float(recording.time[-1]), check_recording(recording), warnings)
+
+    def work() -> SeaRecord:
+        known = None if kept is None else kept.find(sea, number)
+        if known is not None:
+            return known
+        record = run()
+        # A run that was given up ends early: nobody is to take it for a whole one.
+        if kept is not None and pool.goes_on():
+            kept.keep(sea, record)
+        return record
 
     return pool.submit(work)

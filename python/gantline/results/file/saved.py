@@ -31,6 +31,7 @@ __all__ = [
     "LOST_LOAD",
     "QUANTITIES",
     "SEAS",
+    "SEA_RUNS",
     "WORST_OF_LOSSES",
     "Beside",
     "SavedCase",
@@ -48,6 +49,7 @@ CASES = "cases.json"
 EQUILIBRIUM = "equilibrium.nc"
 LOST_LOAD = "lost_load.json"
 SEAS = "seas.json"
+SEA_RUNS = "seas_runs.jsonl"
 FILES_BESIDE = (CASES, EQUILIBRIUM, LOST_LOAD, SEAS)
 
 #: Quantities of a lift at rest, each with the unit and decimals in which people read it.
