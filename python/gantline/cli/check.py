@@ -248,14 +248,14 @@ def _centre_from_cad(simulation: Simulation) -> list[str]:
 
 def _rope_weights(rig: Rig, width: int) -> list[str]:
     """How the weight of each rope acts, for those that have one."""
-    from gantline.cli.table import show, table
+    from gantline.cli.table import filled, show, table
 
     rows = [
         (rope.name, rope.weight, show(rope.mass, "kg", 1), show(rope.mass_on_world or None, "kg", 1))
         for rope in rig.ropes
         if rope.mass > 0.0
     ]
-    return table(("Rope", "weight", "mass", "on the world"), rows, "llrr", width) if rows else []
+    return table(*filled(("Rope", "weight", "mass", "on the world"), rows, "llrr"), width) if rows else []
 
 
 def _heave(demands: Sequence[HeaveDemand], width: int) -> list[str]:
@@ -330,18 +330,18 @@ def _put_on_later(scenario: Scenario, width: int) -> list[str]:
 
 def _sheaves(rig: Rig, width: int) -> list[str]:
     """Losses and inertia of each sheave that is not ideal; neighbours on a rope that are alike in one row."""
-    from gantline.cli.table import show, table
+    from gantline.cli.table import ABSENT, filled, show, table
 
     head = ("Sheave", "rope", "turns at a ratio of", "groove friction", "moves with the rope", "")
 
     def turns_at(ratio: float | None) -> str:
-        return "never" if ratio is None else f"{ratio:.4f}" if ratio > 1.0 else "-"
+        return "never" if ratio is None else f"{ratio:.4f}" if ratio > 1.0 else ABSENT
 
     def is_like(sheave: Sheave) -> tuple[str, ...]:
         return (
             sheave.rope,
             turns_at(sheave.ratio),
-            "-" if sheave.groove_friction is None else f"{sheave.groove_friction:g}",
+            ABSENT if sheave.groove_friction is None else f"{sheave.groove_friction:g}",
             show(sheave.inertia, "kg", 1),
             sheave.inertia_from,
         )
@@ -351,4 +351,4 @@ def _sheaves(rig: Rig, width: int) -> list[str]:
         return first if len(sheaves) == 1 else f"{first} to {last}, {len(sheaves)} sheaves"
 
     rows = [(named(list(alike)), *like) for like, alike in groupby(rig.sheaves, is_like)]
-    return table(head, rows, "llrrrl", width) if rows else []
+    return table(*filled(head, rows, "llrrrl"), width) if rows else []

@@ -54,6 +54,18 @@ def _continued(
     return lines
 
 
+def filled(
+    head: Sequence[str], rows: Sequence[Sequence[str]], align: str
+) -> tuple[list[str], list[list[str]], str]:
+    """Head, rows and alignment of a table without the columns in which no row has anything."""
+    kept = [column for column in range(len(head)) if any(row[column] != ABSENT for row in rows)]
+    return (
+        [head[column] for column in kept],
+        [[row[column] for column in kept] for row in rows],
+        "".join(align[column] for column in kept),
+    )
+
+
 def cut(lines: list[str], most: int) -> list[str]:
     """A table of which rows in the middle are left out, and counted, if it has more than so many.
 
