@@ -24,7 +24,9 @@ def sea(values: Any = VALUES, **words: Any) -> Sea:
     """A sea of one record for each of these values of a check with a limit of 20."""
     whole: dict[str, Any] = {"limit": 20.0, **words}
     checks = [Check("load", Verdict.OK, "a load", value=value, element="L", **whole) for value in values]
-    return Sea(1.0, 8.0, 0.0, 9.0, [SeaRecord(number, checks=[one]) for number, one in enumerate(checks, 1)])
+    return Sea(
+        1.0, 8.0, 0.0, 9.0, [SeaRecord(number=number, checks=[one]) for number, one in enumerate(checks, 1)]
+    )
 
 
 def test_by_hand() -> None:
@@ -68,8 +70,8 @@ def test_values_that_are_all_alike_have_no_spread() -> None:
         sea([*VALUES, None]),
         sea([*VALUES, np.inf]),
         Sea(1.0, 8.0, 0.0, 9.0, [*sea().records, *sea(limit=21.0).records]),
-        Sea(1.0, 8.0, 0.0, 9.0, [*sea().records, SeaRecord(6)]),
-        Sea(1.0, 8.0, 0.0, 9.0, [*sea().records, SeaRecord(6, cause="a rope parted")]),
+        Sea(1.0, 8.0, 0.0, 9.0, [*sea().records, SeaRecord(number=6)]),
+        Sea(1.0, 8.0, 0.0, 9.0, [*sea().records, SeaRecord(number=6, cause="a rope parted")]),
         Sea(1.0, 8.0, 0.0, 9.0),
     ],
     ids=["four", "no value", "infinite", "other limits", "not checked in one", "stopped in one", "not run"],
@@ -94,7 +96,7 @@ def test_without_a_limit_there_is_a_value() -> None:
 def test_none_of_a_sea_in_which_a_run_gave_up() -> None:
     """What it would have come to is not known, also where its checks have values."""
     whole = sea()
-    gave_up = SeaRecord(1, checks=whole.records[0].checks, cause="it gave up")
+    gave_up = SeaRecord(number=1, checks=whole.records[0].checks, cause="it gave up")
     assert whole.extremes()
     assert replace(whole, records=[gave_up, *whole.records[1:]]).extremes() == []
 

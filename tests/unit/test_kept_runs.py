@@ -164,7 +164,7 @@ def test_a_record_reads_back_as_it_was() -> None:
         cautions=("its curve",),
     )
     for record in (
-        SeaRecord(3, 12.5, (check,), ("a warning",)),
-        SeaRecord(1, cause="too short for it", starts=False),
+        SeaRecord(number=3, time=12.5, checks=(check,), warnings=("a warning",)),
+        SeaRecord(number=1, cause="too short for it", starts=False),
     ):
         assert SeaRecord.from_json(json.loads(json.dumps(record.to_json()))) == record

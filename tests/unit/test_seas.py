@@ -69,9 +69,9 @@ def test_the_worst_of_its_records_is_the_outcome_of_a_sea(
 ) -> None:
     """None stands for a lift that could not go on, which has no checks and is no go."""
     records = [
-        SeaRecord(number, cause="it sank")
+        SeaRecord(number=number, cause="it sank")
         if verdict is None
-        else SeaRecord(number, checks=[Check("sling_tension", verdict, "", value=1.0, limit=2.0)])
+        else SeaRecord(number=number, checks=[Check("sling_tension", verdict, "", value=1.0, limit=2.0)])
         for number, verdict in enumerate(verdicts, 1)
     ]
     sea = Sea(2.0, 8.0, 0.0, 5.0, records)
@@ -93,7 +93,7 @@ def test_no_height_beyond_one_that_is_no_go_is_allowed(
     """Seas of 1, 2 and 3 m; what a period suits may pass where a lower sea does not."""
     checks = [Check("sling_tension", verdict, "", value=1.0, limit=2.0) for verdict in verdicts]
     seas = [
-        Sea(height, 8.0, 0.0, 5.0, [SeaRecord(1, checks=[check])])
+        Sea(height, 8.0, 0.0, 5.0, [SeaRecord(number=1, checks=[check])])
         for height, check in zip((1.0, 2.0, 3.0), checks, strict=True)
     ]
     found = SeasResult("a lift", "", "swell", is_regular=False, records=1, seas=seas)

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from gantline.checks import Check, Outcome, failed_names, governing, outcome_of, verdict_of
+from gantline.checks import Check, Outcome
 from gantline.results.alike import first_largest
 from gantline.results.file.saved_json import list_in, number_in, object_of, text_in
 from gantline.study.extremes import Extreme, extremes_of
+from gantline.study.held_run import HeldRun
 
 __all__ = ["NoSeaError", "Sea", "SeaRecord"]
 
@@ -37,58 +37,19 @@ class NoSeaError(ValueError):
         return type(self), (self.name, self.sentence)
 
 
-@dataclass(frozen=True)
-class SeaRecord:
+@dataclass(frozen=True, kw_only=True)
+class SeaRecord(HeldRun):
     """The lift in one record of a sea.
 
     Attributes:
         number: Which one, from 1; record 1 has the seeds of the lift file, each further one those after.
-        time: Simulated time that it got to [s].
-        checks: Its checks.
-        warnings: Of lift file and run, sentences.
-        cause: Why it could not start or not go on, in one sentence; empty where it did.
-        starts: Whether it could start.
     """
 
     number: int
-    time: float = 0.0
-    checks: Sequence[Check] = ()
-    warnings: Sequence[str] = ()
-    cause: str = ""
-    starts: bool = True
-
-    @property
-    def outcome(self) -> Outcome:
-        """Go or no-go; a lift that cannot start or go on is none."""
-        return Outcome.NO_GO if self.cause else outcome_of(self.checks)
-
-    @property
-    def governing(self) -> Check | None:
-        """The check that uses most of its limit; None where there is none with a limit."""
-        return governing(self.checks)
-
-    @property
-    def failed(self) -> tuple[str, ...]:
-        """Names of the checks that failed."""
-        return failed_names(self.checks)
 
     def to_json(self) -> dict[str, Any]:
         """All of it as a JSON object, SI units."""
-        check = self.governing
-        return {
-            "record": self.number,
-            "outcome": self.outcome.value,
-            "time": self.time,
-            "starts": self.starts,
-            "cause": self.cause,
-            "failed": list(self.failed),
-            "governing": None
-            if check is None
-            else {"check": check.name, "element": check.element, "utilisation": check.utilisation},
-            "verdict": "" if self.cause else verdict_of(self.checks),
-            "warnings": list(self.warnings),
-            "checks": [one.to_json() for one in self.checks],
-        }
+        return {"record": self.number, **super().to_json()}
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> SeaRecord:
@@ -98,12 +59,12 @@ class SeaRecord:
             ValueError: If it is something else.
         """
         return cls(
-            int(number_in(document, "record")),
-            number_in(document, "time"),
-            tuple(Check.from_json(object_of(one)) for one in list_in(document, "checks")),
-            tuple(str(one) for one in list_in(document, "warnings")),
-            text_in(document, "cause"),
-            document.get("starts") is True,
+            number=int(number_in(document, "record")),
+            time=number_in(document, "time"),
+            checks=tuple(Check.from_json(object_of(one)) for one in list_in(document, "checks")),
+            warnings=tuple(str(one) for one in list_in(document, "warnings")),
+            cause=text_in(document, "cause"),
+            starts=document.get("starts") is True,
         )
 
 
@@ -150,7 +111,7 @@ class Sea:
     def worst(self) -> SeaRecord | None:
         """Of the records with its outcome the one that uses most of a limit; None where it was not run."""
         worst = [record for record in self.records if record.outcome is self.outcome]
-        return first_largest(worst, _used)
+        return first_largest(worst, lambda record: record.used)
 
     def extremes(self, share: float = ONE_IN_TEN) -> list[Extreme]:
         """What checks come to in one lift of many in this sea, by Gumbel's distribution of its records.
@@ -186,11 +147,3 @@ class Sea:
             "extremes": [one.to_json() for one in self.extremes()],
             "records": [record.to_json() for record in self.records],
         }
-
-
-def _used(record: SeaRecord) -> float:
-    """Largest share of a limit that is used [1]; infinite of what failed without a number."""
-    check = record.governing
-    if record.cause or (check is not None and check.utilisation is None):
-        return math.inf
-    return 0.0 if check is None or check.utilisation is None else check.utilisation

@@ -12,11 +12,10 @@ from typing import Any
 
 from gantline.arguments import told
 from gantline.assembly.afloat.steepness import highest_sea
-from gantline.checks import check_recording
 from gantline.results.afloat.sea_grid import SeaGrid
 from gantline.results.file.saved import digest_of
-from gantline.scenario import Scenario, ScenarioError, load_scenario
-from gantline.simulation import Simulation, SimulationError
+from gantline.scenario import Scenario, load_scenario
+from gantline.simulation import Simulation
 from gantline.study.kept_runs import KeptRuns
 from gantline.study.sea import NoSeaError, Sea, SeaRecord
 from gantline.study.side_by_side import SideBySide
@@ -268,22 +267,13 @@ def _submit(
     if number > 1:
         changes |= {path: seed + number - 1 for path, seed in _seeds(scenario).items()}
 
-    def run() -> SeaRecord:
-        try:
-            simulation = Simulation(scenario.changed(changes), **overrides)
-            recording = simulation.run(on_progress=lambda _: pool.goes_on())
-        except ScenarioError as error:
-            return SeaRecord(number, cause=error.problems[0].message, starts=False)
-        except SimulationError as stop:
-            return SeaRecord(number, stop.time, check_recording(stop.recording), cause=str(stop))
-        warnings = tuple(str(one) for one in recording.attributes.get("warnings") or ())
-        return SeaRecord(number, float(recording.time[-1]), check_recording(recording), warnings)
-
     def work() -> SeaRecord:
         known = None if kept is None else kept.find(sea, number)
         if known is not None:
             return known
-        record = run()
+        record = SeaRecord.of(
+            lambda: scenario.changed(changes), overrides, goes_on=pool.goes_on, number=number
+        )
         # A run that was given up ends early: nobody is to take it for a whole one.
         if kept is not None and pool.goes_on():
             kept.keep(sea, record)

@@ -1,0 +1,109 @@
+"""A run that is held against the limits of its lift, one of many whose recordings nobody keeps."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Self
+
+from gantline.checks import Check, Outcome, check_recording, failed_names, governing, outcome_of, verdict_of
+from gantline.results.recording import Recording
+from gantline.scenario import Scenario, ScenarioError
+from gantline.simulation import Simulation, SimulationError
+
+__all__ = ["HeldRun"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class HeldRun:
+    """What one run of many came to.
+
+    Attributes:
+        time: Simulated time that it got to [s].
+        checks: Its checks.
+        warnings: Of lift file and run, sentences.
+        cause: Why it could not start or not go on, in one sentence; empty where it did.
+        starts: Whether it could start.
+    """
+
+    time: float = 0.0
+    checks: Sequence[Check] = ()
+    warnings: Sequence[str] = ()
+    cause: str = ""
+    starts: bool = True
+
+    @classmethod
+    def of(
+        cls,
+        lift: Callable[[], Scenario],
+        overrides: Mapping[str, Any],
+        *,
+        goes_on: Callable[[], bool],
+        note: Callable[[Recording], dict[str, Any]] = lambda _: {},
+        **known: Any,
+    ) -> Self:
+        """Simulate a lift from its start to its end.
+
+        Args:
+            lift: Makes it; what is wrong with it then is why it could not start.
+            overrides: Settings of `simulate`.
+            goes_on: Whether to go on; asked about ten times a second.
+            note: What else to keep of its recording, attributes of a class made of this one by name.
+            known: Further attributes of such a class.
+        """
+        try:
+            simulation = Simulation(lift(), **overrides)
+            recording = simulation.run(on_progress=lambda _: goes_on())
+        except ScenarioError as error:
+            return cls(cause=error.problems[0].message, starts=False, **known)
+        except SimulationError as stop:
+            checks = check_recording(stop.recording)
+            return cls(time=stop.time, checks=checks, cause=str(stop), **note(stop.recording), **known)
+        return cls(
+            time=float(recording.time[-1]),
+            checks=check_recording(recording),
+            warnings=tuple(str(one) for one in recording.attributes.get("warnings") or ()),
+            **note(recording),
+            **known,
+        )
+
+    @property
+    def outcome(self) -> Outcome:
+        """Go or no-go; a lift that cannot start or go on is none."""
+        return Outcome.NO_GO if self.cause else outcome_of(self.checks)
+
+    @property
+    def governing(self) -> Check | None:
+        """The check that uses most of its limit; None where there is none with a limit."""
+        return governing(self.checks)
+
+    @property
+    def failed(self) -> tuple[str, ...]:
+        """Names of the checks that failed."""
+        return failed_names(self.checks)
+
+    @property
+    def used(self) -> float:
+        """Largest share of a limit that is used [1]; infinite of what failed without a number."""
+        check = self.governing
+        if self.cause or (check is not None and check.utilisation is None):
+            return math.inf
+        return 0.0 if check is None or check.utilisation is None else check.utilisation
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it as a JSON object, SI units."""
+        check = self.governing
+        return {
+            "outcome": self.outcome.value,
+            "time": self.time,
+            "starts": self.starts,
+            "cause": self.cause,
+            "failed": list(self.failed),
+            "governing": None
+            if check is None
+            else {"check": check.name, "element": check.element, "utilisation": check.utilisation},
+            "verdict": "" if self.cause else verdict_of(self.checks),
+            "warnings": list(self.warnings),
+            "checks": [one.to_json() for one in self.checks],
+        }
