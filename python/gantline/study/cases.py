@@ -291,40 +291,82 @@ def _tolerances(
     about: Callable[[str], None],
 ) -> Iterator[_Pending]:
     """Patterns of long and short slings, by sensitivities, and each solved anew."""
-    case = (scenario.cases or {})[name]
     question = Statics(base)
     about("equilibrium without tolerances")
     given = settled(question, time, State(name, "", "none", 0.0))
     if given.rest is None:
         yield _known(given)
         return
-    on = {sling.name for sling in series.slings_on(given.rest.recording)}
-    off = {sling: amount for sling, amount in tolerances(scenario).items() if sling in on}
-    if not off:
+    found = lengths_off(scenario, name, (question, given, time), about)
+    if not found.off:
         yield _known(replace(given, variant="no sling with a tolerance is on"))
         return
-    about("how lengths change tensions")
-    change = _changes(scenario, name, question, off)
-    if change is None or case.pattern == "each":
-        patterns = single_patterns(len(off))
-    else:
-        if given.rest.lossy:
-            about("how lengths change tensions with losses of sheaves")
-        changes = [change, *_changes_by_losses(question, time, given, off)]
-        found = (pattern for one in changes for pattern in worst_patterns(str(case.pattern), one))
-        patterns = list(dict.fromkeys(found))
-    if not patterns:
+    if not found.patterns:
         yield _known(replace(given, variant="lengths change no tension"))
-    for pattern in patterns:
-        longer = {sling: sign * off[sling] for sling, sign in zip(off, pattern, strict=True) if sign}
-        more = change @ np.array(pattern) if change is not None else ()
+    on = {sling.name for sling in series.slings_on(given.rest.recording)}
+    for pattern in found.patterns:
+        longer = found.longer(pattern)
+        more = found.change @ np.array(pattern) if found.change is not None else ()
         first_order = {
             sling.name: given.rest.tension(sling.rope) + float(one)
-            for sling, one in zip(question.rig.slings, more, strict=change is not None)
+            for sling, one in zip(question.rig.slings, more, strict=found.change is not None)
             if sling.name in on
         }
         state = State(name, pattern_label(longer), "none", 0.0, margins=TOLERANCE, first_order=first_order)
         yield _of_case(pool, scenario, with_lengths(scenario, name, longer), time, state)
+
+
+@dataclass(frozen=True)
+class LengthsOff:
+    """Patterns of long and short slings.
+
+    Attributes:
+        off: What the length of each sling that is on may be off [m].
+        patterns: Signs of what they are off, +1 long, −1 short, 0 as planned.
+        change: What these amounts change in tensions [N], see `changes_of_tension`; None if not known.
+    """
+
+    off: Mapping[str, float]
+    patterns: Sequence[tuple[int, ...]] = ()
+    change: Floats | None = None
+
+    def longer(self, pattern: Sequence[int]) -> dict[str, float]:
+        """By how much slings are longer in a pattern [m], those that are not as planned."""
+        return {sling: sign * self.off[sling] for sling, sign in zip(self.off, pattern, strict=True) if sign}
+
+
+def lengths_off(
+    scenario: Scenario,
+    name: str,
+    rest: tuple[Statics, State, float | None],
+    about: Callable[[str], None],
+) -> LengthsOff:
+    """The patterns that a case of tolerances asks for.
+
+    Args:
+        scenario: The lift.
+        name: Of the case.
+        rest: The lift without cases, its equilibrium, and the time of that [s].
+        about: Is told what takes long.
+
+    Raises:
+        ScenarioError: If the patterns need sensitivities, and there are none.
+    """
+    case = (scenario.cases or {})[name]
+    question, given, time = rest
+    on = set() if given.rest is None else {sling.name for sling in series.slings_on(given.rest.recording)}
+    off = {sling: amount for sling, amount in tolerances(scenario).items() if sling in on}
+    if not off:
+        return LengthsOff(off)
+    about("how lengths change tensions")
+    change = _changes(scenario, name, question, off)
+    if change is None or case.pattern == "each":
+        return LengthsOff(off, single_patterns(len(off)), change)
+    if given.rest is not None and given.rest.lossy:
+        about("how lengths change tensions with losses of sheaves")
+    changes = [change, *_changes_by_losses(question, time, given, off)]
+    found = (pattern for one in changes for pattern in worst_patterns(str(case.pattern), one))
+    return LengthsOff(off, list(dict.fromkeys(found)), change)
 
 
 def _changes_by_losses(

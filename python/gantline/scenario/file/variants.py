@@ -75,8 +75,14 @@ def check_cases(scenario: Scenario) -> None:
     findings.raise_any()
 
 
-def variants_of(scenario: Scenario, name: str) -> list[Variant]:
+def variants_of(scenario: Scenario, name: str, *, to_run: bool = False) -> list[Variant]:
     """Lifts of a case that sets or varies quantities; none of one that varies lengths of slings, or cuts.
+
+    Args:
+        scenario: the lift.
+        name: of the case.
+        to_run: whether they start as the lift does. To be asked for an equilibrium they start as given:
+            shorter slings, or a higher hook, may pull from the start.
 
     Raises:
         ScenarioError: if the case asks for what cannot be.
@@ -84,11 +90,11 @@ def variants_of(scenario: Scenario, name: str) -> list[Variant]:
     case = (scenario.cases or {})[name]
     if case.changes is not None:
         path = ("cases", name, "set")
-        return [Variant("", _changed(scenario, case.changes, path))]
+        return [Variant("", _changed(scenario, case.changes, path, to_run=to_run))]
     if case.vary == ENVELOPE:
-        return _corners(scenario, name)
+        return _corners(scenario, name, to_run=to_run)
     if isinstance(case.vary, dict):
-        return _offset(scenario, name, case.vary)
+        return _offset(scenario, name, case.vary, to_run=to_run)
     return []
 
 
@@ -150,8 +156,10 @@ def tolerances(scenario: Scenario) -> dict[str, float]:
     return {name: sling.tolerance for name, sling in slings if sling.tolerance > 0.0}
 
 
-def with_lengths(scenario: Scenario, name: str, longer: Mapping[str, float]) -> Scenario:
-    """The lift of a case in which slings are longer than planned [m].
+def with_lengths(
+    scenario: Scenario, name: str, longer: Mapping[str, float], *, to_run: bool = False
+) -> Scenario:
+    """The lift of a case in which slings are longer than planned [m]; `to_run` as of `variants_of`.
 
     Raises:
         ScenarioError: if there can be no such slings.
@@ -163,11 +171,11 @@ def with_lengths(scenario: Scenario, name: str, longer: Mapping[str, float]) -> 
         f"slings.{sling}.length": text_node(si_text(lengths[sling] + more, "length"), line)
         for sling, more in longer.items()
     }
-    return _changed(scenario, changes, path)
+    return _changed(scenario, changes, path, to_run=to_run)
 
 
-def with_ropes_cut(scenario: Scenario, name: str, time: float) -> Scenario:
-    """The lift of a case in which ropes are cut at a time [s].
+def with_ropes_cut(scenario: Scenario, name: str, time: float, *, to_run: bool = False) -> Scenario:
+    """The lift of a case in which ropes are cut at a time [s]; `to_run` as of `variants_of`.
 
     Raises:
         ScenarioError: if they cannot be.
@@ -178,10 +186,10 @@ def with_ropes_cut(scenario: Scenario, name: str, time: float) -> Scenario:
         f"{_home(scenario, rope)}.{rope}.cut_at": text_node(si_text(time, "time"), line)
         for rope in (scenario.cases or {})[name].cut
     }
-    return _changed(scenario, cut, path)
+    return _changed(scenario, cut, path, to_run=to_run)
 
 
-def _corners(scenario: Scenario, name: str) -> list[Variant]:
+def _corners(scenario: Scenario, name: str, *, to_run: bool) -> list[Variant]:
     path = ("cases", name, "vary")
     load = scenario.load
     margins = load.centre_of_gravity.envelope if load is not None else (0.0, 0.0, 0.0)
@@ -198,13 +206,15 @@ def _corners(scenario: Scenario, name: str) -> list[Variant]:
         if margin
     }
     shown = [axis for axis, margin in zip(_AXES, margins, strict=True) if margin]
-    corners = _offset(scenario, name, offsets)
+    corners = _offset(scenario, name, offsets, to_run=to_run)
     signs = itertools.product("−+", repeat=len(shown))
     labels = (" ".join(sign + axis for sign, axis in zip(corner, shown, strict=True)) for corner in signs)
     return [Variant(label, one.scenario) for label, one in zip(labels, corners, strict=True)]
 
 
-def _offset(scenario: Scenario, name: str, varied: Mapping[str, Sequence[str]]) -> list[Variant]:
+def _offset(
+    scenario: Scenario, name: str, varied: Mapping[str, Sequence[str]], *, to_run: bool
+) -> list[Variant]:
     path = ("cases", name, "vary")
     count = math.prod(len(offsets) for offsets in varied.values())
     if count > _MOST:
@@ -217,7 +227,7 @@ def _offset(scenario: Scenario, name: str, varied: Mapping[str, Sequence[str]]) 
         pairs = list(zip(places, chosen, strict=True))
         changes: dict[str, Node] = {key: text_node(text, line) for key, (_, text) in pairs}
         label = ", ".join(f"{key} {_signed(offset)}" for key, (offset, _) in pairs)
-        variants.append(Variant(label, _changed(scenario, changes, path)))
+        variants.append(Variant(label, _changed(scenario, changes, path, to_run=to_run)))
     return variants
 
 
@@ -243,9 +253,11 @@ def _signed(offset: str) -> str:
     return f"−{text[1:]}" if text.startswith("-") else f"+{text.removeprefix('+')}"
 
 
-def _changed(scenario: Scenario, changes: Mapping[str, Node], path: tuple[PathPart, ...]) -> Scenario:
+def _changed(
+    scenario: Scenario, changes: Mapping[str, Node], path: tuple[PathPart, ...], *, to_run: bool
+) -> Scenario:
     """The scenario with nodes put at dotted paths; what is wrong with that is said at a path of the case."""
-    tree = _let_go(scenario)
+    tree = _base(scenario) if to_run else _let_go(scenario)
     for place, node in changes.items():
         own = (*path, place) if path[-1] == "set" else path
         try:
@@ -257,7 +269,7 @@ def _changed(scenario: Scenario, changes: Mapping[str, Node], path: tuple[PathPa
     except ScenarioError as error:
         problems = [scenario.problem(path, one.message) for one in error.problems]
         raise ScenarioError(scenario.source, problems) from None
-    return _still(other, scenario, changes)
+    return other if to_run else _still(other, scenario, changes)
 
 
 def _still(other: Scenario, scenario: Scenario, places: Collection[str]) -> Scenario:
