@@ -318,3 +318,53 @@ def test_a_case_past_what_nobody_limits_is_named(tmp_path: Path) -> None:
     named = {one["case"]: one["states"][0] for one in document["cases"]}
     assert named["askew"]["past_limits_that_warn"] == ["load_tilt"]
     assert named["heavy"]["past_limits_that_warn"] == []
+
+
+SIMULATED = """\
+heavy: {set: {load.weight.simulate: design}}
+hook_levels: {vary: {cranes.A.at.z: [-1 mm, 0 mm]}}
+cut: {cut: SA, at: 0.2 s}"""
+
+
+@pytest.fixture
+def plan(tmp_path: Path) -> Path:
+    """The same four hooks, whose slings are not taut at the start."""
+    path = tmp_path / "plan.yaml"
+    path.write_text(plumb_lift(SIMULATED, tolerance="0.01 %", envelope="[0 m, 0 m, 0 m]"), encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("columns", [80, 120])
+def test_simulated(plan: Path, columns: int) -> None:
+    result = gantline("cases", str(plan), "--simulate", columns=columns)
+    assert result.exit_code == 1, result.stderr
+    assert max(map(len, result.stdout.splitlines())) <= columns
+    assert re.search(r"^Case +slings +to +hook load +tilt$", result.stdout, re.MULTILINE)
+    assert re.search(r"^  hook_levels \(2\) ", result.stdout, re.MULTILINE)
+    assert re.search(r"^  cut +.* NO-GO$", result.stdout, re.MULTILINE)
+    assert re.search(r"rope_parted failed: cut$", result.stdout, re.MULTILINE)
+    assert re.search(r"^Worst case of each limit +value +limit +used", result.stdout, re.MULTILINE)
+    assert re.search(r"^3 cases, 5 runs: \d NO-GO", result.stdout, re.MULTILINE)
+
+
+def test_simulated_in_a_file(plan: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    result = gantline("cases", str(plan), "--simulate", "--json", "-o", str(folder))
+    assert result.exit_code == 1
+    document = json.loads(result.stdout)
+    assert json.loads((folder / "case_runs.json").read_text(encoding="utf-8")) == document
+    assert not (folder / "cases.json").exists()
+    assert [(one["case"], len(one["runs"])) for one in document["cases"]] == [
+        ("", 1),
+        ("heavy", 1),
+        ("hook_levels", 2),
+        ("cut", 1),
+    ]
+    assert document["go"] is False
+    assert {one["case"] for one in document["worst"]} <= {"", "heavy", "hook_levels", "cut"}
+
+
+def test_each_simulated_variant_in_a_line(plan: Path) -> None:
+    result = gantline("cases", str(plan), "--simulate", "--variants", columns=120)
+    for variant in ("−1 mm", "+0 mm"):
+        assert f"hook_levels (cranes.A.at.z {variant})" in result.stdout

@@ -1,10 +1,12 @@
-"""`gantline cases`: statics of a lift and of everything that may be otherwise than planned."""
+"""`gantline cases`: a lift and everything that may be otherwise than planned, at rest or simulated."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -22,10 +24,21 @@ from gantline.cli.messages import (
 )
 from gantline.cli.progress import telling
 
+if TYPE_CHECKING:
+    from gantline.scenario import Scenario
+
 
 def cases(
     lift: Lift,
     time: Moment = None,
+    simulate: Annotated[
+        bool,
+        typer.Option(
+            "--simulate",
+            help="Simulate the whole plan of each, and hold it against the limits; --time is then that at "
+            "whose rest the worst lengths are looked for.",
+        ),
+    ] = False,
     variants: Annotated[
         bool, typer.Option("--variants", help="Show each variant of a case in a line of its own.")
     ] = False,
@@ -35,23 +48,21 @@ def cases(
     output: Annotated[
         Path | None,
         folder_option(
-            "Folder for all numbers as cases.json; a report in the same folder shows the worst of them."
+            "Folder for all numbers as cases.json; a report in the same folder shows the worst of them. With "
+            "--simulate as case_runs.json."
         ),
     ] = None,
 ) -> None:
-    """Find how a lift hangs in each of its cases, and the worst case of each element; nothing is simulated.
+    """Find how a lift hangs in each of its cases, or simulate each, and the worst case of each element.
 
     Ends with code 1 where a check fails, an equilibrium is unstable or a case cannot start, with 3 where
-    there is no equilibrium, and with 4 where nothing hangs at that time. Ctrl-C ends it with what has been
-    found by then, or a word that nothing has, and with 130.
+    there is no equilibrium, and with 4 where nothing hangs at that time. With --simulate it ends with 1 where
+    the lift is no go in a case, and with 4 where one gives no verdict or is not simulated. Ctrl-C ends it
+    with what has been found by then, or a word that nothing has, and with 130.
     """
-    from gantline.replacing import replace_text
-    from gantline.results.file.saved import CASES
-
     moment = moment_of(time)
     with scenario_errors():
         from gantline.scenario import load_scenario
-        from gantline.study import run_cases
 
         scenario = load_scenario(lift)
         refuse_beyond(scenario, moment)
@@ -60,29 +71,72 @@ def cases(
             stop(f"{scenario.source}: there are no 'cases' in this file; one is written like '{right}'")
         try:
             with folder_in_use(output) as folder, telling("cases") as tell:
-                result = run_cases(scenario, moment, on_progress=tell)
+                found = (_simulated if simulate else _at_rest)(scenario, moment, tell, variants=variants)
         except KeyboardInterrupt:
-            warn("interrupted before the equilibrium of the lift as it is given was found: no case is known")
+            what, how = ("run", "had ended") if simulate else ("equilibrium", "was found")
+            warn(f"interrupted before the {what} of the lift as it is given {how}: no case is known")
             raise typer.Exit(INTERRUPTED) from None
-    text = json.dumps(result.to_json(), indent=2, allow_nan=False)
-    from gantline.cli.cases_table import cases_table, nothing_hangs
-
     if as_json:
-        typer.echo(text)
+        typer.echo(found.text)
     else:
-        from gantline.cli.check_table import width_of_terminal
-
-        table = cases_table(result, width=width_of_terminal(), variants=variants)
-        typer.echo("\n".join([*scenario.left_out_at_rest, *table]))
+        typer.echo("\n".join(found.table))
     if folder is not None:
+        from gantline.replacing import replace_text
+
         with writing(folder):
-            replace_text(folder / CASES, text + "\n")
-        typer.echo(f"Cases       {folder / CASES}", err=as_json)
-    if result.not_done:
-        warn(f"interrupted; not all variants of these were worked out: {', '.join(result.not_done)}")
+            replace_text(folder / found.file, found.text + "\n")
+        typer.echo(f"Cases       {folder / found.file}", err=as_json)
+    if found.not_done:
+        what = "simulated" if simulate else "worked out"
+        warn(f"interrupted; not all variants of these were {what}: {', '.join(found.not_done)}")
         raise typer.Exit(INTERRUPTED)
-    if not result.has_equilibria:
-        raise typer.Exit(COULD_NOT_GO_ON)
+    raise typer.Exit(found.code)
+
+
+@dataclass(frozen=True)
+class _Found:
+    """What is to be told of cases: as JSON and as a table, into which file, and the code to end with."""
+
+    text: str
+    table: list[str]
+    file: str
+    code: int
+    not_done: Sequence[str]
+
+
+def _at_rest(
+    scenario: Scenario, moment: float | None, tell: Callable[[str], None], *, variants: bool
+) -> _Found:
+    from gantline.cli.cases_table import cases_table, nothing_hangs
+    from gantline.cli.check_table import width_of_terminal
+    from gantline.results.file.saved import CASES
+    from gantline.study import run_cases
+
+    result = run_cases(scenario, moment, on_progress=tell)
+    table = cases_table(result, width=width_of_terminal(), variants=variants)
+    code = NO_VERDICT if nothing_hangs(result.states) else DONE
     if not result.is_sound:
-        raise typer.Exit(CHECK_FAILED)
-    raise typer.Exit(NO_VERDICT if nothing_hangs(result.states) else DONE)
+        code = CHECK_FAILED
+    if not result.has_equilibria:
+        code = COULD_NOT_GO_ON
+    return _Found(_text(result.to_json()), [*scenario.left_out_at_rest, *table], CASES, code, result.not_done)
+
+
+def _simulated(
+    scenario: Scenario, moment: float | None, tell: Callable[[str], None], *, variants: bool
+) -> _Found:
+    from gantline.checks import Outcome
+    from gantline.cli.case_runs_table import case_runs_table
+    from gantline.cli.check_table import width_of_terminal
+    from gantline.results.file.saved import CASE_RUNS
+    from gantline.study import simulate_cases
+
+    result = simulate_cases(scenario, moment, on_progress=tell)
+    table = case_runs_table(result, width=width_of_terminal(), variants=variants)
+    is_no_go = any(run.outcome is Outcome.NO_GO for run in result.runs)
+    code = DONE if result.is_go else CHECK_FAILED if is_no_go else NO_VERDICT
+    return _Found(_text(result.to_json()), table, CASE_RUNS, code, result.not_done)
+
+
+def _text(document: dict[str, Any]) -> str:
+    return json.dumps(document, indent=2, allow_nan=False)

@@ -5,8 +5,18 @@ from __future__ import annotations
 import re
 import textwrap
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from typing import Protocol
 
-from gantline.checks import governing
+from gantline.checks import Check, governing
+from gantline.cli.case_names import (
+    AS_GIVEN,
+    SHORTEST_LABEL,
+    case_name,
+    is_numbered,
+    listed_names,
+    numbered_in,
+    told_apart,
+)
 from gantline.cli.friction import fails_as_it_slides
 from gantline.cli.table import ABSENT, show, table, tables
 from gantline.results.file.saved import WORST_OF_LOSSES
@@ -14,8 +24,6 @@ from gantline.scenario.file.case import ENVELOPE, TOLERANCE
 from gantline.study.cases import CasesResult
 from gantline.study.state import QUANTITIES, State, Worst, values_of
 
-#: How the lift without any change is called.
-AS_GIVEN = "as given"
 #: Share of its tension that margins add to a sling from which on they count beside others [1].
 _ADDS = 0.01
 #: What a line of the worst cases is called.
@@ -34,8 +42,15 @@ _LINES = {
 _FIGURE = re.compile(
     r"(?<![\w.,+-])-?\d[\d,]*(?:\.\d+)?(?= (?:deg|%|mm|m|t|kg|kN|MN|N|s|kPa|MPa)(?![\w./]\w))"
 )
-_SHORTEST_LABEL = 16
 _WITHOUT_LOSSES = "without losses"
+
+
+class HasChecks(Protocol):
+    """A state or a run that has been checked."""
+
+    @property
+    def checks(self) -> Sequence[Check]:
+        """Its checks."""
 
 
 def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]:
@@ -49,11 +64,11 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
     groups: list[tuple[str, list[State]]]
     if variants:
         bounded = {(state.case, state.variant) for state in result.states if state.losses != "none"}
-        groups = [(_name(state.case, _label(state, bounded)), [state]) for state in result.states]
+        groups = [(case_name(state.case, _label(state, bounded)), [state]) for state in result.states]
     else:
         by_case = {name: result.of(name) for name in result.names}
         groups = [
-            (_name(name, _count(states, is_whole=name not in result.not_done)), states)
+            (case_name(name, _count(states, is_whole=name not in result.not_done)), states)
             for name, states in by_case.items()
         ]
 
@@ -69,8 +84,8 @@ def cases_table(result: CasesResult, *, width: int, variants: bool) -> list[str]
         *_overshoots(result, width),
         *_at_once(result, width),
     ]
-    states, governed = _states(groups, width), _governing(groups, width)
-    numbered = _numbered([name for name, _ in groups], [*states, *governed], width)
+    states, governed = _states(groups, width), nearest_to_limits(groups, width)
+    numbered = numbered_in([name for name, _ in groups], [*states, *governed], width)
     parts = [
         [f"{result.title}, at rest", *_standing(result, width)],
         [*states, *why],
@@ -112,8 +127,8 @@ def _states(groups: Sequence[tuple[str, Sequence[State]]], width: int) -> list[s
     ]
     head = ("", "slings", "to", "hook load", "tilt", "travel", "")
     taken = max(len(line) for line in table(head, rows, "lrrrrrl"))
-    room = max(_SHORTEST_LABEL, width - taken)
-    names = _told_apart([name for name, _ in groups], room)
+    room = max(SHORTEST_LABEL, width - taken)
+    names = told_apart([name for name, _ in groups], room)
     named = [(name, *row[1:]) for name, row in zip(names, rows, strict=True)]
     return table(("Case", *head[1:]), named, "lrrrrrl")
 
@@ -123,10 +138,6 @@ def _count(states: Sequence[State], *, is_whole: bool) -> str:
     if not is_whole:
         return f"{len(states)} of more"
     return str(len(states)) if len(states) > 1 else ""
-
-
-def _name(case: str, more: str) -> str:
-    return f"{case or AS_GIVEN}{f' ({more})' if more else ''}"
 
 
 def _label(state: State, bounded: Container[tuple[str, str]]) -> str:
@@ -282,12 +293,12 @@ def _in_cases(states: Sequence[State], found: Sequence[int]) -> str:
     for case in dict.fromkeys(states[place].case for place in found):
         some = sum(states[place].case == case for place in found)
         every = sum(state.case == case for state in states)
-        parts.append(_name(case, f"{some} of {every}" if every > 1 else ""))
+        parts.append(case_name(case, f"{some} of {every}" if every > 1 else ""))
     return ", ".join(parts)
 
 
-def _governing(groups: Sequence[tuple[str, Sequence[State]]], width: int) -> list[str]:
-    """The check of each group of states that uses most of its limit."""
+def nearest_to_limits(groups: Sequence[tuple[str, Sequence[HasChecks]]], width: int) -> list[str]:
+    """The check of each group of states, or runs, that uses most of its limit."""
     rows = {}
     for place, (_, states) in enumerate(groups):
         check = governing([check for state in states for check in state.checks])
@@ -298,7 +309,7 @@ def _governing(groups: Sequence[tuple[str, Sequence[State]]], width: int) -> lis
         return []
     head = ("Nearest to a limit", "check", "used", "by")
     others = max(len(line) for line in table(("", *head[1:]), [("", *row) for row in rows.values()], "llrl"))
-    names = _told_apart([name for name, _ in groups], max(_SHORTEST_LABEL, width - others))
+    names = told_apart([name for name, _ in groups], max(SHORTEST_LABEL, width - others))
     return table(head, [(names[place], *row) for place, row in rows.items()], "llrl")
 
 
@@ -336,17 +347,17 @@ def _worst(worst: Sequence[Worst], width: int, numbered: int) -> list[list[str]]
         share = f"{one.value / one.given:.3f}" if one.given and unit == "kN" else ABSENT
         given, value = show(one.given, unit, digits), show(one.value, unit, digits)
         # What nobody can tell from the lift as it is given has no case for its cause.
-        label = AS_GIVEN if value == given else _name(one.state.case, one.state.label)
+        label = AS_GIVEN if value == given else case_name(one.state.case, one.state.label)
         rows.append((_LINES[one.quantity].format(one.element), given, value, share, label))
     if not rows:
         return [[]]
     head = ("Worst case", AS_GIVEN, "worst", "of it", "in")
     taken = max(len(line) for line in table(head, [(*row[:4], "") for row in rows], "lrrrl")) + 2
-    room = max(_SHORTEST_LABEL, width - taken)
+    room = max(SHORTEST_LABEL, width - taken)
     long = [label for label in dict.fromkeys(row[4] for row in rows) if len(label) > room]
-    names = dict(zip(long, _told_apart(long, room, numbered), strict=True))
+    names = dict(zip(long, told_apart(long, room, numbered), strict=True))
     lines = table(head, [(*row[:4], names.get(row[4], row[4])) for row in rows], "lrrrl")
-    return [lines, _listed(long, width, numbered) if _is_numbered(names.values(), numbered) else []]
+    return [lines, listed_names(long, width, numbered) if is_numbered(names.values(), numbered) else []]
 
 
 def _repeats(hoist: Worst, worst: Sequence[Worst]) -> bool:
@@ -419,42 +430,3 @@ def nothing_hangs(states: Sequence[State]) -> str:
     if not all(state.not_lifted for state in states):
         return ""
     return f"nothing hangs then, {'; '.join(states[0].not_lifted)}; '--time' asks for another moment"
-
-
-def _told_apart(names: Sequence[str], room: int, first: int = 0) -> list[str]:
-    """Names no longer than `room`, with a number each where what is cut off is all that two differ by.
-
-    Numbers begin behind the `first` ones.
-    """
-    cut = [_shortened(name, room) for name in names]
-    if len(set(cut)) == len(set(names)):
-        return cut
-    return [_shortened(f"{_number(first + place)} {name}", room) for place, name in enumerate(names)]
-
-
-def _numbered(names: Sequence[str], lines: Sequence[str], width: int) -> list[str]:
-    """What numbers stand for, where names have them in these lines."""
-    return _listed(names, width) if _is_numbered((line.strip() for line in lines), 0) else []
-
-
-def _is_numbered(lines: Iterable[str], first: int) -> bool:
-    return any(line.startswith(f"{_number(first)} ") for line in lines)
-
-
-def _listed(names: Sequence[str], width: int, first: int = 0) -> list[str]:
-    """Each number with the whole name that it stands for."""
-    return [
-        line
-        for place, name in enumerate(names, first)
-        for line in textwrap.wrap(
-            f"{_number(place)} {name}", max(width, 60), initial_indent="  ", subsequent_indent="     "
-        )
-    ]
-
-
-def _number(place: int) -> str:
-    return f"#{place + 1}"
-
-
-def _shortened(text: str, room: int) -> str:
-    return text if len(text) <= room else f"{text[: room - 1]}…"

@@ -2,6 +2,7 @@
 
 from gantline.study.afloat import VesselAttitude
 from gantline.study.ballast import BallastAnswer, solve_ballast
+from gantline.study.case_runs import CaseRun, CaseRuns, simulate_cases
 from gantline.study.cases import CasesResult, run_cases
 from gantline.study.extremes import Extreme, Gumbel
 from gantline.study.lengths import LengthAnswer, adjust_lengths
@@ -20,6 +21,8 @@ __all__ = [
     "AdjustError",
     "BallastAnswer",
     "CannotBeError",
+    "CaseRun",
+    "CaseRuns",
     "CasesResult",
     "Extreme",
     "Gumbel",
@@ -49,6 +52,7 @@ __all__ = [
     "run_seas",
     "run_steps",
     "run_sweep",
+    "simulate_cases",
     "solve_ballast",
     "tilting_of",
     "values_of",

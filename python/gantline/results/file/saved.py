@@ -25,6 +25,7 @@ _J = TypeVar("_J", "SavedCases", "SavedLostLoad", SavedSeas)
 
 __all__ = [
     "CASES",
+    "CASE_RUNS",
     "EQUILIBRIUM",
     "FILES_BESIDE",
     "LOSSES",
@@ -46,6 +47,7 @@ __all__ = [
 
 #: Names of the files.
 CASES = "cases.json"
+CASE_RUNS = "case_runs.json"
 EQUILIBRIUM = "equilibrium.nc"
 LOST_LOAD = "lost_load.json"
 SEAS = "seas.json"
