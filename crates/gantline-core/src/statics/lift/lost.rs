@@ -8,6 +8,7 @@ use crate::state::State;
 use crate::statics::losses::Losses;
 use crate::statics::{NoEquilibrium, Rest};
 use crate::system::System;
+use crate::tree::Tree;
 
 impl StaticLift {
     /// Loses the body `body`, with all that is fixed to it, where the equilibrium found last has it, and finds the
@@ -18,7 +19,7 @@ impl StaticLift {
     /// [`NoEquilibrium`] where there is none without it.
     pub fn lose(&mut self, body: usize, losses: Losses) -> Result<Rest, NoEquilibrium> {
         let whole = self.kept();
-        let lost = self.system.tree.subtree[body].clone();
+        let lost = self.system.tree.subtree[carrier_of(&self.system.tree, body)].clone();
         let_go(&self.system, &mut self.state, &lost);
         take_off(&mut self.system, &lost);
         self.go_on_without(whole, losses)
@@ -63,6 +64,21 @@ impl StaticLift {
             self.system = whole;
         }
     }
+}
+
+/// The body whose joint a load moves by: itself, or the first of those without mass that carry it and nothing else of
+/// mass, as the joints of a hinge do that it has left. It is fixed to the last of these and has no joint of its own,
+/// so that what reaches it, and all that could move it, is theirs.
+fn carrier_of(tree: &Tree, body: usize) -> usize {
+    let mut top = body;
+    while let Some(parent) = tree.bodies[top].parent {
+        let carries_else = |&one: &usize| tree.bodies[one].mass > 0.0 && !tree.subtree[top].contains(&one);
+        if tree.subtree[parent].iter().any(carries_else) {
+            break;
+        }
+        top = parent;
+    }
+    top
 }
 
 /// Nothing holds the bodies, or leans on them: ropes, contacts and lines that reach them are gone.
