@@ -1,8 +1,8 @@
 """A page drew the load 0.21 m off where it had been as a sling was cut.
 
 The page of a long lift has about 1500 of its samples as frames, with straight lines between. They were spread
-evenly: while a load rings at 3 Hz after a sling is cut there were 4 of them in a swing, and as many in the same
-time while it hung still before. `equalizer_sling_cut` was 225 mm off, and is 33 mm off with as many.
+evenly: while a load rings at 3 Hz after a sling is cut there were 4 of them in a swing, and as many in a
+swing's time while it hung still before. `equalizer_sling_cut` was 225 mm off, and is 33 mm off with as many.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -21,6 +21,10 @@ from gantline.cli.messages import (
     writing,
 )
 from gantline.cli.progress import telling
+
+if TYPE_CHECKING:
+    from gantline.scenario import Scenario
+    from gantline.study.cases import CasesResult
 
 
 def cases(
@@ -45,9 +49,6 @@ def cases(
     there is no equilibrium, and with 4 where nothing hangs at that time. Ctrl-C ends it with what has been
     found by then, or a word that nothing has, and with 130.
     """
-    from gantline.replacing import replace_text
-    from gantline.results.file.saved import CASES
-
     moment = moment_of(time)
     with scenario_errors():
         from gantline.scenario import load_scenario
@@ -58,18 +59,42 @@ def cases(
         if not scenario.cases:
             right = "cases: {heavy: {set: {load.weight.simulate: design}}}"
             stop(f"{scenario.source}: there are no 'cases' in this file; one is written like '{right}'")
-        try:
-            with folder_in_use(output) as folder, telling("cases") as tell:
-                result = run_cases(scenario, moment, on_progress=tell)
-        except KeyboardInterrupt:
-            warn("interrupted before the equilibrium of the lift as it is given was found: no case is known")
-            raise typer.Exit(INTERRUPTED) from None
-    text = json.dumps(result.to_json(), indent=2, allow_nan=False)
-    from gantline.cli.cases_table import cases_table, nothing_hangs
+    with folder_in_use(output) as folder:
+        with scenario_errors():
+            try:
+                with telling("cases") as tell:
+                    result = run_cases(scenario, moment, on_progress=tell)
+            except KeyboardInterrupt:
+                warn(
+                    "interrupted before the equilibrium of the lift as it is given was found: no case "
+                    "is known"
+                )
+                raise typer.Exit(INTERRUPTED) from None
+        _tell(scenario, result, folder, variants=variants, as_json=as_json)
+    if result.not_done:
+        warn(f"interrupted; not all variants of these were worked out: {', '.join(result.not_done)}")
+        raise typer.Exit(INTERRUPTED)
+    from gantline.cli.cases_table import nothing_hangs
 
+    if not result.has_equilibria:
+        raise typer.Exit(COULD_NOT_GO_ON)
+    if not result.is_sound:
+        raise typer.Exit(CHECK_FAILED)
+    raise typer.Exit(NO_VERDICT if nothing_hangs(result.states) else DONE)
+
+
+def _tell(
+    scenario: Scenario, result: CasesResult, folder: Path | None, *, variants: bool, as_json: bool
+) -> None:
+    """Print what has been found, and write it into a folder if there is one."""
+    from gantline.replacing import replace_text
+    from gantline.results.file.saved import CASES
+
+    text = json.dumps(result.to_json(), indent=2, allow_nan=False)
     if as_json:
         typer.echo(text)
     else:
+        from gantline.cli.cases_table import cases_table
         from gantline.cli.check_table import width_of_terminal
 
         table = cases_table(result, width=width_of_terminal(), variants=variants)
@@ -78,11 +103,3 @@ def cases(
         with writing(folder):
             replace_text(folder / CASES, text + "\n")
         typer.echo(f"Cases       {folder / CASES}", err=as_json)
-    if result.not_done:
-        warn(f"interrupted; not all variants of these were worked out: {', '.join(result.not_done)}")
-        raise typer.Exit(INTERRUPTED)
-    if not result.has_equilibria:
-        raise typer.Exit(COULD_NOT_GO_ON)
-    if not result.is_sound:
-        raise typer.Exit(CHECK_FAILED)
-    raise typer.Exit(NO_VERDICT if nothing_hangs(result.states) else DONE)
