@@ -68,7 +68,7 @@ def _draft_of(lift: Path) -> Iterator[Draft]:
 
     with scenario_errors():
         file = lift_file(lift)
-        if not file.is_file():
+        if state_of(file) == GONE or not file.is_file():
             read_text(file, str(file))
     try:
         draft = Draft(file)
