@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from gantline.results.file import netcdf
 from gantline.results.recording import open_recording
 from verbs import gantline
 
@@ -38,7 +37,7 @@ def test_so_is_a_recording(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     def refused(*_: object, **__: object) -> None:
         raise PermissionError(13, f"Unable to synchronously open file (name = '{file}', errno = 13)")
 
-    monkeypatch.setattr(netcdf.h5py, "File", refused)
+    monkeypatch.setattr("gantline.results.file.netcdf.h5py.File", refused)
     with pytest.raises(ValueError) as told:
         open_recording(file)
     assert str(told.value) == f"{file}: cannot be read (permission denied)"
