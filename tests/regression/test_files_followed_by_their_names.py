@@ -1,8 +1,8 @@
 """`gantline view LIFT` did not follow a file whose name has a blank, and followed words that name none.
 
 Which files a lift names was read from its text, right or wrong, by what ends like the name of a file: of
-`my hull.stl` that is `hull.stl`, so that the page stayed as it was when the hull was saved anew, and a word of
-a comment was followed. The reader knows what it opens.
+`my hull.stl` that is `hull.stl`, so that the page stayed as it was when the hull was saved anew, and a word
+of a comment was followed. The reader knows what it opens.
 """
 
 from __future__ import annotations
