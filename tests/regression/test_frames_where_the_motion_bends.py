@@ -43,7 +43,7 @@ def test_a_load_that_swings_for_a_moment_is_drawn_where_it_was() -> None:
 
 
 def test_corners_of_a_load_that_turns_count() -> None:
-    """The upper corner of the block, 10 m by 10 m by 5 m, is 7.5 m from the middle about which it tilts."""
+    """The upper corner of the load, 10 m by 10 m by 5 m, is 7.5 m from the middle about which it tilts."""
     recording = sample_recording(TIME, tension=np.full((len(TIME), 5), 1e5), tilt=0.05 * SWING)
     corner = np.array([5.0, 5.0, 2.5])
     c, s = np.cos(0.05 * SWING), np.sin(0.05 * SWING)
