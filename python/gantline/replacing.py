@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import errno
 import os
-import signal
 import tempfile
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from types import FrameType
+
+from gantline.interrupt import tidied
 
 __all__ = ["ROOM_OF_TABLES", "hold_room", "remove_file", "replace_bytes", "replace_text", "replaced"]
 
@@ -40,7 +39,13 @@ def replaced(path: Path) -> Iterator[Path]:
         kind = errno.ENOTDIR if target.parent.exists() else errno.ENOENT
         raise OSError(kind, os.strerror(kind), str(target.parent))
     trials: list[Path] = []
-    with _gone_at_the_end(trials):
+
+    def remove() -> None:
+        for one in trials:
+            one.unlink(missing_ok=True)
+
+    # Half a recording would stay there under its other name.
+    with tidied(remove):
         handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".part", dir=target.parent)
         trial = Path(name)
         trials.append(trial)
@@ -53,33 +58,6 @@ def replaced(path: Path) -> Iterator[Path]:
         except BaseException:
             trial.unlink(missing_ok=True)
             raise
-
-
-@contextmanager
-def _gone_at_the_end(trials: list[Path]) -> Iterator[None]:
-    """Files that go where the program is told to end, by `kill` or since its terminal has gone.
-
-    That raises nothing, so half a recording would stay there under its other name. It ends as it would have
-    ended; whoever has a way of his own to take the signal keeps it.
-    """
-
-    def end(number: int, _frame: FrameType | None) -> None:
-        for trial in trials:
-            trial.unlink(missing_ok=True)
-        signal.signal(number, signal.SIG_DFL)
-        os.kill(os.getpid(), number)
-
-    own = []
-    if threading.current_thread() is threading.main_thread():
-        every = [getattr(signal, name, None) for name in ("SIGTERM", "SIGHUP")]
-        own = [one for one in every if one is not None and signal.getsignal(one) is signal.SIG_DFL]
-    for one in own:
-        signal.signal(one, end)
-    try:
-        yield
-    finally:
-        for one in own:
-            signal.signal(one, signal.SIG_DFL)
 
 
 def hold_room(handle: int, size: int, path: Path) -> None:

@@ -22,7 +22,7 @@ from gantline.results import Recording
 from gantline.results.file.saved import Beside, SavedCase, SavedCases
 from gantline.viewer import BundleMissing, bundle
 from gantline.viewer.chromium import NAMES, chromium
-from gantline.viewer.decimate import frames
+from gantline.viewer.frames import frames
 from gantline.viewer.live import LiveView
 from gantline.viewer.server import PageServer
 from harbour_lift import HARBOUR_LIFT

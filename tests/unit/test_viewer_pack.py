@@ -12,7 +12,8 @@ import pytest
 from gantline.results import Recording, Variable
 from gantline.viewer import Packed, pack
 from gantline.viewer.arrays import Arrays
-from gantline.viewer.decimate import faithful, frames, peaks
+from gantline.viewer.decimate import faithful, peaks
+from gantline.viewer.frames import frames
 from gantline.viewer.shapes import packed_shape
 from packed_arrays import unpacked
 from sample_lift import SLINGS, ringing_lift, sample_recording
@@ -74,7 +75,8 @@ def test_frames_are_spread_evenly_with_those_around_events() -> None:
     recording = ringing_lift()
     at = frames(recording, 100)
     assert at[0] == 0 and at[-1] == len(recording.time) - 1
-    assert np.diff(at).max() <= np.ceil(2000 / 99) + 1
+    # Half of them; the others are where the motion bends, which it does nowhere here.
+    assert np.diff(at).max() <= np.ceil(2000 / 49) + 1
     # Lift-off at 9.99 s lies between samples 499 (9.98 s) and 500 (10 s), step ends at 20 s in sample 1000.
     assert {499, 500, 1000} <= set(at.tolist())
     assert len(frames(recording, 5000)) == 2001

@@ -94,6 +94,23 @@ def test_flat_sides_are_within_their_error(
     assert np.diag(found.inertia) == pytest.approx(given_.inertia(found.mass), rel=0.03)
 
 
+@pytest.mark.parametrize(
+    ("radius", "slope"),
+    [(0.1, 9.8), (0.2, 9.8), (1, 4.4), (2, 3.1), (5, 2.0), (20, 1.0), (32, 0.8), (50, 0.8)],
+)
+def test_slope_on_which_it_rolls_over_its_sides(radius: float, slope: float) -> None:
+    """A body of n sides tips over an edge on a slope of tan(π/n), (RL5); the figures of the page.
+
+    From its axis to the middle of a side of the hull that meets others, and from there to a corner.
+    """
+    given_ = cylinder(diameter=f"{2 * radius!r} m", length="8 m", along="x")
+    rim = round_body.hull(given_)
+    rim = rim[np.isclose(rim[:, 0], rim[0, 0])][:, 1:] - [0.0, radius]
+    beside, middle = np.linalg.norm(rim[1] - rim[0]) / 2, np.linalg.norm(rim[1] + rim[0]) / 2
+    assert beside / middle == pytest.approx(math.tan(math.pi / len(rim)), rel=1e-9)
+    assert f"{100 * beside / middle:.1f}" == f"{slope:.1f}"
+
+
 def test_segments_of_a_circle() -> None:
     """Half a circle has π r²/2 and π r⁴/8, a whole one π r² and π r⁴/4; a shallow one 4/3 d √(2 r d)."""
     assert segment_area(R, R) == pytest.approx(math.pi * R**2 / 2, rel=1e-14)

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from gantline.opened import note_opened
+
 __all__ = ["stamp"]
 
 
 def stamp(path: Path) -> tuple[int, int]:
     """Changes when the file does: its time and size, or zeros where there is none, which reading it says."""
+    note_opened(path)
     try:
         found = path.stat()
     except OSError:

@@ -69,23 +69,16 @@ def cases(
         if not scenario.cases:
             right = "cases: {heavy: {set: {load.weight.simulate: design}}}"
             stop(f"{scenario.source}: there are no 'cases' in this file; one is written like '{right}'")
-        try:
-            with folder_in_use(output) as folder, telling("cases") as tell:
-                found = (_simulated if simulate else _at_rest)(scenario, moment, tell, variants=variants)
-        except KeyboardInterrupt:
-            what, how = ("run", "had ended") if simulate else ("equilibrium", "was found")
-            warn(f"interrupted before the {what} of the lift as it is given {how}: no case is known")
-            raise typer.Exit(INTERRUPTED) from None
-    if as_json:
-        typer.echo(found.text)
-    else:
-        typer.echo("\n".join(found.table))
-    if folder is not None:
-        from gantline.replacing import replace_text
-
-        with writing(folder):
-            replace_text(folder / found.file, found.text + "\n")
-        typer.echo(f"Cases       {folder / found.file}", err=as_json)
+    with folder_in_use(output) as folder:
+        with scenario_errors():
+            try:
+                with telling("cases") as tell:
+                    found = (_simulated if simulate else _at_rest)(scenario, moment, tell, variants=variants)
+            except KeyboardInterrupt:
+                what, how = ("run", "had ended") if simulate else ("equilibrium", "was found")
+                warn(f"interrupted before the {what} of the lift as it is given {how}: no case is known")
+                raise typer.Exit(INTERRUPTED) from None
+        found.tell(folder, as_json=as_json)
     if found.not_done:
         what = "simulated" if simulate else "worked out"
         warn(f"interrupted; not all variants of these were {what}: {', '.join(found.not_done)}")
@@ -102,6 +95,16 @@ class _Found:
     file: str
     code: int
     not_done: Sequence[str]
+
+    def tell(self, folder: Path | None, *, as_json: bool) -> None:
+        """Print it, and write it into a folder if there is one."""
+        from gantline.replacing import replace_text
+
+        typer.echo(self.text if as_json else "\n".join(self.table))
+        if folder is not None:
+            with writing(folder):
+                replace_text(folder / self.file, self.text + "\n")
+            typer.echo(f"Cases       {folder / self.file}", err=as_json)
 
 
 def _at_rest(

@@ -15,8 +15,8 @@ from gantline.cli.lift import (
     folder_option,
     lifts_that_begin,
     name_of,
+    new_folder,
     opened,
-    output_folder,
     prepare,
     quantity_of,
     recording_file,
@@ -118,19 +118,20 @@ def compare(
     place = output if output is not None else Path("results") / "-".join(["compare", *names])
     read = [recording_file(lift) or lift for lift in (first, second or first)]
     refuse_to_replace(read, (place / name for name in _WRITTEN), "--output needs another folder")
-    folder = output_folder(place)
-    for side in sides:
-        _simulate(side, folder)
-        if _was_stopped(side) and sides[1].status == "ready":
-            warn(f"stopped before B was simulated; what there is of A: {folder / 'a.nc'}")
-            raise typer.Exit(INTERRUPTED)
-    try:
-        comparison = _compare(sides, folder)
-        if plots:
-            _draw(comparison, folder)
-    except KeyboardInterrupt:
-        warn(f"interrupted before all was compared; the recordings are {folder / 'a.nc'}, {folder / 'b.nc'}")
-        raise typer.Exit(INTERRUPTED) from None
+    with new_folder(place) as folder:
+        for side in sides:
+            _simulate(side, folder)
+            if _was_stopped(side) and sides[1].status == "ready":
+                warn(f"stopped before B was simulated; what there is of A: {folder / 'a.nc'}")
+                raise typer.Exit(INTERRUPTED)
+        try:
+            comparison = _compare(sides, folder)
+            if plots:
+                _draw(comparison, folder)
+        except KeyboardInterrupt:
+            there = f"{folder / 'a.nc'}, {folder / 'b.nc'}"
+            warn(f"interrupted before all was compared; the recordings are {there}")
+            raise typer.Exit(INTERRUPTED) from None
     _end(sides)
 
 

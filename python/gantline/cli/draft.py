@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import re
 import threading
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
 
 from gantline.cli.messages import complain
+from gantline.opened import GONE, note_opened, noted_opened, state_of
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
@@ -18,10 +17,6 @@ if TYPE_CHECKING:
 
 #: Between two looks at the files [s].
 _EVERY = 0.5
-#: What may be the name of a file in the text of a lift file: libraries, CAD, hulls, tables of waves.
-_NAMED = re.compile(r"""[^\s,:\[\]{}"'#]+\.[A-Za-z][A-Za-z0-9]*""")
-#: What a file is while it is not there.
-GONE = "gone"
 
 
 class Draft:
@@ -36,6 +31,8 @@ class Draft:
 
         self._file = file
         self._ended = threading.Event()
+        #: State of each file that was opened for what is shown, before that.
+        self._read: dict[Path, str] = {}
         self._recording: Recording | None = None
         notice = f"{file} is being simulated; its report will stand here."
         # Together, for a page must not be told that it is the newest when it is not.
@@ -51,24 +48,25 @@ class Draft:
 
     def follow(self) -> None:
         """Make reports until `end` is called; the terminal gets the verdict of each, or what is wrong."""
-        made_of = ""
         while not self._ended.is_set():
-            state = self._files()
             # Many editors save by putting another file in its place, and for a moment there is none.
-            if state != made_of and state_of(self._file) != GONE:
-                made_of = state
-                self._make(state)
+            if not self._is_as_read() and state_of(self._file) != GONE:
+                with noted_opened() as self._read:
+                    note_opened(self._file)
+                    self._make()
             self._ended.wait(_EVERY)
 
     def end(self) -> None:
         """Stop a simulation under way, and make no more."""
         self._ended.set()
 
-    def _files(self) -> str:
-        """Changes whenever one of the files is written anew that the lift file may name, or itself."""
-        return " ".join(f"{file}:{state_of(file)}" for file in sorted({self._file, *_named_in(self._file)}))
+    def _is_as_read(self) -> bool:
+        """Whether all files that were opened for what is shown are as they were then; if any were."""
+        # A copy, since the lift may be read meanwhile.
+        read = dict(self._read)
+        return bool(read) and all(state_of(file) == state for file, state in read.items())
 
-    def _make(self, state: str) -> None:
+    def _make(self) -> None:
         from gantline.scenario import ScenarioError
         from gantline.simulation import Simulation
 
@@ -79,7 +77,7 @@ class Draft:
             before = "; below is how it was before" if self._recording is not None else ""
             self._show(f"The lift file is refused{before}.\n\n{problem}")
             return
-        recording, failure = self._simulated(simulation, state)
+        recording, failure = self._simulated(simulation)
         if recording.attributes["status"] == "stopped":
             return
         self._recording = recording if len(recording.time) else None
@@ -90,12 +88,12 @@ class Draft:
         self._tell(recording)
         self._show("")
 
-    def _simulated(self, simulation: Simulation, state: str) -> tuple[Recording, SimulationError | None]:
+    def _simulated(self, simulation: Simulation) -> tuple[Recording, SimulationError | None]:
         """What was recorded, and why it could not go on if it could not; stopped where a file has changed."""
         from gantline.simulation import SimulationError
 
         def goes_on(_: float) -> bool:
-            return not self._ended.is_set() and self._files() == state
+            return not self._ended.is_set() and self._is_as_read()
 
         try:
             return simulation.run(on_progress=goes_on), None
@@ -119,29 +117,3 @@ class Draft:
         except ValueError as problem:
             text = render_notice(title, str(problem), reload_from="version")
         self._shown = (number, text)
-
-
-def state_of(file: Path) -> str:
-    """Changes whenever a file is written anew; `GONE` while it is not there."""
-    try:
-        about = file.stat()
-    except OSError:
-        return GONE
-    return f"{about.st_mtime_ns}-{about.st_size}"
-
-
-def _named_in(file: Path) -> Iterator[Path]:
-    """What a lift file, right or wrong, may read: every name in its text, and in those of its libraries."""
-    for named in _names(file):
-        yield named
-        if named.suffix in (".yaml", ".yml") and named != file:
-            yield from _names(named)
-
-
-def _names(file: Path) -> Iterator[Path]:
-    try:
-        text = file.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError):
-        return
-    for word in _NAMED.findall(text):
-        yield file.parent / word

@@ -6,7 +6,7 @@ import glob
 import os
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, overload
@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, overload
 import typer
 
 from gantline.cli.messages import scenario_errors, stop, warn, writing
+from gantline.interrupt import tidied
 
 if TYPE_CHECKING:
     from gantline.results.recording import Recording
@@ -187,16 +188,36 @@ def output_folder(folder: Path) -> Path:
 
 
 @contextmanager
+def new_folder(output: Path) -> Iterator[Path]:
+    """The folder to write into; what of it is new goes again where nothing is written into it.
+
+    Whether that is since what needs it is refused, interrupted, or told to end by `kill`.
+    """
+    with writing(output):
+        new = [one for one in (output, *output.parents) if not one.exists()]
+
+    def remove() -> None:
+        for one in new:
+            if one.is_dir() and not any(one.iterdir()):
+                one.rmdir()
+
+    with tidied(remove):
+        try:
+            yield output_folder(output)
+        except BaseException:
+            with suppress(OSError):
+                remove()
+            raise
+
+
+@contextmanager
 def folder_in_use(output: Path | None) -> Iterator[Path | None]:
-    """The folder to write into, if one is asked for; a new one goes again where what needs it is refused."""
-    is_new = output is not None and not output.exists()
-    folder = None if output is None else output_folder(output)
-    try:
+    """The folder to write into, if one is asked for, as `new_folder` has it."""
+    if output is None:
+        yield None
+        return
+    with new_folder(output) as folder:
         yield folder
-    except BaseException:
-        if folder is not None and is_new and not any(folder.iterdir()):
-            folder.rmdir()
-        raise
 
 
 def refuse_to_replace(read: Iterable[Path], written: Iterable[Path], right: str) -> None:

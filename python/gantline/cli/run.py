@@ -16,7 +16,7 @@ from gantline.cli.lift import (
     TypedSetting,
     folder_option,
     name_of,
-    output_folder,
+    new_folder,
     prepare,
     quantity_of,
 )
@@ -128,9 +128,12 @@ def run(
     simulation = prepare(lift, settings)
     if profile:
         simulation.measure()
-    folder = output_folder(output if output is not None else Path("results") / name_of(lift))
-    clock.lap("prepare")
-    with live_view(simulation, browser=browser, aside=as_json) if live else nullcontext() as view:
+    place = output if output is not None else Path("results") / name_of(lift)
+    with (
+        new_folder(place) as folder,
+        live_view(simulation, browser=browser, aside=as_json) if live else nullcontext() as view,
+    ):
+        clock.lap("prepare")
         with noted_interrupt() as is_interrupted:
             recording, problem = _simulate(simulation, view)
             clock.lap("simulate")

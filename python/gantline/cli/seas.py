@@ -109,10 +109,6 @@ def seas(
     Ends with code 1 where the lift is no go in a sea, or gives no verdict, and with 4 where there is no such
     sea at all, all of them being too steep. Ctrl-C ends it with what there is, and with code 130.
     """
-    from gantline.replacing import replace_text
-    from gantline.results.file.saved import SEA_RUNS, SEAS
-    from gantline.results.file.saved_seas import SavedSeas
-
     asked: dict[str, Any] = {
         "waves": waves,
         "heights": values_of_option("--height", height, "length"),
@@ -124,31 +120,14 @@ def seas(
         settings["duration"] = TypedSetting(
             "--duration", duration, quantity_of("--duration", duration, "time")
         )
-    try:
-        with folder_in_use(output) as folder:
+    with folder_in_use(output) as folder:
+        try:
             kept = _kept(folder, go_on=go_on)
             result = _run(lift, asked, records, settings, every=every, kept=kept, anew=not go_on)
-    except KeyboardInterrupt:
-        warn("interrupted before any sea was run: nothing is known of them")
-        raise typer.Exit(INTERRUPTED) from None
-    document = result.to_json()
-    text = json.dumps(document, indent=2, allow_nan=False)
-    found = SavedSeas.from_json(document)
-    if as_json:
-        typer.echo(text)
-    else:
-        from gantline.cli.check_table import width_of_terminal
-        from gantline.cli.seas_table import seas_table
-
-        typer.echo("\n".join(seas_table(found, width_of_terminal())))
-    if folder is not None:
-        with writing(folder):
-            picture = _draw(found, folder)
-            replace_text(folder / SEAS, text + "\n")
-        typer.echo(f"Picture     {picture}\nSeas        {folder / SEAS}", err=as_json)
-    if result.taken_over:
-        runs = "run" if result.taken_over == 1 else "runs"
-        typer.echo(f"Taken over  {result.taken_over} {runs} of {SEA_RUNS}", err=as_json)
+        except KeyboardInterrupt:
+            warn("interrupted before any sea was run: nothing is known of them")
+            raise typer.Exit(INTERRUPTED) from None
+        _tell(result, folder, as_json=as_json)
     if result.interrupted:
         warn("interrupted; seas of which not all records have been run are told as not run")
         if folder is not None:
@@ -209,12 +188,38 @@ def _run(
     return result
 
 
-def _draw(found: SavedSeas, folder: Path) -> Path:
-    """The picture as a file in a folder."""
-    from gantline.plot.seas import seas_picture
-    from gantline.replacing import replaced
+def _tell(result: SeasResult, folder: Path | None, *, as_json: bool) -> None:
+    """Print what has been found, and write it into a folder if there is one."""
+    from gantline.results.file.saved import SEA_RUNS
+    from gantline.results.file.saved_seas import SavedSeas
 
-    path = folder / "seas.png"
-    with replaced(path) as trial:
+    document = result.to_json()
+    text = json.dumps(document, indent=2, allow_nan=False)
+    found = SavedSeas.from_json(document)
+    if as_json:
+        typer.echo(text)
+    else:
+        from gantline.cli.check_table import width_of_terminal
+        from gantline.cli.seas_table import seas_table
+
+        typer.echo("\n".join(seas_table(found, width_of_terminal())))
+    if folder is not None:
+        with writing(folder):
+            picture, numbers = _write(found, text + "\n", folder)
+        typer.echo(f"Picture     {picture}\nSeas        {numbers}", err=as_json)
+    if result.taken_over:
+        runs = "run" if result.taken_over == 1 else "runs"
+        typer.echo(f"Taken over  {result.taken_over} {runs} of {SEA_RUNS}", err=as_json)
+
+
+def _write(found: SavedSeas, text: str, folder: Path) -> tuple[Path, Path]:
+    """Picture and numbers as files in a folder: both, or none where one of them cannot be written."""
+    from gantline.plot.seas import seas_picture
+    from gantline.replacing import replace_text, replaced
+    from gantline.results.file.saved import SEAS
+
+    picture, numbers = folder / "seas.png", folder / SEAS
+    with replaced(picture) as trial:
         seas_picture(found).savefig(trial, format="png", dpi=_DOTS_PER_INCH)
-    return path
+        replace_text(numbers, text)
+    return picture, numbers

@@ -11,9 +11,10 @@ from typing import Annotated, Protocol
 
 import typer
 
-from gantline.cli.draft import GONE, Draft, state_of
+from gantline.cli.draft import Draft
 from gantline.cli.lift import lifts_that_begin, recording_file
 from gantline.cli.messages import scenario_errors, stop
+from gantline.opened import GONE, state_of
 
 #: Recordings from this size on take more than a second to make a page of, of which a line says so [bytes].
 LARGE = 5_000_000
@@ -67,7 +68,7 @@ def _draft_of(lift: Path) -> Iterator[Draft]:
 
     with scenario_errors():
         file = lift_file(lift)
-        if not file.is_file():
+        if state_of(file) == GONE or not file.is_file():
             read_text(file, str(file))
     try:
         draft = Draft(file)

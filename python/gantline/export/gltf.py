@@ -19,7 +19,8 @@ from gantline.export.surroundings import surroundings
 from gantline.results.recording import Recording, recorded
 from gantline.results.solids import solid_of
 from gantline.results.variable import FloatArray, Indices
-from gantline.viewer.decimate import Places, frames
+from gantline.viewer.decimate import Places
+from gantline.viewer.frames import frames
 from gantline.viewer.shapes import vector
 from gantline.viewer.turning import sheave_angles
 

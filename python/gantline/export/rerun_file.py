@@ -20,7 +20,8 @@ from gantline.results.recording import Recording, recorded
 from gantline.results.solids import solid_of
 from gantline.results.variable import FloatArray
 from gantline.viewer.curves import curves
-from gantline.viewer.decimate import Places, frames, peaks
+from gantline.viewer.decimate import Places, peaks
+from gantline.viewer.frames import frames
 from gantline.viewer.shapes import vector
 
 _MOST_FRAMES = 600

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from gantline.results.recording import Recording
 from gantline.results.variable import FloatArray
 
 Places = npt.NDArray[np.int64]
@@ -108,26 +107,3 @@ def _needed(values: FloatArray, places: Places) -> Places:
     same = np.zeros(len(places), dtype=np.bool_)
     same[1:-1] = (kept[1:-1] == kept[:-2]) & (kept[1:-1] == kept[2:])
     return places[~same]
-
-
-def frames(recording: Recording, most: int) -> Places:
-    """Samples at which the lift is drawn: evenly spread, with the ones just before and after each event.
-
-    Args:
-        recording: Any recording.
-        most: How many there may be, about.
-
-    Returns:
-        Increasing indices of samples.
-    """
-    time = recording.time
-    count = len(time)
-    if count <= most:
-        return np.arange(count)
-    even = np.linspace(0, count - 1, max(2, most)).round().astype(np.int64)
-    events = np.array([when for when, _, _ in recording.events()])
-    after = np.clip(np.searchsorted(time, events), 1, count - 1)
-    around = np.unique(np.concatenate([after - 1, after])) if len(events) else after
-    if len(around) > most:
-        around = around[:0]
-    return np.unique(np.concatenate([even, around]))

@@ -29,7 +29,8 @@ from gantline.results.surroundings import ground_of, structures_of, water_level
 from gantline.results.variable import FloatArray
 from gantline.viewer.arrays import Arrays
 from gantline.viewer.curves import curves
-from gantline.viewer.decimate import Places, faithful, frames, peaks, with_gaps
+from gantline.viewer.decimate import Places, faithful, peaks, with_gaps
+from gantline.viewer.frames import frames
 from gantline.viewer.shapes import packed_shape, vector
 from gantline.viewer.turning import natural_lengths, sheave_angles
 

@@ -8,6 +8,7 @@ The file holds no clock time: the same recording gives the same bytes.
 
 from __future__ import annotations
 
+import errno
 import json
 import math
 import os
@@ -157,9 +158,9 @@ def _opened(path: Path) -> Iterator[h5py.File]:
     except FileNotFoundError:
         raise
     except PermissionError as problem:
-        raise ValueError(
-            f"{path}: cannot be read ({(problem.strerror or 'permission denied').lower()})"
-        ) from None
+        # HDF5 puts sentences of its own, with the path once more, in place of those of the system.
+        why = os.strerror(problem.errno or errno.EACCES)
+        raise ValueError(f"{path}: cannot be read ({why.lower()})") from None
     except FormError as problem:
         raise ValueError(
             f"{path}: {problem}. The recording is damaged, or another program has changed it: "

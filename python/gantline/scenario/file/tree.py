@@ -19,6 +19,7 @@ from ruamel.yaml import YAML, events
 from ruamel.yaml.error import MarkedYAMLError, YAMLError
 from ruamel.yaml.reader import ReaderError
 
+from gantline.opened import note_opened
 from gantline.scenario.errors import PathPart, Problem, ScenarioError, join_path, shorten
 from gantline.scenario.file.not_yaml import problem_of
 
@@ -127,6 +128,7 @@ def read_text(path: Path, source: str) -> str:
     Raises:
         ScenarioError: if there is no such file, or it is a folder, too large, not readable or not UTF-8.
     """
+    note_opened(path)
     try:
         status = path.stat()
     except (OSError, ValueError) as error:
