@@ -75,8 +75,8 @@ class Simulation:
     def energy_remainder(self) -> float:
         """Largest energy remainder over the largest of kinetic + elastic + |drive work| + |fluid work|."""
 
-    def save(self) -> bytes:
-        """The state, exactly."""
+    def save(self, alone: bool = False) -> bytes:
+        """The state, exactly; `alone`, without what was recorded before it, for statics."""
 
     def waypoints(self, first: int) -> list[tuple[str | None, float | None, float, bytes]]:
         """Where steps ended and tanks passed marks, from the `first` on, as `statics.righted.Waypoint`."""

@@ -454,7 +454,7 @@ class Simulation:
         if self._question is None:
             return found
         if self._resting is None:
-            self._resting = resting_loads(self._question, found, self.save())
+            self._resting = resting_loads(self._question, found, self._core.save(alone=True))
         rig = with_resting(found.attributes["rig"], self._resting)
         return Recording(found.variables, found.coordinates, {**found.attributes, "rig": rig})
 
@@ -479,7 +479,7 @@ class Simulation:
         if self.ended and self.status == "done":
             if self._rest_at_end is None:
                 lie = {body: self.now("body_orientation", body) for body in floats}
-                self._rest_at_end = at_end(self._question, self.time, self.save(), lie)
+                self._rest_at_end = at_end(self._question, self.time, self._core.save(alone=True), lie)
             found = with_rest(found, self.time, self._rest_at_end)
         return found
 

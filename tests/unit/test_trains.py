@@ -82,6 +82,19 @@ def test_points_in_no_order() -> None:
     )
 
 
+def test_waves_over_long_runs_have_the_heights_of_their_points() -> None:
+    """Samples are looked at some thousands at a time: 10 000 of a wave a cos(k x − ω t) over two points of a
+    body at rest, one of them 5 m further along, are all there."""
+    wave = {"frequency": 0.7, "wave_number": [0.05, 0.0], "amplitude": 0.8, "phase": 0.0}
+    sea = Trains.from_json({"components": [wave], "rise_time": 1.0})
+    time = np.linspace(100.0, 1100.0, 10_000)
+    points = np.array([[3.0, 1.0, 0.0], [8.0, 1.0, 0.0]])
+    turn = np.broadcast_to(np.eye(3), (len(time), 3, 3))
+    found = sea.at_body(time, np.zeros((len(time), 3)), turn, points)
+    expected = 0.8 * np.cos(0.05 * points[:, 0] - 0.7 * time[:, None])
+    assert found == pytest.approx(expected, abs=1e-11)
+
+
 def test_gusty_wind_is_its_mean_and_what_gusts_add() -> None:
     """At a place that goes along, 8 m/s and the same sum."""
     place = np.stack([0.3 * TIME, 5.0 - 0.2 * TIME], axis=1)

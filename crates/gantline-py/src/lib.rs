@@ -141,8 +141,7 @@ impl Simulation {
 
     /// Measures from now on where the time goes.
     fn measure(&self, py: Python<'_>) -> PyResult<()> {
-        self.inner(py)?.measure();
-        Ok(())
+        self.inner(py).map(|mut inner| inner.measure())
     }
 
     /// Time [s] of every stage of what has been measured, by name.
@@ -175,10 +174,11 @@ impl Simulation {
         Ok(self.inner(py)?.state().ledger.relative_remainder())
     }
 
-    /// All that is needed to go on with the same bytes.
-    fn save(&self, py: Python<'_>) -> PyResult<Vec<u8>> {
+    /// All that is needed to go on with the same bytes; the state `alone`, without what was before it, for statics.
+    #[pyo3(signature = (alone=false))]
+    fn save(&self, py: Python<'_>, alone: bool) -> PyResult<Vec<u8>> {
         let inner = self.inner(py)?;
-        py.detach(|| inner.save()).map_err(value_error)
+        py.detach(|| if alone { inner.save_state() } else { inner.save() }).map_err(value_error)
     }
 
     /// Where steps ended and tanks passed marks, from the `first` on: step, time since it began unless it ended, time, state.

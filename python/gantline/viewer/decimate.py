@@ -28,10 +28,8 @@ def peaks(values: FloatArray, buckets: int) -> Places:
     if count <= 4 * buckets:
         return _needed(values, np.arange(count))
     edges = np.linspace(0, count, buckets + 1).astype(np.int64)
-    found = [edges[:-1], edges[1:] - 1]
-    found.append(_extremes(values, edges))
-    found.append(_extremes(-values, edges))
-    return _needed(values, np.unique(np.concatenate(found)))
+    extremes = _extremes(values, edges), _extremes(-values, edges)
+    return _needed(values, _in_order(count, edges[:-1], edges[1:] - 1, *extremes))
 
 
 def faithful(time: FloatArray, values: FloatArray, kept: Places, off: float, most: int) -> Places:
@@ -61,7 +59,7 @@ def faithful(time: FloatArray, values: FloatArray, kept: Places, off: float, mos
         largest = np.maximum.reduceat(distance, edges)
         far = np.flatnonzero(largest > allowed)
         far = far[np.argsort(-largest[far], kind="stable")[: most - len(kept)]]
-        grown = np.union1d(kept, kept[0] + _first_of(distance, largest, edges)[far])
+        grown = _in_order(len(values), kept, kept[0] + _first_of(distance, largest, edges)[far])
         if len(grown) == len(kept):  # near enough; or two samples have one time
             break
         kept = grown
@@ -85,7 +83,15 @@ def with_gaps(values: FloatArray, kept: Places, *, goes_on: bool = False) -> Pla
     gaps = ends + 1
     if goes_on and len(known) and not known[0]:
         gaps = np.append(gaps, 0)
-    return np.unique(np.concatenate([kept, ends, gaps, edges[~known[edges]] + 1]))
+    return _in_order(len(values), kept, ends, gaps, edges[~known[edges]] + 1)
+
+
+def _in_order(count: int, *places: Places) -> Places:
+    """Each of these samples once, in order, of so many: marks take a tenth of the time of `unique`."""
+    is_one = np.zeros(count, dtype=np.bool_)
+    for some in places:
+        is_one[some] = True
+    return np.flatnonzero(is_one)
 
 
 def _extremes(values: FloatArray, edges: Places) -> Places:

@@ -105,6 +105,14 @@ impl Simulation {
         written(&past, &self.samples.packed())
     }
 
+    /// The state alone, without what was before it, for statics that go on from it.
+    ///
+    /// # Errors
+    /// [`SetupError`] where it cannot be written.
+    pub fn save_state(&self) -> Result<Vec<u8>, SetupError> {
+        written(&self.at(&self.state), &[])
+    }
+
     /// Waypoints from the `first` on, as [`Saved`].
     ///
     /// # Errors

@@ -18,6 +18,8 @@ __all__ = ["Trains"]
 _EVEN = 1e-11
 #: Decimals to which that is so [m].
 _DIGITS = 12
+#: Samples that are looked at together at points of a body: few enough to stay in the cache.
+_AT_ONCE = 4096
 
 
 @dataclass(frozen=True)
@@ -68,7 +70,21 @@ class Trains(FromJson):
         Returns:
             (samples, points).
         """
-        rows = _rows(points)
+        found = np.empty((len(time), len(points)))
+        for first in range(0, len(time), _AT_ONCE):
+            some = slice(first, first + _AT_ONCE)
+            found[some] = self._along(_rows(points), time[some], origin[some], turn[some], points)
+        return found
+
+    def _along(
+        self,
+        rows: Sequence[range],
+        time: FloatArray,
+        origin: FloatArray,
+        turn: FloatArray,
+        points: FloatArray,
+    ) -> FloatArray:
+        """As `at_body`, of points in rows."""
         firsts = np.array([origin[:, :2] + turn[:, :2] @ points[row.start] for row in rows])
         steps: dict[tuple[float, ...], FloatArray] = {}
         for row in rows:

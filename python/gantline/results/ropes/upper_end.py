@@ -68,8 +68,8 @@ def _of_mooring(recording: Recording, rope: str) -> FloatArray:
     drawn = recording.points_of_ropes.get(rope, ())
     if line is None or not line.hanging_weight or len(drawn) < 2:
         return np.zeros(recording.time.shape)
-    heights = recording["rope_point"].values[:, drawn, 2]
-    more: FloatArray = line.hanging_weight * np.maximum(heights[:, -1] - heights[:, 0], 0.0)
+    first, last = series.rope_ends(recording, rope)
+    more: FloatArray = line.hanging_weight * np.maximum(last[:, 2] - first[:, 2], 0.0)
     return more
 
 
