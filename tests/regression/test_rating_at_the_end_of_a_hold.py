@@ -15,54 +15,13 @@ from gantline.checks import Verdict, check_recording
 from gantline.checks.readings import hold_points, hook_readings
 from gantline.results.recording import Recording
 from gantline.scenario import parse_scenario
+from girder_and_crawler import HOOK_BLOCK, LOAD, RATED, girder_lift
 
 G = 9.81
-LOAD, HOOK_BLOCK = 40e3, 2e3
-#: Contingency, the factor of the rule, and what the chart rates at every radius.
-CONTINGENCY, DYNAMIC, RATED = 1.1, 1.2, 100e3
+#: Contingency, and the factor of the rule.
+CONTINGENCY, DYNAMIC = 1.1, 1.2
 
-LIFT = """\
-format: 1
-lift: {title: A load that hangs still on its way up}
-duration: 80 s
-ground: {level: 0 m}
-ropes:
-  sling: {axial_stiffness: 100 MN, damping_time: 100 ms, mass: none, minimum_breaking_force: 3 MN}
-  hoist: {axial_stiffness: 36 MN, damping_time: 200 ms, mass: none, diameter: 28 mm}
-load:
-  name: girder
-  shape: {box: [10 m, 2 m, 2 m]}
-  position: [0 m, 14 m, 5 m]
-  weight: {calculated: 40 t, contingency: 1.1, simulate: calculated}
-  centre_of_gravity: {at: [0 m, 0 m, 1 m]}
-  lugs:
-    W: {at: [-4 m, 0 m, 2 m], capacity: 80 t}
-    E: {at: [4 m, 0 m, 2 m], capacity: 80 t}
-cranes:
-  crane:
-    type: crawler
-    position: [0 m, 0 m]
-    heading: 0 deg
-    slew: 90 deg
-    rating_includes_hook_block: true
-    tracks: {length: 8 m, width: 1.2 m, gauge: 6.5 m, allowed_pressure: 300 kPa}
-    base_mass: 150 t
-    counterweight: {mass: 120 t, behind: 6 m}
-    boom: {heel_pins: {ahead: 1.3 m, height: 2.2 m}, length: 42 m, radius: 14 m, mass: 22 t,
-      centre_of_gravity: 45 %}
-    luffing: {speed: 3 deg/min, acceleration: 0.05 deg/s^2, range: [30 deg, 82 deg]}
-    rating: {radius: [10 m, 20 m], rated: [100 t, 100 t]}
-    hooks:
-      H:
-        block: {mass: 2 t, height: 2 m}
-        reeving: {parts_each: 8, rope: hoist, sheave_diameter: 0.7 m, below_head: 1 m,
-          sheave_block_mass: 1 kg}
-        drum: {diameter: 0.8 m}
-        hoist: {speed: 4 m/min, acceleration: 0.05 m/s^2}
-        height: 11.925 m
-slings:
-  W: {from: crane.H, to: girder.W, length: 6.4 m, rope: sling}
-  E: {from: crane.H, to: girder.E, length: 6.4 m, rope: sling}
+REST = """\
 rules: {dynamic_amplification_factor: 1.2}
 plan:
   - {step: hang, hold: 20 s}
@@ -71,6 +30,9 @@ plan:
   - {step: hoist, hoist: crane.H, speed: 4 m/min, by: 1 m}
   - {step: hold, hold: until_end}
 """
+
+WEIGHT = "calculated: 40 t, contingency: 1.1, simulate: calculated"
+LIFT = girder_lift("A load that hangs still on its way up", 80, REST, WEIGHT)
 
 
 @pytest.fixture(scope="module")

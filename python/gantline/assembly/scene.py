@@ -104,11 +104,7 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
     kind = "body"
     load = scenario.load
     plain = scenario.mechanics.bodies.get(name) if scenario.mechanics is not None else None
-    compensated = {
-        body: one
-        for compensator, given in (scenario.compensators or {}).items()
-        for body, one in zip((compensator, rod_of(compensator)), compensator_shapes(given), strict=True)
-    }
+    of_gear = _gear(scenario)
     if load is not None and lifted is not None and name == load.name:
         kind = "load"
         shape = _load_shape(lifted)
@@ -117,8 +113,8 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         shape = frame_shape(rigging.equalizers[name].frame)
     elif name in (scenario.spreaders or {}):
         kind, shape = "frame", spreader_shape(scenario, name)
-    elif name in compensated:
-        kind, shape = "frame" if name in (scenario.compensators or {}) else "body", compensated[name]
+    elif name in of_gear:
+        kind, shape = of_gear[name]
     elif name in scenario.hooks:
         kind = "hook"
         shape = next((_cheek(scenario, hook) for hook in reeved_hooks(scenario) if hook.name == name), None)
@@ -130,15 +126,25 @@ def _body(scenario: Scenario, rigging: Rigging, lifted: LiftedLoad | None, body:
         kind, shape = "hull", vessel_shape(scenario, name)
     elif name in (scenario.hinges or {}):
         kind = "hinge"
-    elif name in (guides := {guide_body(guide): one for guide, one in (scenario.guides or {}).items()}):
-        shape = guide_shape(guides[name])
-    elif name in (stands := {guide_stand(guide): one for guide, one in (scenario.guides or {}).items()}):
-        shape = stand_shape(stands[name])
     elif plain is None:
         kind = "sheave"
     else:
         kind, shape = _plain_shape(scenario, name, plain)
     return {"name": name, "kind": kind, "shape": shape, "centre_of_gravity": list(body["centre_of_gravity"])}
+
+
+def _gear(scenario: Scenario) -> dict[str, tuple[str, Json]]:
+    """Kind and shape of cylinders, rods and both parts of landing guides, by their bodies."""
+    found = dict[str, tuple[str, Json]]()
+    for name, compensator in (scenario.compensators or {}).items():
+        cylinder, rod = compensator_shapes(compensator)
+        found |= {name: ("frame", cylinder), rod_of(name): ("body", rod)}
+    for name, guide in (scenario.guides or {}).items():
+        found |= {
+            guide_body(name): ("body", guide_shape(guide)),
+            guide_stand(name): ("body", stand_shape(guide)),
+        }
+    return found
 
 
 def _plain_shape(scenario: Scenario, name: str, plain: Body) -> tuple[str, Json | None]:

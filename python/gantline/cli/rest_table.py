@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from gantline.checks import Check, outcome_of, verdict_of
@@ -16,6 +16,33 @@ from gantline.results.file.saved import LOSSES
 from gantline.statics import Equilibrium, Losses, Mode, NoEquilibriumError, Sensitivity, Statics
 from gantline.study.state import State, free_to_slide, rest_json
 from gantline.study.tilting import Margin
+
+
+@dataclass
+class Answer:
+    """What was found of a lift at rest.
+
+    Attributes:
+        rest: The equilibrium.
+        bounds: With all sheaves slipping one way and the other, as far as there is an equilibrium.
+        nowhere: Why there is none, by the way that they slip.
+        ranges: Lines on what friction may hold.
+        found: The slowest natural motions, of which the first are shown.
+        shown: Those that are shown.
+        checks: What was checked.
+        of_bounds: The same of each bound.
+        margins: How far the centre of gravity may be elsewhere; nothing where that was not asked for.
+    """
+
+    rest: Equilibrium
+    bounds: list[Equilibrium]
+    nowhere: dict[Losses, NoEquilibriumError]
+    ranges: list[str]
+    found: list[Mode]
+    shown: list[Mode]
+    checks: Sequence[Check]
+    of_bounds: Sequence[Sequence[Check]]
+    margins: list[Margin] = field(default_factory=list)
 
 
 def heading_of(
@@ -220,24 +247,19 @@ def checks_at_rest(rest: Equilibrium, checks: Sequence[Check]) -> list[str]:
 _SLIPPING = {"forward": "along the rope", "backward": "against the rope"}
 
 
-def bounds_at_rest(
-    rest: Equilibrium,
-    bounds: Sequence[Equilibrium],
-    of_bounds: Sequence[Sequence[Check]],
-    nowhere: Mapping[Losses, NoEquilibriumError],
-) -> list[str]:
+def bounds_at_rest(answer: Answer) -> list[str]:
     """The verdict with all sheaves slipping one way, and the other: losses may hold as much."""
     lines = []
-    for bound, checks in zip(bounds, of_bounds, strict=True):
+    for bound, checks in zip(answer.bounds, answer.of_bounds, strict=True):
         said = f"With all sheaves slipping {_SLIPPING[bound.losses]}: {verdict_of(checks)}"
         lines += wrapped(said, width_of_terminal())
-        still = _standing(rest, bound)
+        still = _standing(answer.rest, bound)
         if still:
             stand = "stands" if len(still) == 1 else "stand"
             said = f"  {', '.join(still)} still {stand} in that, at {bound.time:g} s: its plan waits"
             said += " longer, and it is no bound of what slings carry once clear"
             lines += wrapped(said, width_of_terminal())
-    for way, problem in nowhere.items():
+    for way, problem in answer.nowhere.items():
         said = f"With all sheaves slipping {_SLIPPING[way]} {problem}"
         lines += wrapped(said, width_of_terminal())
     return lines
@@ -256,18 +278,9 @@ def _standing(rest: Equilibrium, bound: Equilibrium) -> list[str]:
     ]
 
 
-def statics_json(
-    question: Statics,
-    rest: Equilibrium,
-    bounds: list[Equilibrium],
-    nowhere: Mapping[Losses, NoEquilibriumError],
-    modes: list[Mode],
-    sensitivities: list[Sensitivity],
-    margins: list[Margin],
-    checks: Sequence[Check],
-    of_bounds: Sequence[Sequence[Check]],
-) -> dict[str, Any]:
+def statics_json(question: Statics, answer: Answer, sensitivities: list[Sensitivity]) -> dict[str, Any]:
     """An equilibrium as a JSON object, SI units, with sentences on what it leaves out of the lift."""
+    rest, checks = answer.rest, answer.checks
     return {
         **rest_json(rest),
         "bounds": [
@@ -276,17 +289,17 @@ def statics_json(
                 "verdict": verdict_of(checks_of_one),
                 "still_standing": _standing(rest, one),
             }
-            for one, checks_of_one in zip(bounds, of_bounds, strict=True)
+            for one, checks_of_one in zip(answer.bounds, answer.of_bounds, strict=True)
         ],
         "bounds_without_equilibrium": [
             {"losses": way, "element": problem.element, "cause": problem.cause}
-            for way, problem in nowhere.items()
+            for way, problem in answer.nowhere.items()
         ],
         "contacts": [
             {"name": one.contact, "support": one.support, "friction": list(one.friction), "bound": one.bound}
             for one in rest.contacts
         ],
-        "modes": [mode.to_json() for mode in modes],
+        "modes": [mode.to_json() for mode in answer.shown],
         "sensitivities": [
             {
                 "kind": one.kind,
@@ -296,7 +309,7 @@ def statics_json(
             }
             for one in sensitivities
         ],
-        "margins": [asdict(one) for one in margins],
+        "margins": [asdict(one) for one in answer.margins],
         "outcome": outcome_of(checks).value,
         "verdict": verdict_of(checks),
         "checks": [check.to_json() for check in checks],

@@ -114,18 +114,15 @@ def run(
     code 130.
     """
     clock = _Clock()
-    settings = {} if integrator is None else {"integrator": _typed("--integrator", integrator)}
-    quantities = {
-        "step": (step, "time"),
-        "tension_tolerance": (tension_tolerance, "force"),
-        "position_tolerance": (position_tolerance, "length"),
-        "sample_interval": (sample_interval, "time"),
-        "duration": (duration, "time"),
+    settings = {
+        "integrator": _typed("--integrator", integrator),
+        "step": _typed("--step", step, "time"),
+        "tension_tolerance": _typed("--tension-tolerance", tension_tolerance, "force"),
+        "position_tolerance": _typed("--position-tolerance", position_tolerance, "length"),
+        "sample_interval": _typed("--sample-interval", sample_interval, "time"),
+        "duration": _typed("--duration", duration, "time"),
     }
-    for name, (text, dimension) in quantities.items():
-        if text is not None:
-            settings[name] = _typed(f"--{name.replace('_', '-')}", text, dimension)
-    simulation = prepare(lift, settings)
+    simulation = prepare(lift, {name: given for name, given in settings.items() if given is not None})
     if profile:
         simulation.measure()
     place = output if output is not None else Path("results") / name_of(lift)
@@ -190,8 +187,10 @@ class _Clock:
         self._last = now
 
 
-def _typed(option: str, text: str, dimension: str | None = None) -> TypedSetting:
-    """What stands behind an option: a quantity, or a word."""
+def _typed(option: str, text: str | None, dimension: str | None = None) -> TypedSetting | None:
+    """What stands behind an option: a quantity, or a word; None where it was left out."""
+    if text is None:
+        return None
     return TypedSetting(option, text, text if dimension is None else quantity_of(option, text, dimension))
 
 

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -34,7 +32,7 @@ from gantline.cli.statics_options import (
 if TYPE_CHECKING:
     from concurrent.futures import Future
 
-    from gantline.checks import Check
+    from gantline.cli.rest_table import Answer
     from gantline.statics import Equilibrium, Losses, Mode, NoEquilibriumError, Statics
     from gantline.study.side_by_side import SideBySide
     from gantline.study.tilting import Margin
@@ -105,46 +103,19 @@ def statics(
         _write(question, answer.rest, answer.shown, output, aside=as_json)
     text = _as_json if as_json else _as_tables
     typer.echo(text(question, answer, sensitivities))
-    raise typer.Exit(answer.code)
+    raise typer.Exit(_code(answer))
 
 
-@dataclass
-class _Answer:
-    """What was found of a lift at rest.
+def _code(answer: Answer) -> int:
+    """The code that the program ends with: of the worst of the equilibrium and its bounds."""
+    from gantline.checks import has_failed
+    from gantline.cli.check_table import exit_code
 
-    Attributes:
-        rest: The equilibrium.
-        bounds: With all sheaves slipping one way and the other, as far as there is an equilibrium.
-        nowhere: Why there is none, by the way that they slip.
-        ranges: Lines on what friction may hold.
-        found: The slowest natural motions, of which the first are shown.
-        shown: Those that are shown.
-        checks: What was checked.
-        of_bounds: The same of each bound.
-        margins: How far the centre of gravity may be elsewhere; nothing where that was not asked for.
-    """
-
-    rest: Equilibrium
-    bounds: list[Equilibrium]
-    nowhere: dict[Losses, NoEquilibriumError]
-    ranges: list[str]
-    found: list[Mode]
-    shown: list[Mode]
-    checks: Sequence[Check]
-    of_bounds: Sequence[Sequence[Check]]
-    margins: list[Margin] = field(default_factory=list)
-
-    @property
-    def code(self) -> int:
-        """The code that the program ends with: of the worst of the equilibrium and its bounds."""
-        from gantline.checks import has_failed
-        from gantline.cli.check_table import exit_code
-
-        if self.nowhere:
-            return COULD_NOT_GO_ON
-        if not self.rest.is_stable or any(has_failed(checks) for checks in self.of_bounds):
-            return CHECK_FAILED
-        return exit_code(self.checks) if self.checks else DONE
+    if answer.nowhere:
+        return COULD_NOT_GO_ON
+    if not answer.rest.is_stable or any(has_failed(checks) for checks in answer.of_bounds):
+        return CHECK_FAILED
+    return exit_code(answer.checks) if answer.checks else DONE
 
 
 def _question(lift: Path, moment: float | None) -> Statics:
@@ -156,36 +127,25 @@ def _question(lift: Path, moment: float | None) -> Statics:
     return question
 
 
-def _answer(
-    question: Statics, moment: float | None, state: Path | None, *, held: bool, modes: int
-) -> _Answer:
+def _answer(question: Statics, moment: float | None, state: Path | None, *, held: bool, modes: int) -> Answer:
     from gantline.checks import check_recording
+    from gantline.cli.rest_table import Answer
 
     rest, bounds, nowhere, ranges = _settled(question, moment, state, held=held)
     found = question.modes(max(modes, _MODES) + rest.unstable + rest.neutral)
     shown = found[: max(modes, rest.unstable)]
     checks, *of_bounds = [check_recording(one.recording) for one in (rest, *bounds)]
-    return _Answer(rest, bounds, nowhere, ranges, found, shown, checks, of_bounds)
+    return Answer(rest, bounds, nowhere, ranges, found, shown, checks, of_bounds)
 
 
-def _as_json(question: Statics, answer: _Answer, sensitivities: bool) -> str:
+def _as_json(question: Statics, answer: Answer, sensitivities: bool) -> str:
     from gantline.cli.rest_table import statics_json
 
-    numbers = statics_json(
-        question,
-        answer.rest,
-        answer.bounds,
-        answer.nowhere,
-        answer.shown,
-        question.sensitivities() if sensitivities else [],
-        answer.margins,
-        answer.checks,
-        answer.of_bounds,
-    )
+    numbers = statics_json(question, answer, question.sensitivities() if sensitivities else [])
     return json.dumps(numbers, indent=2, allow_nan=False)
 
 
-def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
+def _as_tables(question: Statics, answer: Answer, sensitivities: bool) -> str:
     from gantline.cli import rest_table
     from gantline.cli.chain_hoist_table import chain_hoist_table
     from gantline.cli.friction import contact_forces
@@ -214,7 +174,7 @@ def _as_tables(question: Statics, answer: _Answer, sensitivities: bool) -> str:
         rest_table.motions(answer.shown),
         *(rest_table.changes(rest, question.sensitivities()) if sensitivities else []),
         rest_table.checks_at_rest(rest, answer.checks),
-        rest_table.bounds_at_rest(rest, answer.bounds, answer.of_bounds, answer.nowhere),
+        rest_table.bounds_at_rest(answer),
     ]
     if not rest.is_stable:
         parts += _beyond(question)

@@ -133,12 +133,7 @@ def adjust_lengths(
     _refuse(chosen, shares or {}, known)
     if slopes is None and heading is None and not shares:
         raise ValueError("nothing is wanted of the load: slopes, a heading or shares are")
-    if slopes is not None and np.shape(slopes) != (2,):
-        raise TypeError(f"slopes: {slopes!r} are no two angles in radians, such as (0.0, 0.0)")
-    for angle in () if slopes is None else slopes:
-        number(angle, "slopes", "radians")
-    if heading is not None:
-        number(heading, "heading", "radians")
+    _check_angles(slopes, heading)
     if most is not None and not number(most, "most", "metres") > 0.0:
         raise ValueError(f"most: {most:g} m is no change; one above zero is needed")
     limit = {name: _MOST * known[name] if most is None else most for name in chosen}
@@ -189,6 +184,20 @@ def adjust_lengths(
         steps=search.steps,
         scenario=search.now.scenario,
     )
+
+
+def _check_angles(slopes: tuple[float, float] | None, heading: float | None) -> None:
+    """Refuse wanted angles that are none.
+
+    Raises:
+        TypeError: If one is no number, or slopes are not two.
+    """
+    if slopes is not None and np.shape(slopes) != (2,):
+        raise TypeError(f"slopes: {slopes!r} are no two angles in radians, such as (0.0, 0.0)")
+    for angle in () if slopes is None else slopes:
+        number(angle, "slopes", "radians")
+    if heading is not None:
+        number(heading, "heading", "radians")
 
 
 def _refuse(chosen: Sequence[str], shares: Mapping[str, float], known: Collection[str]) -> None:

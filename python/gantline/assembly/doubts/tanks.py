@@ -36,6 +36,15 @@ def doubtful_tanks(scenario: Scenario) -> Iterator[Doubt]:
                     f"water runs through the holes of {load.name}.{name}, but carries nothing of {load.name}"
                 )
                 yield Doubt(("load", "tanks", name, "holes"), f"{sentence}: give the load 'in_water'")
+    yield from _of_holes(scenario)
+    for place, step in enumerate(scenario.plan):
+        if isinstance(step, PumpStep) and step.rate > _PUMPED:
+            sentence = f"step '{step.step}' pumps {step.rate * 3.6:,.0f} t in an hour"
+            yield Doubt(("plan", place, "rate"), f"{sentence}, more than any ballast system: see its unit")
+
+
+def _of_holes(scenario: Scenario) -> Iterator[Doubt]:
+    """Holes that nothing opens, and those in waves."""
     turns = hole_turns(scenario)
     for body, path, tanks in _with_holes(scenario):
         for name, tank in tanks.items():
@@ -46,10 +55,6 @@ def doubtful_tanks(scenario: Scenario) -> Iterator[Doubt]:
     if scenario.waves and (holed := list(holed_tanks(scenario))):
         sentence = f"the holes of {', '.join(holed)} feel still water: waves run past them"
         yield Doubt(("waves",), f"{sentence}, and only the motion of what has them counts")
-    for place, step in enumerate(scenario.plan):
-        if isinstance(step, PumpStep) and step.rate > _PUMPED:
-            sentence = f"step '{step.step}' pumps {step.rate * 3.6:,.0f} t in an hour"
-            yield Doubt(("plan", place, "rate"), f"{sentence}, more than any ballast system: see its unit")
 
 
 def _with_holes(

@@ -113,13 +113,7 @@ class HydrodynamicDatabase:
                 )
             if not np.isfinite(values).all():
                 raise DatabaseError(f"{self.source}: its {what} has numbers that are not finite")
-        if not (np.isfinite(self.frequencies).all() and np.all(np.diff(self.frequencies, prepend=0.0) > 0)):
-            raise DatabaseError(f"{self.source}: its frequencies do not rise from above zero")
-        gaps = np.diff(self.frequencies)
-        if count > 1 and (gaps / self.frequencies[1:]).min() < _ONE_FREQUENCY:
-            twice = f"{self.frequencies[int(gaps.argmin())]:.6g} rad/s"
-            sentence = f"it has two frequencies of {twice} that differ by rounding"
-            raise DatabaseError(f"{self.source}: {sentence}; leave one of them out")
+        self._hold_frequencies()
         if self.density is not None and not 0 < self.density < 1e5:
             raise DatabaseError(f"{self.source}: {self.density:g} kg/m^3 is not the density of water")
         if self.infinite_added_mass is not None and not (
@@ -135,6 +129,16 @@ class HydrodynamicDatabase:
                     found = f"what {name} does to {self.name} is no {count} × 6 × 6 numbers that are finite"
                     raise DatabaseError(f"{self.source}: {found}")
         self._hold_waves()
+
+    def _hold_frequencies(self) -> None:
+        """Raise DatabaseError where frequencies do not rise from above zero, by more than rounding."""
+        if not (np.isfinite(self.frequencies).all() and np.all(np.diff(self.frequencies, prepend=0.0) > 0)):
+            raise DatabaseError(f"{self.source}: its frequencies do not rise from above zero")
+        gaps = np.diff(self.frequencies)
+        if len(gaps) and (gaps / self.frequencies[1:]).min() < _ONE_FREQUENCY:
+            twice = f"{self.frequencies[int(gaps.argmin())]:.6g} rad/s"
+            sentence = f"it has two frequencies of {twice} that differ by rounding"
+            raise DatabaseError(f"{self.source}: {sentence}; leave one of them out")
 
     def _take_arrays(self) -> None:
         """Take lists of numbers for arrays; raise DatabaseError where there are no numbers."""

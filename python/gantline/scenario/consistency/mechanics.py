@@ -51,10 +51,21 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
             _check_direction(findings, (*path, "orientation", "about"), body.orientation.about)
         _check_mass(findings, path, body)
         check_afloat(findings, path, body)
+    _check_ropes(findings, mechanics, known)
+    _check_drums(findings, mechanics)
+    rigid = _rigid_with(mechanics)
+    for name, rope in (mechanics.ropes or {}).items():
+        _check_ways(findings, ("mechanics", "ropes", name, "route"), rope, rigid)
+    _check_contacts(findings, mechanics, known, rigid)
+
+
+def _check_ropes(findings: Findings, mechanics: Mechanics, known: Sequence[str]) -> None:
+    scenario = findings.scenario
+    held = None if scenario.load is None else scenario.load.name
     taken = [*rigging_ropes(scenario), *map(gas_rope, scenario.compensators or {})]
     taken += [f"{equalizer}.equalizing" for equalizer in scenario.equalizers or {}]
     for name, rope in (mechanics.ropes or {}).items():
-        path = ("mechanics", "ropes", name)
+        path: Path = ("mechanics", "ropes", name)
         if rope.rope not in (scenario.ropes or {}):
             sentence = f"'{rope.rope}' is not a name of 'ropes'; {nearest(rope.rope, scenario.ropes or {})}"
             findings.add((*path, "rope"), sentence)
@@ -67,18 +78,19 @@ def check_mechanics(findings: Findings, mechanics: Mechanics) -> None:
             _check_guide(findings, (*path, "route", place), guide, is_last, known)
         if name in taken:
             findings.add(path, f"'{name}' is already the name of a rope of the rigging; use another name")
-        held = None if scenario.load is None else scenario.load.name
         if rope.comes_free and held not in (rope.route[0].body, rope.route[-1].body):
             sentence = "what 'comes_free' holds the load down, and ends at it; this rope does not"
             findings.add((*path, "comes_free"), sentence)
-    _check_drums(findings, mechanics)
-    rigid = _rigid_with(mechanics)
-    for name, rope in (mechanics.ropes or {}).items():
-        _check_ways(findings, ("mechanics", "ropes", name, "route"), rope, rigid)
+
+
+def _check_contacts(
+    findings: Findings, mechanics: Mechanics, known: Sequence[str], rigid: Mapping[str, str]
+) -> None:
+    scenario = findings.scenario
     touching = [*(f"corner_{place}" for place in range(1, 9)), "rim_1", "rim_2"]
     corners = [f"{scenario.load.name}.{point}" for point in touching] if scenario.load else []
     for name, contact in (mechanics.contacts or {}).items():
-        path = ("mechanics", "contacts", name)
+        path: Path = ("mechanics", "contacts", name)
         if contact.body not in known:
             findings.add((*path, "body"), _no_body(scenario, contact.body, known))
         elif rigid.get(contact.body) == "world":

@@ -263,28 +263,34 @@ def _check_condition(findings: Findings, place: int, step: MovingStep | PumpStep
         if reached is not None:
             _check_floating(findings, (*path, key, "vessel"), reached.vessel)
             return
-    scenario = findings.scenario
     if condition.falls_out_of_plumb is not None:
         _check_falls(findings, path, condition)
         return
     if condition.mooring_tension is not None:
-        line, lines = condition.mooring_tension.line, scenario.mooring_lines or {}
+        line, lines = condition.mooring_tension.line, findings.scenario.mooring_lines or {}
         if line not in lines:
             found = f"'{line}' is not a mooring line; {nearest(line, lines)}"
             findings.add((*path, "mooring_tension", "line"), found)
         return
-    if not _may_stand(scenario):
-        how = "come down" if condition.supports == "touched" else "leave the ground"
+    _check_supports(findings, path, step, condition.supports)
+
+
+def _check_supports(
+    findings: Findings, path: Path, step: MovingStep | PumpStep | HoldStep, supports: str | None
+) -> None:
+    """Note a wait for supports, or for a share of the load that has left them, which cannot end."""
+    if not _may_stand(findings.scenario):
+        how = "come down" if supports == "touched" else "leave the ground"
         sentence = f"this waits for a load to {how}"
         stands = "on a 'ground', on 'supports' or 'structures', or in 'body_contacts'"
         findings.add(path, f"{sentence}; there is no 'load' {stands} in this file")
         return
     down = isinstance(step, (LowerStep, PayOutStep))
     up = isinstance(step, (HookStep, DrumStep)) and not down
-    if down and condition.supports == "clear":
+    if down and supports == "clear":
         sentence = "a load that is let down does not leave its supports"
         findings.add(path, f"{sentence}; 'supports: touched' is right here")
-    if up and condition.supports == "touched":
+    if up and supports == "touched":
         sentence = "a load that is lifted does not come down on supports"
         findings.add(path, f"{sentence}; 'supports: clear' is right here")
 

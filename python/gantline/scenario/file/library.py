@@ -69,7 +69,7 @@ def with_libraries(tree: MapNode, source: str) -> MapNode:
                 why = f"{why.removesuffix(_NEEDED)}; a library beside the lift file is needed"
             sentence = f"'{shorten(name)}' {why.replace('a lift file', 'a library')}"
             raise ScenarioError(source, [problem_at(tree, (LIBRARY,), sentence)]) from None
-        library = _parsed(text, str(path))
+        library = odd_characters.read(text, str(path), _checked)
         beside += f"# library: {name}\n" + "".join(f"# {line}".rstrip() + "\n" for line in text.splitlines())
         for section, given in library.items():
             if section not in SECTIONS:
@@ -90,22 +90,6 @@ def with_libraries(tree: MapNode, source: str) -> MapNode:
     whole = like(tree, {**tree, **sections})
     whole.beside = beside
     return whole if beside else tree
-
-
-def _parsed(text: str, source: str) -> MapNode:
-    """The tree of a library's text, whose characters are named that YAML takes for letters."""
-
-    def problems_of(another: str) -> Sequence[Problem]:
-        try:
-            _checked(another, source)
-        except ScenarioError as error:
-            return error.problems
-        return ()
-
-    try:
-        return _checked(text, source)
-    except ScenarioError as error:
-        raise odd_characters.named(error, text, problems_of) from None
 
 
 def _checked(text: str, source: str) -> MapNode:

@@ -9,11 +9,13 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Callable, Iterator, Sequence
-from typing import Final
+from typing import Final, TypeVar
 
 from gantline.scenario.errors import Problem, ScenarioError
 
-__all__ = ["named"]
+__all__ = ["read"]
+
+T = TypeVar("T")
 
 _QUOTES: Final = {
     **dict.fromkeys("\u201c\u201d\u201e\u201f«»", '"'),
@@ -29,14 +31,33 @@ _FROM_WIDE: Final = 0xFEE0
 _MOST: Final = 10
 
 
-def named(error: ScenarioError, text: str, problems_of: Callable[[str], Sequence[Problem]]) -> ScenarioError:
-    """The error with such characters named in place of the problems that they alone are the cause of.
+def read(text: str, source: str, plainly: Callable[[str, str], T]) -> T:
+    """What stands in the text of a file.
 
     Args:
-        error: what is wrong with a lift file.
-        text: the text of the file.
-        problems_of: what is wrong with another text.
+        text: of the file.
+        source: the file as messages name it.
+        plainly: reads a text of that source, and knows nothing of such characters.
+
+    Raises:
+        ScenarioError: What `plainly` says is wrong, with such characters named in place of the problems
+            that they alone are the cause of.
     """
+
+    def problems_of(another: str) -> Sequence[Problem]:
+        try:
+            plainly(another, source)
+        except ScenarioError as error:
+            return error.problems
+        return ()
+
+    try:
+        return plainly(text, source)
+    except ScenarioError as error:
+        raise _named(error, text, problems_of) from None
+
+
+def _named(error: ScenarioError, text: str, problems_of: Callable[[str], Sequence[Problem]]) -> ScenarioError:
     lines = text.split("\n")
     problems, found, seen = tuple(error.problems), list[Problem](), set[int]()
     while len(seen) < _MOST and (suspects := _suspects(lines, problems) - seen):

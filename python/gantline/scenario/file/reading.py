@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
@@ -109,17 +109,7 @@ def parse_scenario(text: str | Mapping[str, Any], source: str | None = None) -> 
 
 
 def _parsed(text: str, source: str) -> Scenario:
-    def problems_of(another: str) -> Sequence[Problem]:
-        try:
-            _checked(another, source)
-        except ScenarioError as error:
-            return error.problems
-        return ()
-
-    try:
-        return _checked(text, source)
-    except ScenarioError as error:
-        raise odd_characters.named(error, text, problems_of) from None
+    return odd_characters.read(text, source, _checked)
 
 
 def _checked(text: str, source: str) -> Scenario:

@@ -143,23 +143,7 @@ def _named(
     """
     (path, note), (is_in, were_in) = where, pins
     if word in equalizers:
-        if not equalizers[word].has_sheaves:
-            note(path, f"'{word}' is approximated: it has no moving sheaves, and no pins")
-            return []
-        if why := _unguided(equalizers[word]):
-            note(path, why)
-            return []
-        free = [f"{word}.{place}" for place in _places(equalizers[word])]
-        free = [sheave for sheave in free if is_in[sheave] != wanted]
-        if not free:
-            never = not wanted and not any(
-                f"{word}.{place}" in were_in for place in _places(equalizers[word])
-            )
-            if never:
-                note(path, f"no pin of '{word}' is in; 'travel: {{locked: true}}' puts them in at the start")
-            else:
-                note(path, f"all pins of '{word}' {'are in' if wanted else 'have been pulled'} already")
-        return free
+        return _all_of(equalizers[word], wanted, pins, where)
     if word not in is_in:
         known = [*equalizers, *is_in]
         kinds = "neither an equalizer nor a moving sheave"
@@ -184,6 +168,29 @@ def _named(
         note(path, f"the pin of '{word}' {right}")
         return []
     return [word]
+
+
+def _all_of(
+    equalizer: EqualizerRigging,
+    wanted: bool,
+    pins: tuple[Mapping[str, bool], Collection[str]],
+    where: tuple[Path, _Note],
+) -> list[str]:
+    """All moving sheaves of an equalizer whose pins can be moved, as `_named` has them."""
+    (path, note), (is_in, were_in), name = where, pins, equalizer.name
+    if not equalizer.has_sheaves:
+        note(path, f"'{name}' is approximated: it has no moving sheaves, and no pins")
+        return []
+    if why := _unguided(equalizer):
+        note(path, why)
+        return []
+    sheaves = [f"{name}.{place}" for place in _places(equalizer)]
+    free = [sheave for sheave in sheaves if is_in[sheave] != wanted]
+    if not free and (wanted or any(sheave in were_in for sheave in sheaves)):
+        note(path, f"all pins of '{name}' {'are in' if wanted else 'have been pulled'} already")
+    elif not free:
+        note(path, f"no pin of '{name}' is in; 'travel: {{locked: true}}' puts them in at the start")
+    return free
 
 
 def _check_seals(given: Compensator, word: str, where: tuple[Path, _Note]) -> None:
