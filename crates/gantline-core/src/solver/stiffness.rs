@@ -18,6 +18,7 @@ use crate::force::mooring::Mooring;
 use crate::state::State;
 use crate::stepper::frame::Frame;
 use crate::system::System;
+use crate::tree::kinematics::Kinematics;
 
 /// Weight of the velocity before the step, see [`Stiffness::update`].
 pub const EXPLICIT: f64 = 0.25;
@@ -189,16 +190,24 @@ impl Stiffness {
         }
     }
 
-    /// h² v₊ᵀ K (α v₊ − v/4) minus the work ½ h² v₊ᵀ K v₊ that tension does along the curved path [J]. What water and
-    /// mooring lines do along it is booked with the bias.
-    pub fn loss(&self, after: &[f64], before: &[f64], h: f64) -> f64 {
+    /// h² v₊ᵀ K (α v₊ − v/4) minus the work that tension does along the curved path [J]: ½ h² v₊ᵀ K v₊ of straight parts,
+    /// ½ h² ωᵀ S ω of bodies that ropes turn, with all of S: a body that spins about its arm goes along no curve, but S₊
+    /// resists it. What water and mooring lines do along it is booked with the bias.
+    pub fn loss(&self, kinematics: &Kinematics, after: &[f64], before: &[f64], h: f64) -> f64 {
+        let straight = self.ropes - self.turned.len();
         let of_group = |group: usize| {
             let (new, old) = (self.transversal(group, after), self.transversal(group, before));
-            let along = if group < self.ropes { 0.5 } else { 0.0 };
+            let along = if group < straight { 0.5 } else { 0.0 };
             let taken = new * (self.implicit[group] - along) - old * self.explicit;
             h * h * self.factor[group] * new.dot(taken)
         };
-        (0..self.factor.len()).map(of_group).sum()
+        let of_turn = |turned: &Turned| {
+            let turn: DVec3 =
+                turned.dofs.iter().map(|&dof| kinematics.columns[dof].angular * after[dof]).sum();
+            0.5 * h * h * turn.dot(turned.resistance * turn)
+        };
+        let taken: f64 = (0..self.factor.len()).map(of_group).sum();
+        taken - self.turned.iter().map(of_turn).sum::<f64>()
     }
 }
 

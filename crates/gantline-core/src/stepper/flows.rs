@@ -58,7 +58,7 @@ impl StepFlows<'_> {
         } else {
             state.ledger.flows.method += jump;
         }
-        state.ledger.flows.method += self.stiffness.loss(self.v, &state.v, h);
+        state.ledger.flows.method += self.stiffness.loss(&frame.kinematics, self.v, &state.v, h);
         for (dof, damping) in system.tree.damping.iter().enumerate() {
             state.ledger.flows.joint_damping += h * damping * self.v[dof] * self.v[dof];
         }
