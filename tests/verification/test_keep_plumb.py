@@ -124,8 +124,8 @@ def test_it_stops_with_the_hoist_as_far_as_it_can(end: str) -> None:
     back = way[-1] - way[at:].min()
     assert back < farther + late
     if end.startswith("by"):
-        said = f"{farther:.3f} m for the trolleys of the table", f"({back:.3f} m in the run), and comes back"
-        assert unsaid("docs/concepts/plan_and_drives.md", *said) == []
+        said = f"That is {farther:.3f} m ({back:.3f} m in the run) for the trolleys of the table"
+        assert unsaid("docs/concepts/plan_and_drives.md", said) == []
 
 
 def test_it_keeps_its_limits_and_ends_by_itself() -> None:
