@@ -16,7 +16,8 @@ from gantline.assembly.afloat.streams import add_streams
 from gantline.assembly.afloat.vessels import add_vessels, watch_vessels
 from gantline.assembly.afloat.water import add_load_tanks, add_water
 from gantline.assembly.afloat.waves import add_waves
-from gantline.assembly.cranes.boom import add_booms, hang_in_tackles
+from gantline.assembly.cranes.boom import add_booms
+from gantline.assembly.cranes.boom_at_rest import hang_in_tackles, rest_on_springs
 from gantline.assembly.cranes.crawler import add_crawlers
 from gantline.assembly.cranes.goliath import add_goliaths, rest_on_girders
 from gantline.assembly.cranes.heave import add_compensation, compensators
@@ -189,6 +190,7 @@ def _assembled(scenario: Scenario, rigging: Rigging) -> Assembly:
     for hook in reeved_hooks(scenario):
         hang_in_ropes(parts, scenario, hook)
     hang_in_tackles(parts, scenario)
+    rest_on_springs(parts, scenario)
     rest_on_girders(parts, scenario)
     add_shapes(parts, scenario, rigging, lifted)
     if lifted is not None:

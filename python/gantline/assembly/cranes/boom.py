@@ -4,27 +4,24 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from gantline.assembly.afloat.gusts import wind_of_limit
 from gantline.assembly.afloat.hulls import hull_mesh
-from gantline.assembly.cranes.reeving import hook_rig, mass_on
+from gantline.assembly.cranes.boom_at_rest import RISES, add_what_gives
+from gantline.assembly.cranes.reeving import hook_rig
 from gantline.assembly.cranes.slewing import add_turned, add_upper
 from gantline.assembly.parts import Json, Parts, box_shape, end, eye, material
 from gantline.assembly.plan.operations import luff_drive
 from gantline.assembly.ropes.rope_weight import lump_rope
 from gantline.assembly.ropes.route import route_length
-from gantline.assembly.spatial import Array, about_axis
+from gantline.assembly.spatial import about_axis
 from gantline.scenario import Scenario
 from gantline.scenario.cranes.boom import FloatingCrane, PlacedBoom
 from gantline.scenario.cranes.crawler import Crawler
 from gantline.scenario.cranes.luffing import Tackles, luffing_drum
 from gantline.scenario.rope_weight import rope_weight
 
-__all__ = ["add_booms", "boom_rig", "boom_shape", "hang_in_tackles"]
+__all__ = ["add_booms", "boom_rig", "boom_shape"]
 
-#: The axis about which a boom rises, axes of its base: to starboard.
-_UP = [0.0, -1.0, 0.0]
 #: Size of a heel pin in pictures [m].
 _PIN = 2.0
 #: Height of a pedestal in pictures where no hull is below it, over that of the heel pins [1].
@@ -73,20 +70,25 @@ def _add_boom(parts: Parts, placed: PlacedBoom, gravity: float) -> None:
     hinge: Json = {"type": "fixed"}
     turned = [1.0, 0.0, 0.0, 0.0]
     if placed.luffing is None:
-        turned = about_axis(_UP, boom.angle)
+        turned = about_axis(RISES, boom.angle)
     else:
-        hinge = {"type": "hinge", "axis": _UP, "position": boom.angle, "velocity": 0.0, "damping": 0.0}
+        hinge = {"type": "hinge", "axis": RISES, "position": boom.angle, "velocity": 0.0, "damping": 0.0}
         in_tackles = placed.tackles is not None
         hinge |= {"friction": 0.0, "drive": None if in_tackles else drive}
         hinge |= {"stops": _stops(placed, gravity) if in_tackles else None}
     # Two legs from the heel pins to the head, each of half the mass: along and square to it.
     aside = boom.mass * placed.apart**2 / 12
     across = boom.own_inertia
+    parent, place = placed.base, placed.heel
+    if boom.gives:
+        parts.add_body(placed.told, hinge, parent=parent, position=place, orientation=turned)
+        parent, hinge = add_what_gives(parts, placed)
+        place, turned = (0.0, 0.0, 0.0), [1.0, 0.0, 0.0, 0.0]
     parts.add_body(
         placed.name,
         hinge,
-        parent=placed.base,
-        position=placed.heel,
+        parent=parent,
+        position=place,
         orientation=turned,
         mass=boom.mass,
         centre_of_gravity=(boom.centre_of_gravity * boom.length, 0.0, 0.0),
@@ -125,58 +127,6 @@ def _add_tackles(parts: Parts, scenario: Scenario, placed: PlacedBoom, tackles: 
         length = route_length(parts, route)
         parts.add_rope(name, length, material(kind), route)
         lump_rope(parts, name, weight, length, route)
-
-
-def hang_in_tackles(parts: Parts, scenario: Scenario) -> None:
-    """Give luffing ropes the lengths with which they hold each boom, and what hangs at it, at its angle.
-
-    By moments about the heel pins, world axes; what hangs in a hook pulls at the pin of its upper sheaves.
-    """
-    for placed in scenario.booms.values():
-        if placed.tackles is None:
-            continue
-        kind = (scenario.ropes or {})[placed.tackles.rope]
-        assert kind.stiffness is not None  # checked: a luffing rope stretches
-        tension = _weight_moment(parts, scenario, placed) / _levers(parts, placed, placed.tackles)
-        for rope in parts.ropes:
-            if rope["name"] in placed.ropes:
-                rope["length"] /= 1 + max(tension, 0.0) / kind.stiffness
-
-
-def _about_heel(parts: Parts, placed: PlacedBoom, at: Array, force: Array) -> float:
-    """Moment of a force at a point about the axis of the heel pins, lifting positive."""
-    heel, axes = parts.pose(placed.name)
-    return float(axes @ np.array(_UP) @ np.cross(at - heel, force))
-
-
-def _weight_moment(parts: Parts, scenario: Scenario, placed: PlacedBoom) -> float:
-    """What boom, head gear and all that hangs there take to be held [N m]."""
-    plumb = np.array((0.0, 0.0, scenario.simulation.gravity))
-    carried = [placed.name]
-    for name, given in parts.bodies.items():  # parents stand before their children
-        if given["parent"] in carried:
-            carried.append(name)
-    moments = []
-    for name in carried:
-        body = parts.bodies[name]
-        centre = parts.place(name, body["centre_of_gravity"])
-        moments.append(_about_heel(parts, placed, centre, body["mass"] * plumb))
-    for hook in placed.hooks:
-        name = f"{placed.crane}.{hook}"
-        pin = parts.place(placed.name, scenario.hooks[name].pin)
-        moments.append(_about_heel(parts, placed, pin, mass_on(parts, name) * plumb))
-    return math.fsum(moments)
-
-
-def _levers(parts: Parts, placed: PlacedBoom, tackles: Tackles) -> float:
-    """Moment of all parts of line for a tension of 1 N [m]."""
-    total = 0.0
-    for across in placed.tackles_across:
-        head = parts.place(placed.name, (placed.boom.length, across, 0.0))
-        top = (tackles.from_[0], placed.heel[1] + across, tackles.from_[2])
-        way = parts.place(placed.base, top) - head
-        total += tackles.parts * _about_heel(parts, placed, head, way / float(np.linalg.norm(way)))
-    return total
 
 
 def boom_shape(scenario: Scenario, body: str) -> Json | None:

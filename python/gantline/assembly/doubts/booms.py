@@ -9,7 +9,7 @@ from itertools import pairwise
 from gantline.assembly.doubts.cranes import rows_by_radius, tipping_mass
 from gantline.assembly.doubts.strength import FARTHEST
 from gantline.scenario import Scenario
-from gantline.scenario.cranes.boom import PlacedBoom
+from gantline.scenario.cranes.boom import FloatingCrane, PlacedBoom
 from gantline.scenario.cranes.charts import Chart, boom_charts
 from gantline.scenario.cranes.crawler import Crawler
 from gantline.scenario.errors import Doubt
@@ -28,6 +28,9 @@ _FARTHEST_TOP = 2.0
 #: Far out charts are for 75 % of what tips the crane (ASME B30.5, 5-1.1.1), close in for what its boom bears;
 #: in the farthest row less than a third of that means that the crane is far too heavy for its chart [1].
 _LEAST_OF_TIPPING = 0.25
+#: Cranes give at the head by about a hundredth of the boom's length under what they may carry; aside they are
+#: several times softer, and bear hundredths of that [1].
+_SOFTEST = {"vertical": 0.03, "side": 0.3}
 #: Booms have their centre of gravity at 35 % to 55 % of their length, heavy at foot or head [1].
 _CENTRE = (0.2, 0.8)
 
@@ -48,12 +51,29 @@ def doubtful_booms(scenario: Scenario) -> Iterator[Doubt]:
             lies = f"the centre of gravity of {boom.name} is at {100.0 * share:.3g} % of its length"
             usual = "35 % to 55 % is usual, and a digit has slipped"
             yield Doubt((*boom.path, "boom", "centre_of_gravity"), f"{lies}; {usual}")
+        yield from _soft(scenario, boom)
         if (gear := boom.gear) is not None and gear.reach > _FARTHEST_TOP * boom.boom.length:
             away = f"is {format_quantity(gear.reach, 'm', 1)} from its heel pins"
             long = f"its boom is {format_quantity(boom.boom.length, 'm', 1)} long"
             sentence = f"the top of the luffing tackles of {boom.crane} {away}, and {long}"
             path: Path = (*boom.path, "luffing", "tackles", "from")
             yield Doubt(path, f"{sentence}; they seem to pull with far less than they do")
+
+
+def _soft(scenario: Scenario, boom: PlacedBoom) -> Iterator[Doubt]:
+    """A crane that gives far more at its head than any does, under all that it may carry."""
+    crane = (scenario.cranes or {})[boom.crane]
+    assert isinstance(crane, Crawler | FloatingCrane)  # it has a boom
+    rows = [most for one in boom_charts(scenario) if one.crane == boom.crane for most in one.rating.rated]
+    rated = crane.rated_capacity or max(rows, default=0.0)
+    given = boom.boom
+    for key, stiffness in (("vertical", given.vertical_stiffness), ("side", given.side_stiffness)):
+        sinks = 0.0 if stiffness is None else rated * scenario.simulation.gravity / stiffness
+        if sinks > _SOFTEST[key] * given.length:
+            moves = f"would give by {format_quantity(sinks, 'm', 2)} under the rated capacity"
+            slipped = "a unit of its stiffness has slipped, kN/m for MN/m"
+            path: Path = (*boom.path, "boom", f"{key}_stiffness")
+            yield Doubt(path, f"the head of {boom.name} {moves}; {slipped}")
 
 
 def _chart(boom: PlacedBoom, of: Chart) -> Iterator[Doubt]:

@@ -139,6 +139,10 @@ def _check_tackles(findings: Findings, placed: PlacedBoom, tackles: Tackles) -> 
         )
     gear, luffing = placed.gear, placed.luffing
     assert gear is not None and luffing is not None  # there are tackles
+    for key in ("vertical_stiffness", "side_stiffness"):
+        if getattr(placed.boom, key) is not None:
+            sentence = "a boom in luffing tackles gives as their ropes stretch"
+            findings.add((*placed.path, "boom", key), f"{sentence}; leave this out, or the tackles")
     steepest = luffing.range_[1]
     if not steepest < gear.direction < steepest + math.pi:
         found, most = (f"{math.degrees(one):g} deg" for one in (gear.direction, steepest))

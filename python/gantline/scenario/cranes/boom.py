@@ -33,6 +33,7 @@ from gantline.scenario.quantities import (
     PositiveLength,
     PositiveMass,
     PositiveSpeed,
+    PositiveStiffness,
     Quantity,
     Ratio,
     refuse,
@@ -94,6 +95,26 @@ class BoomParts(Element):
         description="How wide it is there, across; half of the distance of its heel pins if not given, and "
         "3 % of its length at least.",
     )
+    vertical_stiffness: PositiveStiffness | None = Field(
+        None,
+        description="Stiffness of the crane against a force down at the head, with the boom at its angle at "
+        "the start; rigid if not given.",
+    )
+    side_stiffness: PositiveStiffness | None = Field(
+        None, description="Stiffness against a force across the boom at the head; rigid if not given."
+    )
+    damping: Ratio = Field(
+        0.01, description="Damping where the boom gives, share of critical; 1 % if not given."
+    )
+
+    @model_validator(mode="after")
+    def _gives_with_damping(self) -> BoomParts:
+        if "damping" in self.model_fields_set and not self.gives:
+            sentence = "a boom that is rigid has nothing to damp"
+            raise refuse(f"{sentence}; give it a 'vertical_stiffness', or leave this out", "damping")
+        if self.damping >= 1:
+            raise refuse(f"{self.damping * 100:g} % of critical damping; below 100 % is right", "damping")
+        return self
 
     @model_validator(mode="after")
     def _is_possible(self) -> BoomParts:
@@ -105,6 +126,11 @@ class BoomParts(Element):
         if self.angle >= math.pi / 2:
             raise refuse("a boom stands below 90 deg; an angle like '60 deg' is right", "angle")
         return self
+
+    @property
+    def gives(self) -> bool:
+        """Whether it is not rigid, up and down or aside."""
+        return self.vertical_stiffness is not None or self.side_stiffness is not None
 
     @property
     def section_depth(self) -> float:
@@ -245,6 +271,11 @@ class PlacedBoom:
     reach_from: tuple[float, float, float]
     path: tuple[PathPart, ...]
     slew: tuple[float, Slewing | None] | None = None
+
+    @property
+    def told(self) -> str:
+        """Name of what turns exactly as the plan says: the boom itself, or what one that gives hangs on."""
+        return f"{self.name}/told" if self.boom.gives else self.name
 
     @property
     def tackles(self) -> Tackles | None:
