@@ -97,8 +97,8 @@ class BoomParts(Element):
     )
     vertical_stiffness: PositiveStiffness | None = Field(
         None,
-        description="Stiffness of the crane against a force down at the head, with the boom at its angle at "
-        "the start; rigid if not given.",
+        description="Stiffness of the crane, without its hoist ropes, against a force down at the head, with "
+        "the boom at its angle at the start; rigid if not given.",
     )
     side_stiffness: PositiveStiffness | None = Field(
         None, description="Stiffness against a force across the boom at the head; rigid if not given."
