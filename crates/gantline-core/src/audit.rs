@@ -288,7 +288,7 @@ pub fn gravity_energy(system: &System, kinematics: &Kinematics) -> f64 {
 /// Energy in the spring of a row at the value e [J].
 pub fn spring_energy(law: &Law, e: f64) -> f64 {
     let compliance = law.compliance();
-    let stretch = if matches!(law, Law::Unilateral { .. }) { e.max(0.0) } else { e };
+    let stretch = law.stretch(e);
     if compliance > 0.0 { 0.5 * stretch * stretch / compliance } else { 0.0 }
 }
 

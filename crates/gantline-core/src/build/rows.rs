@@ -82,7 +82,7 @@ pub(super) fn flow_named<'a>(element: &str, tree: &'a Tree, name: &str) -> Resul
     Ok(body)
 }
 
-/// The stops of a body's joint.
+/// The stops of a body's joint; two at one place are one spring.
 fn build_stops(given: &BodySpec, index: usize, tree: &Tree) -> Result<Vec<Stop>, BuildError> {
     let Some(joint) = given.joint.axis() else { return Ok(Vec::new()) };
     let Some(StopsSpec { lower, upper, stiffness, damping_time, loaded }) = &joint.stops else {
@@ -96,10 +96,15 @@ fn build_stops(given: &BodySpec, index: usize, tree: &Tree) -> Result<Vec<Stop>,
     at_least_zero(name, "the damping time of its stops", *damping_time)?;
     let body = &tree.bodies[index];
     let mut stops = Vec::new();
+    let is_spring = lower.is_some() && lower == upper;
     for (end, side) in [(lower, -1.0), (upper, 1.0)] {
         let Some(end) = *end else { continue };
+        if is_spring && side < 0.0 {
+            continue;
+        }
         finite(name, "a stop", &[end])?;
-        if side * (joint.position - end) > 0.0 && !loaded {
+        let beyond = if is_spring { (joint.position - end).abs() } else { side * (joint.position - end) };
+        if beyond > 0.0 && !loaded {
             return error(name, format!("its joint starts at {}, beyond its stop at {end}", joint.position));
         }
         stops.push(Stop {
@@ -110,7 +115,7 @@ fn build_stops(given: &BodySpec, index: usize, tree: &Tree) -> Result<Vec<Stop>,
             side,
             compliance: 1.0 / stiffness,
             damping_time: *damping_time,
-            is_spring: lower == upper,
+            is_spring,
         });
     }
     Ok(stops)

@@ -162,7 +162,9 @@ fn start_row(system: &System, frame: &Frame, row: usize, state: &mut State) -> R
         return Ok(());
     }
     let (compliance, damping_time) = match system.rows.laws[row] {
-        Law::Unilateral { compliance, damping_time } => (compliance, damping_time),
+        Law::Unilateral { compliance, damping_time } | Law::Spring { compliance, damping_time } => {
+            (compliance, damping_time)
+        }
         Law::Friction { normal, .. } => {
             state.modes[row] = state.modes[normal];
             return Ok(());
@@ -175,11 +177,12 @@ fn start_row(system: &System, frame: &Frame, row: usize, state: &mut State) -> R
             return Ok(());
         }
     };
+    let is_spring = matches!(system.rows.laws[row], Law::Spring { .. });
     let e = frame.value[row];
     let rate = system.rows.rate(&frame.gradient, row, &state.v);
     if compliance > 0.0 {
         state.trial[row] = (e + damping_time * rate) / compliance;
-        state.tension[row] = state.trial[row].max(0.0);
+        state.tension[row] = if is_spring { state.trial[row] } else { state.trial[row].max(0.0) };
     } else if e > 1e-9 * (1.0 + e.abs()) {
         let name = system.constraint_of_row(row).name();
         return error(name, format!("it is inextensible and {e} m shorter than its route at the start"));
@@ -187,7 +190,7 @@ fn start_row(system: &System, frame: &Frame, row: usize, state: &mut State) -> R
     // A row at its bound starts as acting, so that a lift that starts taut logs no event for it. An inextensible
     // rope whose ends do not keep their distance is about to go slack, or is hit: steps find which.
     let keeps = compliance == 0.0 && e >= -1e-9 && rate.abs() <= STANDSTILL;
-    if state.trial[row] > 0.0 || keeps {
+    if is_spring || state.trial[row] > 0.0 || keeps {
         state.modes[row] = Mode::Acting;
     }
     Ok(())

@@ -35,6 +35,13 @@ pub enum Law {
         /// τ [s].
         damping_time: f64,
     },
+    /// T = (e + τ ė)/ε either way.
+    Spring {
+        /// ε [m/N or rad/(N m)].
+        compliance: f64,
+        /// τ [s].
+        damping_time: f64,
+    },
     /// One of two tangential directions of a contact: T = (s + τ ṡ)/ε while |T| ≤ μ N, then slip.
     Friction {
         /// ε [m/N].
@@ -72,7 +79,9 @@ impl Law {
     /// ε [m/N].
     pub fn compliance(&self) -> f64 {
         match self {
-            Self::Unilateral { compliance, .. } | Self::Friction { compliance, .. } => *compliance,
+            Self::Unilateral { compliance, .. }
+            | Self::Spring { compliance, .. }
+            | Self::Friction { compliance, .. } => *compliance,
             Self::Brake { .. } | Self::Pin => 0.0,
         }
     }
@@ -80,7 +89,7 @@ impl Law {
     /// Rows whose forces the bound of this one depends on.
     pub fn bounded_by(&self) -> impl Iterator<Item = usize> + use<> {
         let (first, second) = match *self {
-            Self::Unilateral { .. } | Self::Pin => (None, None),
+            Self::Unilateral { .. } | Self::Spring { .. } | Self::Pin => (None, None),
             Self::Friction { normal, .. } => (Some(normal), None),
             Self::Brake { rows: [one, other], .. } => (one, other),
         };
@@ -90,9 +99,16 @@ impl Law {
     /// τ [s].
     pub fn damping_time(&self) -> f64 {
         match self {
-            Self::Unilateral { damping_time, .. } | Self::Friction { damping_time, .. } => *damping_time,
+            Self::Unilateral { damping_time, .. }
+            | Self::Spring { damping_time, .. }
+            | Self::Friction { damping_time, .. } => *damping_time,
             Self::Brake { .. } | Self::Pin => 0.0,
         }
+    }
+
+    /// What of its value e stretches its spring [m or rad]: one that only pulls or pushes is slack below zero.
+    pub fn stretch(&self, e: f64) -> f64 {
+        if matches!(self, Self::Unilateral { .. }) { e.max(0.0) } else { e }
     }
 }
 

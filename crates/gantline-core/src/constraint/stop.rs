@@ -1,7 +1,7 @@
-//! A stop: the end of the stroke of a hinge or slider.
+//! A stop: the end of the stroke of a hinge or slider; or a spring, where both ends are at one place.
 //!
 //! e = ±(q − q_end), how far the joint is beyond it; T = max(0, k (e + τ ė)), the law of ropes and contacts, without
-//! friction. The force acts between the two bodies of the joint along its coordinate, so ∂g/∂q is ±1 and nothing turns.
+//! friction; of a spring T = k (e + τ ė) either way. The force acts between the two bodies of the joint along its coordinate, so ∂g/∂q is ±1 and nothing turns.
 
 use glam::DVec3;
 
@@ -9,7 +9,7 @@ use super::{Constraint, Law, Line, Moving, Placed};
 use crate::tree::bias::Wrench;
 use crate::tree::kinematics::Twist;
 
-/// One end of a stroke.
+/// One end of a stroke, or the middle of a spring.
 #[derive(Debug, Clone)]
 pub struct Stop {
     /// Name of the body whose joint it is.
@@ -20,13 +20,13 @@ pub struct Stop {
     pub position: usize,
     /// Where the stroke ends [rad or m].
     pub end: f64,
-    /// 1 for the upper end, −1 for the lower.
+    /// 1 for the upper end and a spring, −1 for the lower.
     pub side: f64,
     /// 1/k [rad/(N m) or m/N].
     pub compliance: f64,
     /// τ [s].
     pub damping_time: f64,
-    /// Whether the other end of the stroke is at the same place: both are a spring, of which one of the two always acts.
+    /// Whether it acts on both sides.
     pub is_spring: bool,
 }
 
@@ -40,7 +40,12 @@ impl Constraint for Stop {
     }
 
     fn laws(&self, _first_row: usize) -> Vec<Law> {
-        vec![Law::Unilateral { compliance: self.compliance, damping_time: self.damping_time }]
+        let Self { compliance, damping_time, is_spring, .. } = *self;
+        vec![if is_spring {
+            Law::Spring { compliance, damping_time }
+        } else {
+            Law::Unilateral { compliance, damping_time }
+        }]
     }
 
     fn lines(&self) -> usize {

@@ -26,6 +26,8 @@ pub enum Part {
     Off,
     /// Pulls, or pushes, and never the other way.
     Pull,
+    /// Pulls and pushes.
+    Spring,
     /// Holds a joint where it is, with no more force than this [N or N m].
     Hold(f64),
     /// Resists with this force whatever the value: what slips [N].
@@ -76,8 +78,6 @@ pub struct Bearing {
     pub held: Option<Held>,
     /// Length whose difference to another e is [m].
     pub length: f64,
-    /// Of a row that pulls: whether it acts where it pulls with nothing.
-    pub acts_at_none: bool,
 }
 
 impl Bearing {
@@ -104,11 +104,9 @@ impl Bearing {
         match self.part {
             Part::Off => (0.0, 0.0, false),
             Part::Resist(force) => (force, force * value, false),
-            Part::Pull if trial > 0.0 || self.acts_at_none && trial == 0.0 => {
-                (trial, 0.5 * self.compliance * trial * trial, true)
-            }
+            Part::Pull if trial > 0.0 => (trial, 0.5 * self.compliance * trial * trial, true),
             Part::Pull => (0.0, 0.0, false),
-            Part::Across => (trial, 0.5 * self.compliance * trial * trial, true),
+            Part::Spring | Part::Across => (trial, 0.5 * self.compliance * trial * trial, true),
             Part::Hold(bound) | Part::Stick(bound) if trial.abs() <= bound => {
                 (trial, 0.5 * self.compliance * trial * trial, true)
             }
@@ -135,6 +133,7 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
         let (part, held) = match law {
             _ if state.modes[row].is_absent() => (Part::Off, None),
             Law::Unilateral { .. } => (Part::Pull, None),
+            Law::Spring { .. } => (Part::Spring, None),
             Law::Friction { normal, coefficient, .. } => {
                 let touches = state.trial[*normal] * law.compliance() >= -TOUCHES;
                 // The first search takes what holds as holding all; without friction it would begin from a place that none has.
@@ -143,10 +142,8 @@ pub fn bearings(system: &System, state: &State, losses: Losses) -> Vec<Bearing> 
             Law::Pin | Law::Brake { .. } => held(system, state, row, losses.sheaves),
         };
         let length = length(system, row);
-        // A spring in its middle, as under what hangs or stands plumb, is as stiff as beside it: one of both stops acts.
-        let acts_at_none = matches!(system.constraint_of_row(row), AnyConstraint::Stop(stop) if stop.is_spring && stop.side > 0.0);
         let first_compliance = compliance;
-        Bearing { part, compliance, first_compliance, is_rigid, offset: 0.0, held, length, acts_at_none }
+        Bearing { part, compliance, first_compliance, is_rigid, offset: 0.0, held, length }
     };
     system.rows.laws.iter().enumerate().map(row).collect()
 }

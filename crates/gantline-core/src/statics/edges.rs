@@ -14,7 +14,6 @@
 
 use super::bearing::{Part, weight};
 use super::{NEUTRAL, Statics};
-use crate::constraint::AnyConstraint;
 use crate::solver::symbolic::ZeroPivot;
 use crate::state::State;
 use crate::system::System;
@@ -53,7 +52,6 @@ impl Statics {
             self.bearings[*row].part == Part::Pull
                 && here.tension[*row] <= light
                 && here.frame.value[*row].abs() <= EDGE
-                && !matches!(system.constraint_of_row(*row), AnyConstraint::Stop(stop) if stop.is_spring)
         };
         let edges: Vec<usize> = (0..self.bearings.len()).filter(is_on_edge).collect();
         if edges.is_empty() {

@@ -68,7 +68,9 @@ impl Statics {
     /// Whether a row stretches: it has a damper beside its spring.
     pub(super) fn stretches(&self, row: usize) -> bool {
         let bearing = &self.bearings[row];
-        self.search.here.follows[row] && bearing.part == Part::Pull && !bearing.is_rigid
+        self.search.here.follows[row]
+            && matches!(bearing.part, Part::Pull | Part::Spring)
+            && !bearing.is_rigid
     }
 
     fn dense_damping(&self, system: &System, omega: Option<f64>) -> Vec<f64> {

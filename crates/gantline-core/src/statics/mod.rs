@@ -333,6 +333,7 @@ impl Statics {
             state.modes[row] = match *law {
                 Law::Unilateral { .. } if self.search.here.follows[row] => Mode::Acting,
                 Law::Unilateral { .. } => Mode::Slack,
+                Law::Spring { .. } => Mode::Acting,
                 Law::Friction { normal, .. } => state.modes[normal],
                 Law::Pin => state.modes[row],
                 Law::Brake { .. } => Mode::Acting,

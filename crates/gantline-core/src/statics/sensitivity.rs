@@ -276,7 +276,7 @@ impl Statics {
                 for (dof, entry) in system.rows.entries(&there.frame.gradient, row) {
                     force[dof] -= share * entry * here.tension[row];
                 }
-                if here.follows[row] && matches!(bearing.part, Part::Pull) {
+                if here.follows[row] && matches!(bearing.part, Part::Pull | Part::Spring) {
                     right[row] -= share * there.frame.value[row];
                 }
             }

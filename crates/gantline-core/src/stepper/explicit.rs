@@ -335,7 +335,7 @@ impl Explicit {
             ledger.method += taken - damper - spring_energy(law, after) + spring_energy(law, before);
             return;
         }
-        let spring = if is_friction(law) { before } else { before.max(0.0) } / compliance;
+        let spring = law.stretch(before) / compliance;
         let damper = h * (force - spring) * self.rate[row];
         *(if row < system.rope_rows() { &mut ledger.rope_damping } else { &mut ledger.contact_damping }) +=
             damper;
@@ -352,8 +352,9 @@ impl Explicit {
         for (row, law) in laws.iter().enumerate() {
             let trial = self.trial[row];
             let Law::Friction { coefficient, normal, .. } = *law else {
-                self.modes[row] = if trial > 0.0 { Mode::Acting } else { Mode::Slack };
-                self.tension[row] = trial.max(0.0);
+                let acts = trial > 0.0 || matches!(law, Law::Spring { .. });
+                (self.modes[row], self.tension[row]) =
+                    if acts { (Mode::Acting, trial) } else { (Mode::Slack, 0.0) };
                 continue;
             };
             let bound = coefficient * self.tension[normal];

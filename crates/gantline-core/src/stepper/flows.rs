@@ -158,7 +158,7 @@ impl StepFlows<'_> {
             state.ledger.flows.method += spring_energy(law, before);
             return;
         }
-        let spring = if is_friction(law) { after } else { after.max(0.0) } / compliance;
+        let spring = law.stretch(after) / compliance;
         let damper = flow - self.h * spring * rate;
         if row < system.rope_rows() {
             state.ledger.flows.rope_damping += damper;

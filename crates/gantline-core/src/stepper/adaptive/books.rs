@@ -118,7 +118,7 @@ impl Adaptive {
                 (_, Mode::Parted | Mode::Off) => 0.0,
                 (Law::Unilateral { .. }, Mode::Acting) => spring_energy(law, -value),
                 (Law::Unilateral { .. }, _) => -spring_energy(law, value),
-                (Law::Friction { .. } | Law::Brake { .. } | Law::Pin, _) => 0.0,
+                (Law::Spring { .. } | Law::Friction { .. } | Law::Brake { .. } | Law::Pin, _) => 0.0,
             };
             *loss_kind(system, &mut self.flows, row) += sign * lost;
         }
@@ -251,7 +251,9 @@ impl Adaptive {
             // with them one that acts is a spring either way, and one that is slack none.
             let stretch = match (law, state.modes[row]) {
                 (Law::Brake { .. } | Law::Pin, _) | (_, Mode::Slack) => 0.0,
-                (Law::Unilateral { .. } | Law::Friction { .. }, _) => probe.frame.value[row],
+                (Law::Unilateral { .. } | Law::Spring { .. } | Law::Friction { .. }, _) => {
+                    probe.frame.value[row]
+                }
             };
             if law.compliance() > 0.0 {
                 power += self.rows[row] * stretch / law.compliance();

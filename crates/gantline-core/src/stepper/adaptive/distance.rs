@@ -50,7 +50,7 @@ impl Adaptive {
     /// How far the frozen mode of a row is from its law [N]; not positive where it is right.
     pub(super) fn distance(&self, system: &System, state: &State, row: usize, at: &Evaluation) -> f64 {
         match (system.rows.laws[row], state.modes[row]) {
-            (_, Mode::Parted | Mode::Off) | (Law::Pin, _) => 0.0,
+            (_, Mode::Parted | Mode::Off) | (Law::Pin | Law::Spring { .. }, _) => 0.0,
             // An inextensible rope that is loosening need not be caught: only what it is longer than at the start.
             (Law::Unilateral { compliance: 0.0, .. }, Mode::Slack) if at.rate[row] < STANDSTILL => {
                 at.trial[row] - self.looks.start(row).max(0.0)

@@ -96,7 +96,7 @@ impl Weights {
                 stretch += entry * (error.phi[dof] + law.damping_time() * error.v[dof]);
                 self.stiffness[dof] += entry * entry / law.compliance();
             }
-            if matches!(law, Law::Unilateral { .. }) {
+            if matches!(law, Law::Unilateral { .. } | Law::Spring { .. }) {
                 stretch += self.beside(system, rodas, row);
                 sum += (stretch / law.compliance()).powi(2);
                 count += 1.0;

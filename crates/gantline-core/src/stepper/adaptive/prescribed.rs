@@ -82,7 +82,7 @@ impl Prescribed {
         let told = |row: usize| dofs_of(row).iter().all(driven);
         let elastic = |row: &usize| {
             let law = &system.rows.laws[*row];
-            matches!(law, Law::Unilateral { .. }) && law.compliance() > 0.0
+            matches!(law, Law::Unilateral { .. } | Law::Spring { .. }) && law.compliance() > 0.0
         };
         let all = 0..system.rows.count();
         let rows: Vec<usize> =
