@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -130,6 +131,24 @@ class Parts:
     def all_ropes(self) -> list[str]:
         """Ropes as the recording knows them; mooring lines that hang by their weight come last."""
         return [*self.rope_names, *(one["name"] for one in self.forces if one["type"] == "mooring")]
+
+    def add_spring(self, body: str, stiffness: float, share: float, inertia: float, neutral: float) -> None:
+        """Hold the joint of a body by a spring: two stops at one place (N3), docs/concepts/stop.md.
+
+        Args:
+            body: its name; the joint is a hinge or a slider.
+            stiffness: of the spring [N m/rad or N/m].
+            share: damping, of the critical one.
+            inertia: what that is critical for [kg m^2 or kg].
+            neutral: where the spring pushes with nothing [rad or m].
+        """
+        self.bodies[body]["joint"]["stops"] = {
+            "lower": neutral,
+            "upper": neutral,
+            "stiffness": stiffness,
+            "damping_time": 2 * share * math.sqrt(inertia / stiffness),  # 2 zeta/omega
+            "loaded": True,
+        }
 
     def add_shape(self, name: str, body: str | None, parts: Sequence[Json]) -> None:
         """Add a shape on a body (None: the world); `gantline.assembly.shapes` says what its parts are."""

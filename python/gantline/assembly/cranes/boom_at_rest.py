@@ -52,32 +52,16 @@ def _hinge(axis: list[float]) -> Json:
 def rest_on_springs(parts: Parts, scenario: Scenario) -> None:
     """Give each boom its springs: where all hooks hang free of the load it stands as the lift file has it."""
     for placed in scenario.booms.values():
-        boom = placed.boom
+        boom, body = placed.boom, parts.bodies[placed.name]
+        empty = body["inertia"][1] + body["mass"] * body["centre_of_gravity"][0] ** 2
         if boom.vertical_stiffness is not None:
             # (BM7): a force at the head turns the boom by its level distance from the heel pins.
             stiffness = boom.vertical_stiffness * (boom.length * math.cos(boom.angle)) ** 2
-            loaded = _weight_moment(parts, scenario, placed) / stiffness
-            _add_spring(parts, placed, placed.name, stiffness, loaded)
+            neutral = _weight_moment(parts, scenario, placed) / stiffness
+            parts.add_spring(placed.name, stiffness, boom.damping, empty, neutral)
         if boom.side_stiffness is not None:
-            stiffness = boom.side_stiffness * boom.length**2
             name = placed.name if boom.vertical_stiffness is None else _aside(placed)
-            _add_spring(parts, placed, name, stiffness, 0.0)
-
-
-def _add_spring(parts: Parts, placed: PlacedBoom, body: str, stiffness: float, loaded: float) -> None:
-    """A spring [N m/rad] at the joint of a body that pushes nothing at an angle [rad].
-
-    It is a pair of stops at one place, of which one always pushes. Its damping is by the empty boom.
-    """
-    boom = parts.bodies[placed.name]
-    own = boom["inertia"][1] + boom["mass"] * boom["centre_of_gravity"][0] ** 2
-    parts.bodies[body]["joint"]["stops"] = {
-        "lower": loaded,
-        "upper": loaded,
-        "stiffness": stiffness,
-        "damping_time": 2 * placed.boom.damping * math.sqrt(own / stiffness),  # 2 zeta/omega
-        "loaded": True,
-    }
+            parts.add_spring(name, boom.side_stiffness * boom.length**2, boom.damping, empty, 0.0)
 
 
 def hang_in_tackles(parts: Parts, scenario: Scenario) -> None:

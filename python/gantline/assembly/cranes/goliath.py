@@ -91,14 +91,8 @@ def rest_on_girders(parts: Parts, scenario: Scenario) -> None:
                 carried.add(body)
         mass = math.fsum(parts.bodies[body]["mass"] for body in carried)
         empty = parts.bodies[girder]["mass"] + math.fsum(given.mass for given in crane.trolleys.values())
-        parts.bodies[girder]["joint"]["stops"] = {
-            "lower": mass * scenario.simulation.gravity / stiffness,
-            "upper": None,
-            "stiffness": stiffness,
-            # 2 zeta/omega of the empty crane
-            "damping_time": 2 * crane.girder.damping * math.sqrt(empty / stiffness),
-            "loaded": True,
-        }
+        neutral = mass * scenario.simulation.gravity / stiffness
+        parts.add_spring(girder, stiffness, crane.girder.damping, empty, neutral)
 
 
 def crane_shape(scenario: Scenario, body: str) -> Json | None:
