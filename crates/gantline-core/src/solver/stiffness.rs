@@ -30,6 +30,8 @@ struct Turned {
     dofs: Vec<usize>,
     /// S of the ropes [N m].
     resistance: DMat3,
+    /// What of it is of ropes that stretch.
+    stretching: DMat3,
 }
 
 /// Groups of degrees of freedom with one vector each.
@@ -46,6 +48,9 @@ pub struct Stiffness {
     /// How many of the groups are ropes' own, of straight parts and of bodies that they turn; hulls and mooring lines come
     /// after them.
     pub ropes: usize,
+    /// For every group ½ where it is a straight part of a rope that stretches, else 0: the share of its K along whose curved
+    /// path tension does work. A rope that does not stretch stores none.
+    along: Vec<f64>,
     /// Bodies that ropes turn, each with its group.
     turned: Vec<Turned>,
     /// For every body its place among these.
@@ -59,10 +64,11 @@ pub struct Stiffness {
 impl Stiffness {
     /// Groups of all constraints of `system`.
     pub fn new(system: &System) -> Self {
-        let (mut start, mut dofs) = (vec![0], Vec::new());
+        let (mut start, mut dofs, mut along) = (vec![0], Vec::new(), Vec::new());
         let mut turned_by = vec![Vec::new(); system.tree.bodies.len()];
-        for rope in system.ropes() {
+        for (index, rope) in system.ropes().enumerate() {
             for (group, (_, members)) in rope.curvature_groups().into_iter().enumerate() {
+                along.push(if stretches(system, index, rope.span_of[group]) { 0.5 } else { 0.0 });
                 // What is fed turns no rope.
                 dofs.extend(members.into_iter().filter(|dof| !system.flows.contains(dof)));
                 start.push(dofs.len());
@@ -79,7 +85,7 @@ impl Stiffness {
             place[body] = Some(turned.len());
             dofs.extend(&own);
             start.push(dofs.len());
-            turned.push(Turned { dofs: own, resistance: DMat3::ZERO });
+            turned.push(Turned { dofs: own, resistance: DMat3::ZERO, stretching: DMat3::ZERO });
         }
         let ropes = start.len() - 1;
         for force in &system.tree.forces {
@@ -90,7 +96,8 @@ impl Stiffness {
         }
         let (columns, zeros) = (vec![DVec3::ZERO; dofs.len()], vec![0.0; start.len() - 1]);
         let (factor, implicit) = (zeros.clone(), zeros);
-        Self { start, dofs, columns, factor, ropes, turned, place, implicit, explicit: 0.0 }
+        along.resize(factor.len(), 0.0);
+        Self { start, dofs, columns, factor, ropes, along, turned, place, implicit, explicit: 0.0 }
     }
 
     /// K under the tensions of the last step, and the weights of a step of length `h` [s].
@@ -102,7 +109,9 @@ impl Stiffness {
     pub fn update(&mut self, system: &System, state: &State, frame: &Frame, h: f64, used: bool) {
         self.explicit = if used { EXPLICIT } else { 0.0 };
         let mut group = 0;
-        self.turned.iter_mut().for_each(|turned| turned.resistance = DMat3::ZERO);
+        for turned in &mut self.turned {
+            (turned.resistance, turned.stretching) = (DMat3::ZERO, DMat3::ZERO);
+        }
         for (index, rope) in system.ropes().enumerate() {
             for part in 0..rope.groups() {
                 let span = rope.span_of[part];
@@ -118,9 +127,13 @@ impl Stiffness {
                     continue;
                 }
                 let (turned, place) = (&mut self.turned, &self.place);
+                let does_stretch = stretches(system, index, span);
                 let turns = |body: usize, resistance: DMat3| {
                     if let Some(place) = place[body] {
                         turned[place].resistance += resistance;
+                        if does_stretch {
+                            turned[place].stretching += resistance;
+                        }
                     }
                 };
                 let at = (&frame.kinematics, state.seats.as_slice());
@@ -130,7 +143,7 @@ impl Stiffness {
             }
         }
         for index in 0..self.turned.len() {
-            let Turned { dofs, resistance } = &self.turned[index];
+            let Turned { dofs, resistance, .. } = &self.turned[index];
             let root = positive_root(resistance);
             for (column, &dof) in self.columns[self.start[group]..].iter_mut().zip(dofs) {
                 *column = root.transpose() * frame.kinematics.columns[dof].angular;
@@ -192,23 +205,27 @@ impl Stiffness {
 
     /// h² v₊ᵀ K (α v₊ − v/4) minus the work that tension does along the curved path [J]: ½ h² v₊ᵀ K v₊ of straight parts,
     /// ½ h² ωᵀ S ω of bodies that ropes turn, with all of S: a body that spins about its arm goes along no curve, but S₊
-    /// resists it. What water and mooring lines do along it is booked with the bias.
+    /// resists it. Of ropes that do not stretch tension does none: what their rows take leaves the motion, and nothing
+    /// stores it. What water and mooring lines do along it is booked with the bias.
     pub fn loss(&self, kinematics: &Kinematics, after: &[f64], before: &[f64], h: f64) -> f64 {
-        let straight = self.ropes - self.turned.len();
         let of_group = |group: usize| {
             let (new, old) = (self.transversal(group, after), self.transversal(group, before));
-            let along = if group < straight { 0.5 } else { 0.0 };
-            let taken = new * (self.implicit[group] - along) - old * self.explicit;
+            let taken = new * (self.implicit[group] - self.along[group]) - old * self.explicit;
             h * h * self.factor[group] * new.dot(taken)
         };
         let of_turn = |turned: &Turned| {
             let turn: DVec3 =
                 turned.dofs.iter().map(|&dof| kinematics.columns[dof].angular * after[dof]).sum();
-            0.5 * h * h * turn.dot(turned.resistance * turn)
+            0.5 * h * h * turn.dot(turned.stretching * turn)
         };
         let taken: f64 = (0..self.factor.len()).map(of_group).sum();
         taken - self.turned.iter().map(of_turn).sum::<f64>()
     }
+}
+
+/// Whether a span of a rope stretches.
+fn stretches(system: &System, rope: usize, span: usize) -> bool {
+    system.rows.laws[system.rows.first[rope] + span].compliance() > 0.0
 }
 
 /// Columns of the stiffness of a hull's section with the water; returns ρ g.
