@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from gantline.cli.kept import Continue, kept_file, taking_over, tell_of_going_on, tell_taken_over
 from gantline.cli.lift import Lift, Moment, folder_in_use, folder_option, moment_of, refuse_beyond
 from gantline.cli.messages import (
     CHECK_FAILED,
@@ -42,6 +43,7 @@ def cases(
     variants: Annotated[
         bool, typer.Option("--variants", help="Show each variant of a case in a line of its own.")
     ] = False,
+    go_on: Continue = False,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print all numbers and checks as JSON, SI units.")
     ] = False,
@@ -61,6 +63,8 @@ def cases(
     with what has been found by then, or a word that nothing has, and with 130.
     """
     moment = moment_of(time)
+    if go_on and not simulate:
+        stop("--continue: only runs are kept, no equilibria; with --simulate it is right")
     with scenario_errors():
         from gantline.scenario import load_scenario
 
@@ -69,47 +73,60 @@ def cases(
         if not scenario.cases:
             right = "cases: {heavy: {set: {load.weight.simulate: design}}}"
             stop(f"{scenario.source}: there are no 'cases' in this file; one is written like '{right}'")
+    from gantline.results.file.saved import KEPT_CASE_RUNS
+
     with folder_in_use(output) as folder:
+        kept = kept_file(folder, KEPT_CASE_RUNS, go_on=go_on) if simulate else None
         with scenario_errors():
             try:
                 with telling("cases") as tell:
-                    found = (_simulated if simulate else _at_rest)(scenario, moment, tell, variants=variants)
+                    if simulate:
+                        with taking_over(kept):
+                            found = _simulated(scenario, moment, tell, variants, kept, anew=not go_on)
+                    else:
+                        found = _at_rest(scenario, moment, tell, variants)
             except KeyboardInterrupt:
                 what, how = ("run", "had ended") if simulate else ("equilibrium", "was found")
                 warn(f"interrupted before the {what} of the lift as it is given {how}: no case is known")
+                tell_of_going_on(kept)
                 raise typer.Exit(INTERRUPTED) from None
         found.tell(folder, as_json=as_json)
     if found.not_done:
         what = "simulated" if simulate else "worked out"
         warn(f"interrupted; not all variants of these were {what}: {', '.join(found.not_done)}")
+        tell_of_going_on(kept)
         raise typer.Exit(INTERRUPTED)
     raise typer.Exit(found.code)
 
 
 @dataclass(frozen=True)
 class _Found:
-    """What is to be told of cases: as JSON and as a table, into which file, and the code to end with."""
+    """What is to be told of cases: as JSON and as a table, into which file, and the code to end with.
+
+    Of runs also how many were taken over.
+    """
 
     text: str
     table: list[str]
     file: str
     code: int
     not_done: Sequence[str]
+    taken_over: int = 0
 
     def tell(self, folder: Path | None, *, as_json: bool) -> None:
         """Print it, and write it into a folder if there is one."""
         from gantline.replacing import replace_text
+        from gantline.results.file.saved import KEPT_CASE_RUNS
 
         typer.echo(self.text if as_json else "\n".join(self.table))
         if folder is not None:
             with writing(folder):
                 replace_text(folder / self.file, self.text + "\n")
             typer.echo(f"Cases       {folder / self.file}", err=as_json)
+        tell_taken_over(self.taken_over, KEPT_CASE_RUNS, aside=as_json)
 
 
-def _at_rest(
-    scenario: Scenario, moment: float | None, tell: Callable[[str], None], *, variants: bool
-) -> _Found:
+def _at_rest(scenario: Scenario, moment: float | None, tell: Callable[[str], None], variants: bool) -> _Found:
     from gantline.cli.cases_table import cases_table, nothing_hangs
     from gantline.cli.check_table import width_of_terminal
     from gantline.results.file.saved import CASES
@@ -126,7 +143,13 @@ def _at_rest(
 
 
 def _simulated(
-    scenario: Scenario, moment: float | None, tell: Callable[[str], None], *, variants: bool
+    scenario: Scenario,
+    moment: float | None,
+    tell: Callable[[str], None],
+    variants: bool,
+    kept: Path | None,
+    *,
+    anew: bool,
 ) -> _Found:
     from gantline.checks import Outcome
     from gantline.cli.case_runs_table import case_runs_table
@@ -134,11 +157,13 @@ def _simulated(
     from gantline.results.file.saved import CASE_RUNS
     from gantline.study import simulate_cases
 
-    result = simulate_cases(scenario, moment, on_progress=tell)
+    result = simulate_cases(scenario, moment, kept=kept, anew=anew, on_progress=tell)
     table = case_runs_table(result, width=width_of_terminal(), variants=variants)
     is_no_go = any(run.outcome is Outcome.NO_GO for run in result.runs)
     code = DONE if result.is_go else CHECK_FAILED if is_no_go else NO_VERDICT
-    return _Found(_text(result.to_json()), table, CASE_RUNS, code, result.not_done)
+    return _Found(
+        _text(result.to_json()), table, CASE_RUNS, code, result.not_done, taken_over=result.taken_over
+    )
 
 
 def _text(document: dict[str, Any]) -> str:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Self
 
 from gantline.checks import Check, Outcome, check_recording, failed_names, governing, outcome_of, verdict_of
+from gantline.results.file.saved_json import list_in, number_in, object_of, text_in
 from gantline.results.recording import Recording
 from gantline.scenario import Scenario, ScenarioError
 from gantline.simulation import Simulation, SimulationError
@@ -41,6 +43,7 @@ class HeldRun:
         *,
         goes_on: Callable[[], bool],
         note: Callable[[Recording], dict[str, Any]] = lambda _: {},
+        through: Callable[[Simulation, Callable[[], Self]], Self] = lambda _, run: run(),
         **known: Any,
     ) -> Self:
         """Simulate a lift from its start to its end.
@@ -50,19 +53,32 @@ class HeldRun:
             overrides: Settings of `simulate`.
             goes_on: Whether to go on; asked about ten times a second.
             note: What else to keep of its recording, attributes of a class made of this one by name.
+            through: Is given what is ready to run and what runs it, and gives the run: that one, or one which
+                it knows. Not asked of a lift that cannot start.
             known: Further attributes of such a class.
         """
         try:
             simulation = Simulation(lift(), **overrides)
-            recording = simulation.run(on_progress=lambda _: goes_on())
         except ScenarioError as error:
             return cls(cause=error.problems[0].message, starts=False, **known)
+        return through(simulation, partial(cls._run, simulation, goes_on, note, known))
+
+    @classmethod
+    def _run(
+        cls,
+        simulation: Simulation,
+        goes_on: Callable[[], bool],
+        note: Callable[[Recording], dict[str, Any]],
+        known: Mapping[str, Any],
+    ) -> Self:
+        try:
+            recording = simulation.run(on_progress=lambda _: goes_on())
         except SimulationError as stop:
-            checks = check_recording(stop.recording)
+            checks = tuple(check_recording(stop.recording))
             return cls(time=stop.time, checks=checks, cause=str(stop), **note(stop.recording), **known)
         return cls(
             time=float(recording.time[-1]),
-            checks=check_recording(recording),
+            checks=tuple(check_recording(recording)),
             warnings=tuple(str(one) for one in recording.attributes.get("warnings") or ()),
             **note(recording),
             **known,
@@ -107,3 +123,28 @@ class HeldRun:
             "warnings": list(self.warnings),
             "checks": [one.to_json() for one in self.checks],
         }
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Self:
+        """Read what `to_json` made.
+
+        Raises:
+            ValueError: If it is something else.
+        """
+        return cls(
+            time=number_in(document, "time"),
+            checks=tuple(Check.from_json(object_of(one)) for one in list_in(document, "checks")),
+            warnings=tuple(str(one) for one in list_in(document, "warnings")),
+            cause=text_in(document, "cause"),
+            starts=document.get("starts") is True,
+            **cls._more_in(document),
+        )
+
+    @classmethod
+    def _more_in(cls, document: Mapping[str, Any]) -> dict[str, Any]:
+        """Further attributes of a class made of this one, from its JSON object.
+
+        Raises:
+            ValueError: If there are none.
+        """
+        return {}

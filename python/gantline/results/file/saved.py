@@ -28,6 +28,7 @@ __all__ = [
     "CASE_RUNS",
     "EQUILIBRIUM",
     "FILES_BESIDE",
+    "KEPT_CASE_RUNS",
     "LOSSES",
     "LOST_LOAD",
     "QUANTITIES",
@@ -48,6 +49,7 @@ __all__ = [
 #: Names of the files.
 CASES = "cases.json"
 CASE_RUNS = "case_runs.json"
+KEPT_CASE_RUNS = "case_runs.jsonl"
 EQUILIBRIUM = "equilibrium.nc"
 LOST_LOAD = "lost_load.json"
 SEAS = "seas.json"
