@@ -354,6 +354,7 @@ def test_simulated_in_a_file(plan: Path, tmp_path: Path) -> None:
     document = json.loads(result.stdout)
     assert json.loads((folder / "case_runs.json").read_text(encoding="utf-8")) == document
     assert not (folder / "cases.json").exists()
+    assert (folder / "case_runs.png").read_bytes().startswith(b"\x89PNG")
     assert [(one["case"], len(one["runs"])) for one in document["cases"]] == [
         ("", 1),
         ("heavy", 1),
@@ -384,7 +385,7 @@ def test_simulated_cases_that_were_killed_go_on(plan: Path, tmp_path: Path) -> N
     result = gantline(*asked, str(folder), "--continue")
     assert result.exit_code == 1, result.stderr
     assert "Taken over  2 runs of case_runs.jsonl" in result.stdout
-    assert result.stdout.split("\nCases ")[0] == first.stdout.split("\nCases ")[0]
+    assert result.stdout.split("\nPicture ")[0] == first.stdout.split("\nPicture ")[0]
     assert (folder / "case_runs.json").read_bytes() == (whole / "case_runs.json").read_bytes()
     spoil(plan, ("contingency: 1.1", "contingency: 1.2"))
     before = (folder / "case_runs.jsonl").read_bytes()
@@ -408,3 +409,17 @@ def test_cases_that_cannot_go_on(
     result = gantline("cases", str(plan), *words)
     assert (result.exit_code, said in result.stderr) == (2, True), result.stderr
     assert not (tmp_path / "out").exists()
+
+
+def test_the_report_shows_simulated_cases(plan: Path, tmp_path: Path) -> None:
+    """Where a case nearest to a limit is as the table has it."""
+    folder = tmp_path / "out"
+    assert gantline("run", str(plan), "-o", str(folder), "--no-plots", "--no-report").exit_code in (0, 1, 4)
+    result = gantline("cases", str(plan), "--simulate", "-o", str(folder), columns=120)
+    assert gantline("report", str(folder)).exit_code == 0
+    page = (folder / "report.html").read_text(encoding="utf-8")
+    assert 'id="simulated-cases"' in page
+    (counts,) = re.findall(r"^(3 cases, 5 runs: .*)$", result.stdout, re.MULTILINE)
+    assert page.count(counts) == 2
+    assert "no go when simulated" in page
+    assert "rope parted" in page

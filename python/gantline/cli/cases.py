@@ -23,9 +23,12 @@ from gantline.cli.messages import (
     warn,
     writing,
 )
+from gantline.cli.pictured import write_pictured
 from gantline.cli.progress import telling
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from gantline.scenario import Scenario
 
 
@@ -50,8 +53,8 @@ def cases(
     output: Annotated[
         Path | None,
         folder_option(
-            "Folder for all numbers as cases.json; a report in the same folder shows the worst of them. With "
-            "--simulate as case_runs.json."
+            "Folder for all numbers as cases.json, with --simulate as case_runs.json and a picture; a report "
+            "in the same folder shows the worst of them."
         ),
     ] = None,
 ) -> None:
@@ -103,14 +106,15 @@ def cases(
 class _Found:
     """What is to be told of cases: as JSON and as a table, into which file, and the code to end with.
 
-    Of runs also how many were taken over.
+    Of runs also a picture, and how many were taken over.
     """
 
-    text: str
+    document: dict[str, Any]
     table: list[str]
     file: str
     code: int
     not_done: Sequence[str]
+    picture: Callable[[dict[str, Any]], Figure] | None = None
     taken_over: int = 0
 
     def tell(self, folder: Path | None, *, as_json: bool) -> None:
@@ -118,11 +122,17 @@ class _Found:
         from gantline.replacing import replace_text
         from gantline.results.file.saved import KEPT_CASE_RUNS
 
-        typer.echo(self.text if as_json else "\n".join(self.table))
+        text = json.dumps(self.document, indent=2, allow_nan=False)
+        typer.echo(text if as_json else "\n".join(self.table))
         if folder is not None:
+            numbers = folder / self.file
             with writing(folder):
-                replace_text(folder / self.file, self.text + "\n")
-            typer.echo(f"Cases       {folder / self.file}", err=as_json)
+                if self.picture is None:
+                    replace_text(numbers, text + "\n")
+                else:
+                    picture = write_pictured(self.picture(self.document), text + "\n", numbers)
+                    typer.echo(f"Picture     {picture}", err=as_json)
+            typer.echo(f"Cases       {numbers}", err=as_json)
         tell_taken_over(self.taken_over, KEPT_CASE_RUNS, aside=as_json)
 
 
@@ -139,7 +149,7 @@ def _at_rest(scenario: Scenario, moment: float | None, tell: Callable[[str], Non
         code = CHECK_FAILED
     if not result.has_equilibria:
         code = COULD_NOT_GO_ON
-    return _Found(_text(result.to_json()), [*scenario.left_out_at_rest, *table], CASES, code, result.not_done)
+    return _Found(result.to_json(), [*scenario.left_out_at_rest, *table], CASES, code, result.not_done)
 
 
 def _simulated(
@@ -162,9 +172,12 @@ def _simulated(
     is_no_go = any(run.outcome is Outcome.NO_GO for run in result.runs)
     code = DONE if result.is_go else CHECK_FAILED if is_no_go else NO_VERDICT
     return _Found(
-        _text(result.to_json()), table, CASE_RUNS, code, result.not_done, taken_over=result.taken_over
+        result.to_json(), table, CASE_RUNS, code, result.not_done, _picture, taken_over=result.taken_over
     )
 
 
-def _text(document: dict[str, Any]) -> str:
-    return json.dumps(document, indent=2, allow_nan=False)
+def _picture(document: dict[str, Any]) -> Figure:
+    from gantline.plot.case_runs import case_runs_picture
+    from gantline.results.file.saved_case_runs import SavedCaseRuns
+
+    return case_runs_picture(SavedCaseRuns.from_json(document))

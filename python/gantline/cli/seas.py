@@ -20,15 +20,13 @@ from gantline.cli.messages import (
     warn,
     writing,
 )
+from gantline.cli.pictured import write_pictured
 from gantline.cli.progress import telling
 from gantline.cli.spans import values_of_option
 
 if TYPE_CHECKING:
-    from gantline.results.file.saved_seas import SavedSeas
     from gantline.study.seas import SeasResult
 
-#: Of the picture.
-_DOTS_PER_INCH = 200
 _MOST_RECORDS = 1000
 #: Options by the arguments of `run_seas`.
 _OPTIONS = {
@@ -169,7 +167,7 @@ def _run(
 
 def _tell(result: SeasResult, folder: Path | None, *, as_json: bool) -> None:
     """Print what has been found, and write it into a folder if there is one."""
-    from gantline.results.file.saved import SEA_RUNS
+    from gantline.results.file.saved import SEA_RUNS, SEAS
     from gantline.results.file.saved_seas import SavedSeas
 
     document = result.to_json()
@@ -183,20 +181,10 @@ def _tell(result: SeasResult, folder: Path | None, *, as_json: bool) -> None:
 
         typer.echo("\n".join(seas_table(found, width_of_terminal())))
     if folder is not None:
+        from gantline.plot.seas import seas_picture
+
+        numbers = folder / SEAS
         with writing(folder):
-            picture, numbers = _write(found, text + "\n", folder)
+            picture = write_pictured(seas_picture(found), text + "\n", numbers)
         typer.echo(f"Picture     {picture}\nSeas        {numbers}", err=as_json)
     tell_taken_over(result.taken_over, SEA_RUNS, aside=as_json)
-
-
-def _write(found: SavedSeas, text: str, folder: Path) -> tuple[Path, Path]:
-    """Picture and numbers as files in a folder: both, or none where one of them cannot be written."""
-    from gantline.plot.seas import seas_picture
-    from gantline.replacing import replace_text, replaced
-    from gantline.results.file.saved import SEAS
-
-    picture, numbers = folder / "seas.png", folder / SEAS
-    with replaced(picture) as trial:
-        seas_picture(found).savefig(trial, format="png", dpi=_DOTS_PER_INCH)
-        replace_text(numbers, text)
-    return picture, numbers
