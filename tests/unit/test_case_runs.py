@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -12,6 +13,7 @@ import pytest
 
 from cad_loads import obj
 from gantline.checks import Outcome
+from gantline.cli.case_runs_table import case_runs_table
 from gantline.scenario import Scenario, parse_scenario
 from gantline.simulation import Simulation, simulate
 from gantline.study import CaseRun, CaseRuns, KeptRunsError, run_cases, simulate_cases
@@ -23,6 +25,8 @@ ADAPTIVE = ("{integrator: del, step: 1 ms, sample_interval: 20 ms}", "{sample_in
 STOPS = ("down: 1 m}", "down: 1 m, stops: true}")
 #: From a sheave 15 m up to its lug, 3 m up and 2.2 m aside, it is 12.2 m; the hook goes up by 0.5 m.
 SLACK = ("length: 13 m", "length: 12.45 m")
+#: By how much its 60 t have sunk into the ground at the start, 200 MN/m at each of four corners [m].
+SUNK = 60e3 * 9.81 / (4 * 200e6)
 HEAVY_CASE = "cases:\n  heavy: {set: {load.weight.simulate: design}}\n"
 #: Of the case `heavy` by hand.
 HEAVY = {"load.weight.simulate": "design", "load.weight.contingency": 1.1}
@@ -91,7 +95,35 @@ def test_slings_that_are_too_short_for_the_start_cannot_start() -> None:
     (short,) = (run for run in found.runs if not run.starts)
     assert short.outcome is Outcome.NO_GO
     assert short.cause.startswith("slings.S2: the sling is 12.1795 m")
+    assert short.short == pytest.approx(math.hypot(12.0 + SUNK, 2.2) - 12.1795, abs=1e-4)
     assert not found.is_go
+
+
+def test_variants_that_cannot_start_say_what_lets_all_of_them_start() -> None:
+    """The hook 0.2 m higher, of two slings the one that lacks most: 0.187 m along it.
+
+    With the hook lower by that over the cosine of its angle, 12.2 m over 12.4 m, every variant starts.
+    """
+    cases = "cases:\n  level: {vary: {cranes.hook.at.z: [-0.1 m, 0.1 m, 0.2 m]}}\n"
+    tight = ("length: 13 m", "length: 12.21 m")
+    found = simulate_cases(lift(cases, tight))
+    *_, high = found.of("level")
+    missing = math.hypot(12.2 + SUNK, 2.2) - 12.21
+    assert high.short == pytest.approx(missing, abs=1e-4)
+    assert high.cause.startswith("2 slings are too short for the start, most of all slings.S1: ")
+    told = " ".join(" ".join(case_runs_table(found, width=100, variants=False)).split())
+    assert told.count("cannot start") == 1
+    assert "with its hooks 0.19 m lower at the start" in told
+    lower = missing * math.hypot(12.2, 2.2) / 12.2
+    more = ("at: [0 m, 0 m, 20 m]", f"at: [0 m, 0 m, {20.0 - lower - 1e-3!r} m]")
+    slack = simulate_cases(lift(cases, tight, more), duration=1.0)
+    assert all(run.starts and not run.short for run in slack.runs)
+
+
+def test_files_that_know_nothing_of_short_slings() -> None:
+    document = {"case": "heavy", **only("heavy").to_json()}
+    del document["short"]
+    assert CaseRun.from_json(document) == only("heavy")
 
 
 @pytest.mark.parametrize(

@@ -111,9 +111,12 @@ def _stroke(runs: Sequence[SavedCaseRun]) -> float | None:
 def _said(runs: Sequence[SavedCaseRun]) -> Iterator[str]:
     """Why runs of a case are no go, or without a verdict: each reason once, with the variants."""
     variants: dict[tuple[str, str], list[str]] = {}
+    # Of slings that are too short for the start the one that lacks most tells what all of them need.
+    shortest = max(runs, key=lambda run: run.short)
     for run in runs:
         if run.cause:
-            variants.setdefault((run.told, f": {run.cause}"), []).append(run.variant)
+            cause = shortest.cause if run.short else run.cause
+            variants.setdefault((run.told, f": {cause}"), []).append(run.variant)
         elif run.outcome == "NO VERDICT":
             variants.setdefault(("no verdict", ""), []).append(run.variant)
         if run.failed:

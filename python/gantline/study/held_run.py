@@ -17,6 +17,16 @@ from gantline.simulation import Simulation, SimulationError
 __all__ = ["HeldRun"]
 
 
+def _why_not(error: ScenarioError) -> dict[str, Any]:
+    """Why a lift cannot start; of slings alone that are too short for it the one that lacks most."""
+    if not all(problem.short > 0.0 for problem in error.problems):
+        return {"cause": error.problems[0].message}
+    worst = max(error.problems, key=lambda problem: problem.short)
+    count = len(error.problems)
+    head = f"{count} slings are too short for the start, most of all " if count > 1 else ""
+    return {"cause": head + worst.message, "short": worst.short}
+
+
 @dataclass(frozen=True, kw_only=True)
 class HeldRun:
     """What one run of many came to.
@@ -27,6 +37,8 @@ class HeldRun:
         warnings: Of lift file and run, sentences.
         cause: Why it could not start or not go on, in one sentence; empty where it did.
         starts: Whether it could start.
+        short: By how much a sling is too short for the start, the one that lacks most, where a lower hook
+            helps [m]; 0 where none is.
     """
 
     time: float = 0.0
@@ -34,6 +46,7 @@ class HeldRun:
     warnings: Sequence[str] = ()
     cause: str = ""
     starts: bool = True
+    short: float = 0.0
 
     @classmethod
     def of(
@@ -60,7 +73,7 @@ class HeldRun:
         try:
             simulation = Simulation(lift(), **overrides)
         except ScenarioError as error:
-            return cls(cause=error.problems[0].message, starts=False, **known)
+            return cls(starts=False, **_why_not(error), **known)
         return through(simulation, partial(cls._run, simulation, goes_on, note, known))
 
     @classmethod
@@ -114,6 +127,7 @@ class HeldRun:
             "outcome": self.outcome.value,
             "time": self.time,
             "starts": self.starts,
+            "short": self.short,
             "cause": self.cause,
             "failed": list(self.failed),
             "governing": None
@@ -137,6 +151,8 @@ class HeldRun:
             warnings=tuple(str(one) for one in list_in(document, "warnings")),
             cause=text_in(document, "cause"),
             starts=document.get("starts") is True,
+            # Files from before there was the word say nothing of it.
+            short=number_in(document, "short") if "short" in document else 0.0,
             **cls._more_in(document),
         )
 

@@ -74,6 +74,7 @@ class SavedCaseRun:
         starts: Whether it could start.
         checks: Those that have a share of a limit, or failed, and were made.
         peaks: Of its recording, by the names of metrics [SI].
+        short: By how much a sling is too short for the start [m]; 0 where none is.
     """
 
     case: str
@@ -83,6 +84,7 @@ class SavedCaseRun:
     starts: bool
     checks: Sequence[SavedCheck]
     peaks: Mapping[str, float]
+    short: float = 0.0
 
     @property
     def told(self) -> str:
@@ -193,6 +195,7 @@ def _runs(case: Mapping[str, Any]) -> Iterator[SavedCaseRun]:
             run.get("starts") is True,
             [found for one in list_in(run, "checks") if (found := _check(object_of(one))) is not None],
             {peak: number_in(peaks, peak) for peak in peaks},
+            number_in(run, "short") if "short" in run else 0.0,
         )
 
 
