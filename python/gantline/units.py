@@ -20,6 +20,7 @@ __all__ = [
     "DIMENSIONS",
     "UnitError",
     "common_dimension",
+    "compared_digits",
     "example",
     "format_by_size",
     "format_quantity",
@@ -367,6 +368,26 @@ def telling_digits(value: float, limit: float, unit: str, digits: int) -> int:
         if format_quantity(value, unit, more) != format_quantity(limit, unit, more):
             return more
     return digits
+
+
+def compared_digits(value: float, limit: float | None, unit: str, digits: int, *, at_least: bool) -> int:
+    """Decimals, at least these, with which a value and what it is held against are written.
+
+    Args:
+        value: the value [SI].
+        limit: what it is held against [SI]; None for nothing.
+        unit: a unit symbol of `DIMENSIONS`.
+        digits: decimals of both, if these tell a value past its limit from it.
+        at_least: whether the limit is the smallest allowed value, not the largest.
+
+    Raises:
+        UnitError: if the unit is not known.
+    """
+    digits = max(digits, length_digits(value)) if unit == "m" else digits
+    if limit is None:
+        return digits
+    is_past = value < limit if at_least else value > limit
+    return telling_digits(value, limit, unit, digits) if is_past else digits
 
 
 def _decimals(value: float, digits: int) -> int:

@@ -354,6 +354,7 @@ def test_simulated_in_a_file(plan: Path, tmp_path: Path) -> None:
     document = json.loads(result.stdout)
     assert json.loads((folder / "case_runs.json").read_text(encoding="utf-8")) == document
     assert not (folder / "cases.json").exists()
+    assert (folder / "case_runs.png").read_bytes().startswith(b"\x89PNG")
     assert [(one["case"], len(one["runs"])) for one in document["cases"]] == [
         ("", 1),
         ("heavy", 1),
@@ -368,3 +369,57 @@ def test_each_simulated_variant_in_a_line(plan: Path) -> None:
     result = gantline("cases", str(plan), "--simulate", "--variants", columns=120)
     for variant in ("−1 mm", "+0 mm"):
         assert f"hook_levels (cranes.A.at.z {variant})" in result.stdout
+
+
+def test_simulated_cases_that_were_killed_go_on(plan: Path, tmp_path: Path) -> None:
+    """With the runs that had ended, to the same bytes; their table is the same but for its last line."""
+    asked = ["cases", str(plan), "--simulate", "-o"]
+    whole, folder = tmp_path / "whole", tmp_path / "out"
+    first = gantline(*asked, str(whole))
+    assert first.exit_code == 1, first.stderr
+    lines = (whole / "case_runs.jsonl").read_bytes().splitlines(keepends=True)
+    assert len(lines) == 1 + 5
+    folder.mkdir()
+    # Killed as its third run was written.
+    (folder / "case_runs.jsonl").write_bytes(b"".join(lines[:3]) + lines[3][:100])
+    result = gantline(*asked, str(folder), "--continue")
+    assert result.exit_code == 1, result.stderr
+    assert "Taken over  2 runs of case_runs.jsonl" in result.stdout
+    assert result.stdout.split("\nPicture ")[0] == first.stdout.split("\nPicture ")[0]
+    assert (folder / "case_runs.json").read_bytes() == (whole / "case_runs.json").read_bytes()
+    spoil(plan, ("contingency: 1.1", "contingency: 1.2"))
+    before = (folder / "case_runs.jsonl").read_bytes()
+    result = gantline(*asked, str(folder), "--continue")
+    assert (result.exit_code, "of another state of the lift file" in result.stderr) == (2, True)
+    assert (folder / "case_runs.jsonl").read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--continue"], "--continue: only runs are kept, no equilibria; with --simulate it is right"),
+        (["--simulate", "--continue"], "name it by -o"),
+        (["--simulate", "--continue", "-o", "out"], "nothing has been run in this folder"),
+    ],
+)
+def test_cases_that_cannot_go_on(
+    plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: list[str], said: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = gantline("cases", str(plan), *words)
+    assert (result.exit_code, said in result.stderr) == (2, True), result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_report_shows_simulated_cases(plan: Path, tmp_path: Path) -> None:
+    """Where a case nearest to a limit is as the table has it."""
+    folder = tmp_path / "out"
+    assert gantline("run", str(plan), "-o", str(folder), "--no-plots", "--no-report").exit_code in (0, 1, 4)
+    result = gantline("cases", str(plan), "--simulate", "-o", str(folder), columns=120)
+    assert gantline("report", str(folder)).exit_code == 0
+    page = (folder / "report.html").read_text(encoding="utf-8")
+    assert 'id="simulated-cases"' in page
+    (counts,) = re.findall(r"^(3 cases, 5 runs: .*)$", result.stdout, re.MULTILINE)
+    assert page.count(counts) == 2
+    assert "no go when simulated" in page
+    assert "rope parted" in page

@@ -178,7 +178,7 @@ def test_going_on_from_nothing(lift: Path, tmp_path: Path) -> None:
     result = gantline("seas", str(lift), "--continue")
     assert (result.exit_code, "name it by -o" in result.stderr) == (2, True)
     result = gantline("seas", str(lift), "--continue", "-o", str(folder))
-    assert (result.exit_code, "no search has begun in this folder" in result.stderr) == (2, True)
+    assert (result.exit_code, "nothing has been run in this folder" in result.stderr) == (2, True)
     assert not folder.exists()
     assert gantline("seas", str(lift), "--height", "0.1 m", "-o", str(folder)).exit_code == 0
     sea_of(lift)

@@ -14,7 +14,7 @@ from column_in_waves import SEA, column
 from gantline.checks import Check, Verdict
 from gantline.scenario import Scenario, parse_scenario
 from gantline.simulation import Simulation
-from gantline.study import NoSeaError, SeasResult, run_seas
+from gantline.study import KeptRunsError, RunsInUseError, SeasResult, run_seas
 from gantline.study.sea import SeaRecord
 from gantline.study.side_by_side import SideBySide
 
@@ -119,7 +119,7 @@ def test_runs_of_another_lift_are_refused(tmp_path: Path, given: dict[str, Any],
     kept = tmp_path / "runs.jsonl"
     search(kept)
     before = kept.read_bytes()
-    with pytest.raises(NoSeaError, match=f"its runs are of {of}; all have to be run anew"):
+    with pytest.raises(KeptRunsError, match=f"its runs are of {of}; all have to be run anew"):
         search(kept, **given)
     assert kept.read_bytes() == before
     assert search(kept, anew=True, **given).taken_over == 0
@@ -131,8 +131,27 @@ def test_another_version_is_refused(tmp_path: Path) -> None:
     search(kept)
     first, *runs = lines(kept)
     kept.write_text("".join(json.dumps(line) + "\n" for line in (first | {"gantline": "0.0.1"}, *runs)))
-    with pytest.raises(NoSeaError, match="another version of gantline"):
+    with pytest.raises(KeptRunsError, match="another version of gantline"):
         search(kept)
+
+
+def test_two_searches_do_not_write_to_one_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The second is refused before it has run anything, and the first one's runs are all there."""
+    kept = tmp_path / "runs.jsonl"
+    run, refused = Simulation.run, list[str]()
+
+    def with_another(simulation: Simulation, **given: Any) -> Any:
+        if not refused:
+            with pytest.raises(RunsInUseError) as problem:
+                search(kept, lift(least="600 kN"), anew=True)
+            refused.append(str(problem.value))
+        return run(simulation, **given)
+
+    monkeypatch.setattr(Simulation, "run", with_another)
+    search(kept)
+    assert refused == [f"{kept}: another study is under way that writes its runs here"]
+    assert len(lines(kept)) == 1 + 4
+    assert search(kept).taken_over == 4
 
 
 @pytest.mark.parametrize("line", ["a line", "[]", "{}", '{"height": 1, "period": 7, "direction": 0}'])
@@ -141,7 +160,7 @@ def test_what_is_no_run_is_told_with_its_line(tmp_path: Path, line: str) -> None
     search(kept)
     with kept.open("a", encoding="utf-8") as file:
         file.write(line + "\n")
-    with pytest.raises(NoSeaError, match=rf"{kept}:6: is no run in a sea"):
+    with pytest.raises(KeptRunsError, match=rf"{kept}:6: is no run in a sea"):
         search(kept)
 
 

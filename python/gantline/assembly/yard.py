@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -426,7 +427,8 @@ def _too_short(
             advice = "two extension sheaves on one sling have equal masses"
         if scenario.load_has_settled and distance - sling.length <= most_strain(sling.rope) * sling.length:
             advice += ", or write 'start: as_given' if it shall pull from the start"
-        problems.append(scenario.problem(("slings", sling.name), sentence + advice))
+        problem = scenario.problem(("slings", sling.name), sentence + advice)
+        problems.append(replace(problem, short=0.0 if aside or beside else distance - sling.length))
     return problems
 
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from gantline.arguments import listed
 from gantline.results.alike import ROUNDING, first_largest
-from gantline.units import format_quantity, length_digits, telling_digits
+from gantline.units import compared_digits, format_quantity
 
 #: Checks that a run got through its plan, that it lifted what it should, and that nothing of it is lost.
 PLAN_FINISHED, LOAD_LIFTED, ALL_KNOWN = "plan_finished", "load_lifted", "all_known"
@@ -119,11 +119,7 @@ class Check:
         """Decimals of value and limit: more of them where what is past its limit would read like it."""
         if self.value is None:
             return self.digits
-        digits = max(self.digits, length_digits(self.value)) if self.unit == "m" else self.digits
-        if self.limit is None:
-            return digits
-        is_past = self.value < self.limit if self.at_least else self.value > self.limit
-        return telling_digits(self.value, self.limit, self.unit, digits) if is_past else digits
+        return compared_digits(self.value, self.limit, self.unit, self.digits, at_least=self.at_least)
 
     @property
     def has_no_limit(self) -> bool:

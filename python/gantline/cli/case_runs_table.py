@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections.abc import Callable, Iterator, Sequence
 
@@ -17,6 +18,7 @@ from gantline.cli.case_names import (
 from gantline.cli.cases_table import nearest_to_limits
 from gantline.cli.table import ABSENT, filled, show, table
 from gantline.study.case_runs import CaseRun, CaseRuns
+from gantline.units import format_quantity
 
 __all__ = ["case_runs_table"]
 
@@ -101,8 +103,13 @@ def _why(result: CaseRuns, width: int) -> Iterator[str]:
     """Why cases did not start, stopped or were not simulated, and what failed, each reason once."""
     reasons: dict[str, list[int]] = {}
     failed: dict[str, list[int]] = {}
+    short = [place for place, run in enumerate(result.runs) if run.short > 0.0]
+    longest = max((result.runs[place] for place in short), key=lambda run: run.short, default=None)
+    if longest is not None:
+        yield from _lines(f"cannot start: {longest.cause}: {_in_cases(result, short)}", width)
+        yield from _lines(_more_slack(longest.short), width)
     for place, run in enumerate(result.runs):
-        if run.cause:
+        if run.cause and not run.short:
             what = "stopped" if run.starts else "cannot start"
             reasons.setdefault(f"{what}: {run.cause}", []).append(place)
         if run.outcome is Outcome.NO_VERDICT:
@@ -117,6 +124,15 @@ def _why(result: CaseRuns, width: int) -> Iterator[str]:
         yield from _lines(f"{reason}: {'everywhere' if every else _in_cases(result, places)}", width)
     for case, reason in result.left_out.items():
         yield from _lines(f"not simulated: {case}: {reason}", width)
+
+
+def _more_slack(short: float) -> str:
+    """What helps variants whose slings are too short for the start by up to a length [m]."""
+    lower = format_quantity(math.ceil(100.0 * short) / 100.0, "m", 2)
+    return (
+        f"all variants start as the lift does: with its hooks {lower} lower at the start, a little more "
+        "where slings stand aslant, and as much more to hoist, these start too"
+    )
 
 
 def _in_cases(result: CaseRuns, found: Sequence[int]) -> str:

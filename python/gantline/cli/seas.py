@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from gantline.cli.kept import Continue, kept_file, taking_over, tell_of_going_on, tell_taken_over
 from gantline.cli.lift import Lift, TypedSetting, folder_in_use, folder_option, quantity_of
 from gantline.cli.messages import (
     CHECK_FAILED,
@@ -20,15 +20,13 @@ from gantline.cli.messages import (
     warn,
     writing,
 )
+from gantline.cli.pictured import write_pictured
 from gantline.cli.progress import telling
 from gantline.cli.spans import values_of_option
 
 if TYPE_CHECKING:
-    from gantline.results.file.saved_seas import SavedSeas
     from gantline.study.seas import SeasResult
 
-#: Of the picture.
-_DOTS_PER_INCH = 200
 _MOST_RECORDS = 1000
 #: Options by the arguments of `run_seas`.
 _OPTIONS = {
@@ -37,7 +35,6 @@ _OPTIONS = {
     "periods": "--period",
     "directions": "--direction",
     "records": "--records",
-    "kept": "--continue",
 }
 
 
@@ -88,14 +85,7 @@ def seas(
     every: Annotated[
         bool, typer.Option("--every", help="Run seas higher than the first in which the lift is no go, too.")
     ] = False,
-    go_on: Annotated[
-        bool,
-        typer.Option(
-            "--continue",
-            help="Take over the runs that an earlier search in the same folder made: one that was cut off, "
-            "or of fewer seas or records.",
-        ),
-    ] = False,
+    go_on: Continue = False,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print all numbers and checks as JSON, SI units.")
     ] = False,
@@ -120,9 +110,11 @@ def seas(
         settings["duration"] = TypedSetting(
             "--duration", duration, quantity_of("--duration", duration, "time")
         )
+    from gantline.results.file.saved import SEA_RUNS
+
     with folder_in_use(output) as folder:
         try:
-            kept = _kept(folder, go_on=go_on)
+            kept = kept_file(folder, SEA_RUNS, go_on=go_on)
             result = _run(lift, asked, records, settings, every=every, kept=kept, anew=not go_on)
         except KeyboardInterrupt:
             warn("interrupted before any sea was run: nothing is known of them")
@@ -130,26 +122,11 @@ def seas(
         _tell(result, folder, as_json=as_json)
     if result.interrupted:
         warn("interrupted; seas of which not all records have been run are told as not run")
-        if folder is not None:
-            warn(f"--continue -o {folder} goes on from the runs that have been made")
+        tell_of_going_on(kept)
         raise typer.Exit(INTERRUPTED)
     if all(sea.is_too_steep for sea in result.seas):
         raise typer.Exit(NO_VERDICT)
     raise typer.Exit(DONE if result.is_allowed else CHECK_FAILED)
-
-
-def _kept(folder: Path | None, *, go_on: bool) -> Path | None:
-    """The file of runs that have been made, in the folder."""
-    from gantline.results.file.saved import SEA_RUNS
-
-    if folder is None:
-        if go_on:
-            stop("--continue: needs the folder of the search that is to go on; name it by -o")
-        return None
-    kept = folder / SEA_RUNS
-    if go_on and not kept.exists():
-        stop(f"--continue: {kept} is not there: no search has begun in this folder; leave out --continue")
-    return kept
 
 
 def _run(
@@ -170,7 +147,7 @@ def _run(
 
         overrides: dict[str, Any] = {name: one.value for name, one in settings.items()}
         try:
-            with telling("seas") as tell, nullcontext() if kept is None else writing(kept):
+            with telling("seas") as tell, taking_over(kept):
                 result = run_seas(
                     lift,
                     **asked,
@@ -190,7 +167,7 @@ def _run(
 
 def _tell(result: SeasResult, folder: Path | None, *, as_json: bool) -> None:
     """Print what has been found, and write it into a folder if there is one."""
-    from gantline.results.file.saved import SEA_RUNS
+    from gantline.results.file.saved import SEA_RUNS, SEAS
     from gantline.results.file.saved_seas import SavedSeas
 
     document = result.to_json()
@@ -204,22 +181,10 @@ def _tell(result: SeasResult, folder: Path | None, *, as_json: bool) -> None:
 
         typer.echo("\n".join(seas_table(found, width_of_terminal())))
     if folder is not None:
+        from gantline.plot.seas import seas_picture
+
+        numbers = folder / SEAS
         with writing(folder):
-            picture, numbers = _write(found, text + "\n", folder)
+            picture = write_pictured(seas_picture(found), text + "\n", numbers)
         typer.echo(f"Picture     {picture}\nSeas        {numbers}", err=as_json)
-    if result.taken_over:
-        runs = "run" if result.taken_over == 1 else "runs"
-        typer.echo(f"Taken over  {result.taken_over} {runs} of {SEA_RUNS}", err=as_json)
-
-
-def _write(found: SavedSeas, text: str, folder: Path) -> tuple[Path, Path]:
-    """Picture and numbers as files in a folder: both, or none where one of them cannot be written."""
-    from gantline.plot.seas import seas_picture
-    from gantline.replacing import replace_text, replaced
-    from gantline.results.file.saved import SEAS
-
-    picture, numbers = folder / "seas.png", folder / SEAS
-    with replaced(picture) as trial:
-        seas_picture(found).savefig(trial, format="png", dpi=_DOTS_PER_INCH)
-        replace_text(numbers, text)
-    return picture, numbers
+    tell_taken_over(result.taken_over, SEA_RUNS, aside=as_json)

@@ -24,6 +24,7 @@ from gantline.report.afloat import afloat_facts, vessel_tables
 from gantline.report.attitude import attitude, tightest_clearance
 from gantline.report.booms import boom_rows
 from gantline.report.carried import READ_OVER, READINGS, equalizer_row, hook_row, sling_rows, spreader_row
+from gantline.report.case_runs import no_go_cases, simulated_cases
 from gantline.report.rest import unsound_cases, what_if
 from gantline.report.section import Section
 from gantline.report.sketch import sketches
@@ -116,6 +117,7 @@ class FirstPage(Section):
             # Nobody lifts by the page of a run that broke off.
             "stop_if": [] if _broke_off(subject) else stop_if(subject),
             "what_if": what_if(subject),
+            "simulated_cases": simulated_cases(subject),
             "trust": _trust(subject),
         }
 
@@ -142,9 +144,9 @@ def _verdict(subject: Subject) -> dict[str, Any]:
         check.name for check in checks if check.verdict is Verdict.NOT_CHECKED and not check.has_no_limit
     ]
     without = [check.name for check in checks if check.has_no_limit]
-    unsound = unsound_cases(subject)
+    unsound, no_go = unsound_cases(subject), no_go_cases(subject)
     # A plan that holds as drawn is no clear go where what may differ from it does not hold.
-    if tone == "good" and unsound:
+    if tone == "good" and (unsound or no_go):
         tone = "warn"
     own = set(subject.rig.limits).difference(subject.rig.assumed_limits)
     return {
@@ -159,6 +161,7 @@ def _verdict(subject: Subject) -> dict[str, Any]:
         ],
         "warnings": len(warned),
         "unsound": unsound,
+        "no_go_cases": no_go,
         # What failed is past its limit and has been told with its numbers.
         "nearest": [] if failed else foremost(compared)[:3],
         "missing": _listed(missing) if missing else "",

@@ -13,6 +13,7 @@ from markupsafe import Markup
 
 from gantline.arguments import path_of
 from gantline.replacing import replace_text
+from gantline.report.case_runs import SimulatedCases
 from gantline.report.chain_hoists import ChainHoists
 from gantline.report.compensators import Compensators
 from gantline.report.events import Events
@@ -53,6 +54,7 @@ SECTIONS: tuple[Section, ...] = (
     Rest(),
     Modes(),
     Cases(),
+    SimulatedCases(),
     Seas(),
     Events(),
     Energy(),

@@ -42,6 +42,7 @@ class Problem:
         sentence: what is wrong, and what would be right.
         step: name of the step of the plan that it is in, empty where it is in none that has a name.
         file: the library in which it is; None of the lift file.
+        short: by how much a sling is too short for the start, where a lower hook helps [m].
     """
 
     line: int | None
@@ -49,6 +50,7 @@ class Problem:
     sentence: str
     step: str = ""
     file: str | None = None
+    short: float = 0.0
 
     @property
     def message(self) -> str:

@@ -5,6 +5,7 @@ from gantline.study.ballast import BallastAnswer, solve_ballast
 from gantline.study.case_runs import CaseRun, CaseRuns, simulate_cases
 from gantline.study.cases import CasesResult, run_cases
 from gantline.study.extremes import Extreme, Gumbel
+from gantline.study.kept_runs import KeptRunsError, RunsInUseError
 from gantline.study.lengths import LengthAnswer, adjust_lengths
 from gantline.study.lost_load import LostLoad, Swing, lose_load
 from gantline.study.newton import AdjustError, CannotBeError
@@ -27,10 +28,12 @@ __all__ = [
     "Extreme",
     "Gumbel",
     "HookAnswer",
+    "KeptRunsError",
     "LengthAnswer",
     "LostLoad",
     "Margin",
     "NoSeaError",
+    "RunsInUseError",
     "Sea",
     "SeaRecord",
     "SeasResult",

@@ -12,6 +12,7 @@ from typing import Any
 from gantline.arguments import told
 from gantline.checks import Check, Outcome, foremost
 from gantline.results.file.saved import digest_of
+from gantline.results.file.saved_json import number_in, object_of, text_in
 from gantline.results.progress import spans
 from gantline.results.recording import Recording
 from gantline.scenario import Scenario, load_scenario
@@ -21,6 +22,7 @@ from gantline.simulation import Simulation
 from gantline.statics import Statics
 from gantline.study.cases import lengths_off
 from gantline.study.held_run import HeldRun
+from gantline.study.kept_runs import RunKind, kept_runs, simulated_digest
 from gantline.study.pattern import pattern_label
 from gantline.study.side_by_side import SideBySide
 from gantline.study.state import State, settled
@@ -60,6 +62,21 @@ class CaseRun(HeldRun):
         more = {"variant": self.variant, "peaks": dict(self.peaks), "begins": dict(self.begins)}
         return {**more, **super().to_json()}
 
+    @classmethod
+    def _more_in(cls, document: Mapping[str, Any]) -> dict[str, Any]:
+        numbers = {name: object_of(document.get(name)) for name in ("peaks", "begins")}
+        return {
+            "case": text_in(document, "case"),
+            "variant": text_in(document, "variant"),
+            **{name: {one: number_in(found, one) for one in found} for name, found in numbers.items()},
+        }
+
+
+#: Runs that are kept. What a case names, such as another file, may have changed while the lift file has not.
+_RUNS = RunKind(
+    "run of a case", {"case": text_in, "variant": text_in, "simulated_sha256": text_in}, CaseRun.from_json
+)
+
 
 @dataclass(frozen=True)
 class CaseRuns:
@@ -71,6 +88,7 @@ class CaseRuns:
         runs: The lift as it is given, then every variant of every case, in the order of the file.
         left_out: Why cases were not simulated, by name.
         not_done: Names of cases of which Ctrl-C kept variants from being simulated.
+        taken_over: How many runs were taken from those that had been kept.
     """
 
     title: str
@@ -78,6 +96,7 @@ class CaseRuns:
     runs: Sequence[CaseRun]
     left_out: Mapping[str, str] = field(default_factory=dict)
     not_done: Sequence[str] = ()
+    taken_over: int = 0
 
     def __repr__(self) -> str:
         return f"<CaseRuns {self.title!r}: {len(self.names) - 1} cases, {len(self.runs)} runs in all>"
@@ -132,6 +151,8 @@ def simulate_cases(
     time: float | None = None,
     *,
     workers: int | None = None,
+    kept: str | Path | None = None,
+    anew: bool = False,
     on_progress: Callable[[str], None] | None = None,
     **overrides: Any,
 ) -> CaseRuns:
@@ -146,25 +167,39 @@ def simulate_cases(
         time: Time of the plan at whose equilibrium the worst patterns of lengths are looked for [s]; None for
             the end of the lift.
         workers: Runs at a time; None for as many as there are processors.
+        kept: A file that each run is written to as soon as it ends, and that runs are taken from, as of
+            `run_seas`.
+        anew: Whether to begin that file anew.
         on_progress: Is told in words how far it is.
         overrides: Settings of `simulate`.
 
     Raises:
         ScenarioError: If the lift file is not right, or a case asks for what cannot be.
         SettingError: If an override is not right.
+        KeptRunsError: If `kept` is of another lift, or of nothing of the kind, or another study writes to it;
+            a ValueError.
+        OSError: If `kept` cannot be read or written.
     """
     tell = told(on_progress) or (lambda _: None)
     scenario = lift if isinstance(lift, Scenario) else load_scenario(lift)
     base = without_cases(scenario)
     # What is wrong with the lift as such, or with a setting, is no matter of a case.
-    Simulation(base, **overrides)
+    simulation = Simulation(base, **overrides)
+    path = None if kept is None else Path(kept)
     pending: list[tuple[str, Future[CaseRun]]] = []
     left_out: dict[str, str] = {}
     whole: list[str] = []
-    with SideBySide(workers) as pool:
+    with (
+        kept_runs(path, _RUNS, simulation, anew=anew) as known,
+        SideBySide(workers) as pool,
+    ):
 
         def submit(case: str, variant: str, changed: Callable[[], Scenario]) -> None:
-            run = partial(CaseRun.of, changed, overrides, goes_on=pool.goes_on, note=_note)
+            def through(ready: Simulation, run: Callable[[], CaseRun]) -> CaseRun:
+                place = {"case": case, "variant": variant, "simulated_sha256": simulated_digest(ready)}
+                return known.made(place, run, pool.goes_on)
+
+            run = partial(CaseRun.of, changed, overrides, goes_on=pool.goes_on, note=_note, through=through)
             pending.append((case, pool.submit(partial(run, case=case, variant=variant))))
 
         try:
@@ -202,7 +237,7 @@ def simulate_cases(
             whole = [name for name in whole if name not in lacking]
     runs = [one.result() for _, one in pending]
     not_done = [name for name in scenario.cases or {} if name not in whole]
-    return CaseRuns(scenario.lift.title, scenario.text, runs, left_out, not_done)
+    return CaseRuns(scenario.lift.title, scenario.text, runs, left_out, not_done, known.taken_over)
 
 
 class _NotRunError(Exception):

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from gantline.checks import Check, Outcome
+from gantline.checks import Outcome
 from gantline.results.alike import first_largest
-from gantline.results.file.saved_json import list_in, number_in, object_of, text_in
+from gantline.results.file.saved_json import number_in
 from gantline.study.extremes import Extreme, extremes_of
 from gantline.study.held_run import HeldRun
 
@@ -52,20 +52,8 @@ class SeaRecord(HeldRun):
         return {"record": self.number, **super().to_json()}
 
     @classmethod
-    def from_json(cls, document: Mapping[str, Any]) -> SeaRecord:
-        """Read what `to_json` made.
-
-        Raises:
-            ValueError: If it is something else.
-        """
-        return cls(
-            number=int(number_in(document, "record")),
-            time=number_in(document, "time"),
-            checks=tuple(Check.from_json(object_of(one)) for one in list_in(document, "checks")),
-            warnings=tuple(str(one) for one in list_in(document, "warnings")),
-            cause=text_in(document, "cause"),
-            starts=document.get("starts") is True,
-        )
+    def _more_in(cls, document: Mapping[str, Any]) -> dict[str, Any]:
+        return {"number": int(number_in(document, "record"))}
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
+from functools import partial
 from numbers import Integral
 from pathlib import Path
 from typing import Any
@@ -14,15 +15,21 @@ from gantline.arguments import told
 from gantline.assembly.afloat.steepness import highest_sea
 from gantline.results.afloat.sea_grid import SeaGrid
 from gantline.results.file.saved import digest_of
+from gantline.results.file.saved_json import number_in
 from gantline.scenario import Scenario, load_scenario
 from gantline.simulation import Simulation
-from gantline.study.kept_runs import KeptRuns
+from gantline.study.kept_runs import KeptRuns, RunKind, kept_runs
 from gantline.study.sea import NoSeaError, Sea, SeaRecord
 from gantline.study.side_by_side import SideBySide
 from gantline.units import si_text
 
 __all__ = ["SeasResult", "run_seas"]
 
+_RUNS = RunKind(
+    "run in a sea",
+    {"height": number_in, "period": number_in, "direction": number_in, "record": number_in},
+    SeaRecord.from_json,
+)
 #: A full turn, and rounding of it [rad]: 180 stands for degrees.
 _ROUND = math.tau * (1 + 1e-9)
 
@@ -130,9 +137,9 @@ def run_seas(
         records: How many records of each sea: the seeds of all seas and gusts of the file, and those after.
         all_heights: Whether higher seas are run, too.
         workers: Runs at a time; None for as many as there are processors.
-        kept: A file that each run is written to as soon as it ends. Runs that it has already, of the same
-            lift with the same settings, are taken from there: after Ctrl-C or a power cut the search goes
-            on, and further seas and records cost no run that has been made.
+        kept: A file that each run is written to as soon as it ends, by one search at a time. Runs that it has
+            already, of the same lift with the same settings, are taken from there: after Ctrl-C or a power
+            cut the search goes on, and further seas and records cost no run that has been made.
         anew: Whether to begin that file anew.
         on_progress: Is told in words how far it is.
         overrides: Settings of `simulate`, such as `duration` [s].
@@ -140,8 +147,10 @@ def run_seas(
     Raises:
         ScenarioError: If the lift file is not right.
         SettingError: If an override is not right.
-        NoSeaError: If the lift has no such waves, nothing that differs from record to record, a value is
-            none that waves can have, or `kept` is of another lift; a ValueError.
+        NoSeaError: If the lift has no such waves, nothing that differs from record to record, or a value is
+            none that waves can have; a ValueError.
+        KeptRunsError: If `kept` is of another lift, or of nothing of the kind, or another study writes to it;
+            a ValueError.
         OSError: If `kept` cannot be read or written.
     """
     tell = told(on_progress) or (lambda _: None)
@@ -164,9 +173,12 @@ def run_seas(
     ]
     # What is wrong with the lift as such, or with a setting, is no matter of a sea.
     simulation = Simulation(scenario, **overrides)
-    known = None if kept is None else KeptRuns(Path(kept), simulation, name, anew=anew)
+    path = None if kept is None else Path(kept)
     interrupted, numbers = False, range(1, records + 1)
-    with SideBySide(workers) as pool:
+    with (
+        kept_runs(path, _RUNS, simulation, anew=anew, waves=name) as known,
+        SideBySide(workers) as pool,
+    ):
         try:
             for height in heights:
                 pending = {
@@ -192,7 +204,7 @@ def run_seas(
         seas,
         interrupted,
         simulation.duration,
-        0 if known is None else known.taken_over,
+        known.taken_over,
     )
 
 
@@ -253,7 +265,7 @@ def _submit(
     name: str,
     wanted: tuple[Sea, int],
     overrides: Mapping[str, Any],
-    kept: KeptRuns | None,
+    kept: KeptRuns[SeaRecord],
 ) -> Future[SeaRecord]:
     """A record of a sea, by its number: run, or taken from those that are kept."""
     sea, number = wanted
@@ -267,16 +279,8 @@ def _submit(
     if number > 1:
         changes |= {path: seed + number - 1 for path, seed in _seeds(scenario).items()}
 
-    def work() -> SeaRecord:
-        known = None if kept is None else kept.find(sea, number)
-        if known is not None:
-            return known
-        record = SeaRecord.of(
-            lambda: scenario.changed(changes), overrides, goes_on=pool.goes_on, number=number
-        )
-        # A run that was given up ends early: nobody is to take it for a whole one.
-        if kept is not None and pool.goes_on():
-            kept.keep(sea, record)
-        return record
-
-    return pool.submit(work)
+    place = {"height": sea.height, "period": sea.period, "direction": sea.direction, "record": number}
+    make = partial(
+        SeaRecord.of, lambda: scenario.changed(changes), overrides, goes_on=pool.goes_on, number=number
+    )
+    return pool.submit(partial(kept.made, place, make, pool.goes_on))

@@ -1,9 +1,9 @@
 """What was asked of a lift beside its recording: cases, seas, its equilibrium with its motions, a lost load.
 
-`gantline cases LIFT -o DIR` writes `cases.json`, `gantline seas LIFT -o DIR` `seas.json`, and
-`gantline statics LIFT -o DIR` writes `equilibrium.nc` and with `--lost LOAD` `lost_load.json`; a report in
-the same folder shows them. Each names the lift file that it
-was made from, so that one of another lift, or of an older file, is told apart.
+`gantline cases LIFT -o DIR` writes `cases.json`, and with `--simulate` `case_runs.json`; `gantline seas LIFT
+-o DIR` writes `seas.json`, and `gantline statics LIFT -o DIR` `equilibrium.nc` and with `--lost LOAD`
+`lost_load.json`. A report in the same folder shows them. Each names the lift file that it was made from, so
+that one of another lift, or of an older file, is told apart.
 """
 
 from __future__ import annotations
@@ -16,18 +16,20 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from gantline.arguments import needed
+from gantline.results.file.saved_case_runs import SavedCaseRuns
 from gantline.results.file.saved_json import list_in, number_in, object_of, text_in
 from gantline.results.file.saved_seas import SavedSeas
 from gantline.results.recording import Recording, open_recording
 
 _T = TypeVar("_T")
-_J = TypeVar("_J", "SavedCases", "SavedLostLoad", SavedSeas)
+_J = TypeVar("_J", "SavedCases", "SavedLostLoad", SavedCaseRuns, SavedSeas)
 
 __all__ = [
     "CASES",
     "CASE_RUNS",
     "EQUILIBRIUM",
     "FILES_BESIDE",
+    "KEPT_CASE_RUNS",
     "LOSSES",
     "LOST_LOAD",
     "QUANTITIES",
@@ -48,11 +50,12 @@ __all__ = [
 #: Names of the files.
 CASES = "cases.json"
 CASE_RUNS = "case_runs.json"
+KEPT_CASE_RUNS = "case_runs.jsonl"
 EQUILIBRIUM = "equilibrium.nc"
 LOST_LOAD = "lost_load.json"
 SEAS = "seas.json"
 SEA_RUNS = "seas_runs.jsonl"
-FILES_BESIDE = (CASES, EQUILIBRIUM, LOST_LOAD, SEAS)
+FILES_BESIDE = (CASES, CASE_RUNS, EQUILIBRIUM, LOST_LOAD, SEAS)
 
 #: Quantities of a lift at rest, each with the unit and decimals in which people read it.
 QUANTITIES: dict[str, tuple[str, int]] = {
@@ -242,6 +245,7 @@ class Beside:
         cases: Its cases; None where there are none.
         lost_load: A load that it loses; None where nobody asked.
         seas: The seas in which it was simulated; None where nobody asked.
+        case_runs: Its cases, simulated; None where nobody asked.
         left_out: Why a file that is there is not shown, a sentence each.
     """
 
@@ -249,6 +253,7 @@ class Beside:
     cases: SavedCases | None = None
     lost_load: SavedLostLoad | None = None
     seas: SavedSeas | None = None
+    case_runs: SavedCaseRuns | None = None
     left_out: Sequence[str] = ()
 
 
@@ -297,7 +302,8 @@ def read_beside(folder: Path, recording: Recording) -> Beside:
     )
     lost = of_json(LOST_LOAD, "gantline statics --lost", SavedLostLoad)
     seas = of_json(SEAS, "gantline seas", SavedSeas)
-    return Beside(equilibrium, cases, lost, seas, left_out)
+    case_runs = of_json(CASE_RUNS, "gantline cases --simulate", SavedCaseRuns)
+    return Beside(equilibrium, cases, lost, seas, case_runs, left_out)
 
 
 def _reader(read: Callable[[Any], _T], command: str) -> Callable[[Path], _T]:
