@@ -1,14 +1,14 @@
 //! The size of a step's error estimate, in tolerances.
 //!
 //! Three measures, of which the largest counts: the error of positions [m] (rotations times the radius of
-//! gyration); the root mean square of the error of tensions of the rows that act; and the same for velocities,
+//! gyration); the root mean square of the error of tensions of the rows that act (moments over it); and the same for velocities,
 //! turned into the tension to which they will lead: an error δv of a mass m on a stiffness k swings out to
 //! √(k m) δv.
 
 use super::Tolerance;
 use super::course::Increment;
 use super::rodas::Rodas;
-use crate::constraint::Law;
+use crate::constraint::{AnyConstraint, Law};
 use crate::force::memory::memories;
 use crate::solver::complementarity::Mode;
 use crate::state::State;
@@ -90,7 +90,8 @@ impl Weights {
             if state.modes[row] != Mode::Acting || law.compliance() == 0.0 {
                 continue;
             }
-            largest = largest.max(here.tension[row].abs());
+            let arm = self.arm_of(system, row);
+            largest = largest.max(here.tension[row].abs() / arm);
             let mut stretch = 0.0;
             for (dof, entry) in system.rows.entries(&here.frame.gradient, row) {
                 stretch += entry * (error.phi[dof] + law.damping_time() * error.v[dof]);
@@ -98,7 +99,7 @@ impl Weights {
             }
             if matches!(law, Law::Unilateral { .. } | Law::Spring { .. }) {
                 stretch += self.beside(system, rodas, row);
-                sum += (stretch / law.compliance()).powi(2);
+                sum += (stretch / law.compliance() / arm).powi(2);
                 count += 1.0;
             }
         }
@@ -130,6 +131,17 @@ impl Weights {
             count += 1.0;
         }
         root_mean(sum, count)
+    }
+
+    /// What the force of a row is over to be one in newtons: the arm of a hinge of its stops and spring [m], else 1.
+    fn arm_of(&self, system: &System, row: usize) -> f64 {
+        if row < system.rope_rows() {
+            return 1.0;
+        }
+        match system.constraint_of_row(row) {
+            AnyConstraint::Stop(stop) => self.arm[stop.dof],
+            _ => 1.0,
+        }
     }
 
     /// What the errors of supplies do to a row beside those of the drums' flows.
