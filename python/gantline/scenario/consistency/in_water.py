@@ -27,6 +27,12 @@ def check_in_water(findings: Findings) -> None:
     if load.current_areas:
         sentence = "'drag_coefficients' of 'in_water' say already how water resists the load"
         findings.add(("load", "current_areas"), f"{sentence}; leave one out")
+    if given.slamming_coefficient is not None and given.added_mass[2] == 0.0:
+        sentence = "what slams is the added mass along z as it comes, and that is 0"
+        findings.add(
+            (*path, "slamming_coefficient"),
+            f"{sentence}; give the third number of 'added_mass', or leave 'slamming_coefficient' out",
+        )
     room = None
     if load.shape.cylinder is not None:
         cylinder = load.shape.cylinder
