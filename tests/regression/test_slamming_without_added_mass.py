@@ -19,8 +19,9 @@ def test_is_told_where_it_stands(added: list[str]) -> None:
     with pytest.raises(ScenarioError) as caught:
         load_scenario("splash_zone").changed({"load.in_water.added_mass": added})
     (message,) = str(caught.value).splitlines()
-    said = "load.in_water.slamming_coefficient: what slams is the added mass along z as it comes, and that is 0"
-    assert f"{said}; give the third number of 'added_mass', or leave 'slamming_coefficient' out" in message
+    said = "slamming_coefficient: what slams is the added mass along z as it comes, and that is 0"
+    right = "give the third number of 'added_mass', or leave 'slamming_coefficient' out"
+    assert f"load.in_water.{said}; {right}" in message
 
 
 def test_without_the_coefficient_it_is_in_order() -> None:

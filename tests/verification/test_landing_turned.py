@@ -1,8 +1,8 @@
-"""A skid that is landed on a platform from a crane barge in swell, all turned by a right angle: all is the same.
+"""A skid is landed on a platform from a crane barge in swell, turned by a right angle: all is the same.
 
-Heave compensation, landing guides, supports on a structure, mooring lines on the sea bed, water that remembers
-and wave forces, drift forces among them, as the scenario `onto_a_platform` has them. Structures lie along x
-and y of the world, so a right angle it is; waves count from the origin, about which all is turned.
+Heave compensation, landing guides, supports on a structure, mooring lines on the sea bed, water that
+remembers and wave forces, drift forces among them, as the scenario `onto_a_platform` has them. Structures lie
+along x and y of the world, so a right angle it is; waves count from the origin, about which all is turned.
 """
 
 from __future__ import annotations

@@ -2,7 +2,8 @@
 
 Other names, another order, JSON in place of YAML and ropes in a library are the same lift. So is one with a
 limit more, with a crane that stands idle far away, and with the height `to` which its hook goes in place of
-the way `by` which it goes there. Two ropes side by side or in series are one.
+the way `by` which it goes there, and one that waits before its first step. Two ropes side by side or in
+series are one.
 """
 
 from __future__ import annotations
@@ -108,6 +109,26 @@ def test_what_changes_no_motion(was: str, words: str, base: Recording) -> None:
     """Limits are looked at after a run; 13.75 m and 0.75 m are 14.5 m, in binary too."""
     assert was in LIFT
     assert_same(simulated(LIFT.replace(was, words, 1)), base)
+
+
+def test_a_step_that_waits_before_all_others(base: Recording) -> None:
+    """Nothing happens at rest while a lift waits for 4 s: all is as much later. It waits by steps of its own,
+    so those of what follows are others, within the tolerance of the run; equilibria are the same to rounding.
+    """
+    wait, late = LIFT.replace("plan:", "plan:\n  - {step: wait, hold: 4 s}"), 4.0
+    wait = wait.replace("duration: 12 s", "duration: 16 s")
+    found = simulated(wait)
+    first = int(np.searchsorted(found.time, late - 1e-9))
+    largest = base["rope_tension"].values.max()
+    tolerance = base.attributes["settings"]["integrator"]["tension_tolerance"]
+    assert len(found.time) - first == len(base.time)
+    assert np.abs(found["rope_tension"].values[first:] - base["rope_tension"].values).max() < tolerance
+    events = [event for event in found.events() if event[0] > 0.0 and event[2] != "wait"]
+    assert [event[1:] for event in events] == [event[1:] for event in base.events()]
+    for time in (0.0, 6.0, 12.0):
+        was = gantline.Statics(parse_scenario(LIFT)).equilibrium(time).recording["rope_tension"].values[-1]
+        later = gantline.Statics(parse_scenario(wait)).equilibrium(time + late).recording
+        np.testing.assert_allclose(later["rope_tension"].values[-1], was, atol=1e-11 * largest)
 
 
 def test_an_idle_crane_far_away(base: Recording) -> None:
