@@ -8,6 +8,7 @@ from threading import Event
 from types import TracebackType
 
 from gantline.assembly import Assembly
+from gantline.interrupt import noted_interrupt
 from gantline.scenario import Scenario
 from gantline.statics import Statics
 from gantline.study.asked import count_of
@@ -45,9 +46,10 @@ class SideBySide(ThreadPoolExecutor):
         return not self._stopped.is_set()
 
     def give_up(self) -> None:
-        """Let go of what is still worked on."""
+        """Let go of what is still worked on; one more Ctrl-C changes nothing, for all is ending already."""
         self._stopped.set()
-        self.shutdown(cancel_futures=True)
+        with noted_interrupt():
+            self.shutdown(cancel_futures=True)
 
     def __exit__(
         self,
