@@ -14,12 +14,11 @@ from gantline.scenario import load_scenario
 
 @pytest.mark.parametrize(
     ("added", "is_told"),
-    [(("30 kg", "40 kg", "80 kg"), True), (("0", "0", "4 t"), False), (("0", "0", "0"), False)],
+    [(("30 kg", "40 kg", "80 kg"), True), (("0", "0", "4 t"), False)],
 )
 def test_too_little_is_told(added: tuple[str, ...], is_told: bool) -> None:
     """1025 kg/m³ × 7.6 m³ = 7.79 t."""
     changes = {"load.in_water.added_mass": list(added), "load.in_water.slamming_coefficient": 20}
-    given = load_scenario("splash_zone")
-    found = assemble(given.changed(changes if is_told or "t" in added[2] else {})).warnings
+    found = assemble(load_scenario("splash_zone").changed(changes)).warnings
     said = "it is 80 kg along an axis at most, and the load displaces 7.79 t of water; a unit has slipped"
     assert list(found) == ([said] if is_told else [])
