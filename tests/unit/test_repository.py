@@ -18,7 +18,14 @@ ROOT = Path(__file__).resolve().parents[2]
 SKIPPED_FOLDERS = {"target", "build", "node_modules", "static", "__pycache__"}
 SOURCE_SUFFIXES = {".rs", ".py", ".pyi", ".ts", ".js", ".sh"}
 HARD_LIMIT = 600  # lines of one source file, and of the whole border
-DOCUMENTS = ["README.md", "ARCHITECTURE.md", "CONVENTIONS.md", "CONTRIBUTING.md", "CHANGELOG.md"]
+DOCUMENTS = [
+    "README.md",
+    "ARCHITECTURE.md",
+    "CONVENTIONS.md",
+    "CONTRIBUTING.md",
+    "CHANGELOG.md",
+    "CHANGES_ON_MAIN.md",
+]
 
 # Where paths of this repository start when a document names one.
 PATH_ROOTS = (
