@@ -1,9 +1,9 @@
 """Books of `del` for ropes that do not stretch had the work of tension along the curved path twice.
 
-What a row takes from the motion in a step is h T G v of the linear path; a rope that stretches stores what it is longer
-by along the curved one, and loss of the method is the rest. One that does not stretch stores nothing, so nothing is
-taken back. A pendulum let go at 37 degrees had a remainder of 1.2 % in steps of 1 ms, 11 J beside the 0.57 J that
-the method takes; one on two ropes that turn it had one of the same size.
+What a row takes from the motion in a step is h T G v of the linear path. A rope that stretches stores what it
+is longer by along the curved one, and loss of the method is the rest. One that does not stretch stores none.
+A pendulum let go at 37 degrees had a remainder of 1.2 % in steps of 1 ms, 11 J beside the 0.57 J that the
+method takes; one on two ropes that turn it had one of the same size.
 """
 
 from __future__ import annotations
@@ -23,7 +23,10 @@ mechanics:
 PENDULUM = f"""{START}  bodies:
     bob: {{joint: {{type: point, position: [3 m, 0 m, 6 m]}}, mass: 100 kg}}
   ropes:
-    rope: {{rope: r, length: 5 m, route: [{{type: end, body: bob}}, {{type: end, body: world, at: [0 m, 0 m, 10 m]}}]}}
+    rope:
+      rope: r
+      length: 5 m
+      route: [{{type: end, body: bob}}, {{type: end, body: world, at: [0 m, 0 m, 10 m]}}]
 """
 BAR = f"""{START}  bodies:
     bar:
@@ -45,7 +48,11 @@ OVER_A_SHEAVE = f"""{START}  bodies:
       length: as_routed
       route:
         - {{type: end, body: left}}
-        - {{type: half_turn, body: world, enter: [-0.5 m, 0 m, 15 m], leave: [0.5 m, 0 m, 15 m], bulge: [0, 0, 1]}}
+        - type: half_turn
+          body: world
+          enter: [-0.5 m, 0 m, 15 m]
+          leave: [0.5 m, 0 m, 15 m]
+          bulge: [0, 0, 1]
         - {{type: end, body: right}}
 """
 
