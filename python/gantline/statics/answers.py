@@ -78,7 +78,7 @@ class Equilibrium:
         recording: The start of the lift as given, and the equilibrium as the last sample; at time 0 that
             alone.
         residual: Largest imbalance of forces relative to the forces that meet there.
-        neutral: How many motions nothing holds; they stay where the start was nearest.
+        neutral: How many motions nothing holds; each step of the search leaves them where they were.
         unstable: How many motions lead away; 0 if it is stable.
         swinging: How many of these lead away by swinging ever farther, in wind or current.
         steps: Steps that the search made.
