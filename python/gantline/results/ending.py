@@ -48,6 +48,11 @@ ADVICE: Final = (
         "end that step lower, hang the load in shorter slings, or take a crane with its sheaves higher up",
     ),
     (
+        "the sling over it has run out",
+        "look which rope below it parted or went slack before: a load hangs on an extension sheave only "
+        "while both legs of the sling over it carry; give the load slings of its own if one may part",
+    ),
+    (
         "it has come to the next place that",
         "end the step of the plan before that, or give what moves a stop there",
     ),

@@ -254,14 +254,21 @@ def compensation_warnings(columns: Columns, names: Names) -> list[str]:
 def ground_warnings(rig: Rig, level: float, columns: Columns, names: Names) -> list[str]:
     """A warning of each hook whose bearing goes below the ground, at a level [m], which stops no hook."""
     time, found = columns["time"], []
+    events = zip(columns["event_time"], names["event_kind"], names["event_name"], strict=True)
+    parted = {name: float(moment) for moment, kind, name in events if kind in ("cut", "broken")}
     bearings = {hook.name: hook.bearing for hook in rig.carried_hooks}
     for hook in rig.hooks if len(time) else ():
         height = places_of(columns, names, hook.name, bearings.get(hook.name, (0.0, 0.0, 0.0)))[:, 2]
         below = height < level - _BELOW
         if below.any():
             deepest = format_quantity(level - float(height.min()), "m", 2)
-            first = f"{hook.name} goes below the ground at {time[int(np.argmax(below))]:.2f} s"
-            found.append(f"{first}, up to {deepest}: nothing stops it there; lower it less far")
+            when = float(time[int(np.argmax(below))])
+            first = f"{hook.name} goes below the ground at {when:.2f} s"
+            ropes = [rope for rope in names["rope"] if rope.startswith(f"hoist.{hook.name}.")]
+            # A hook that has fallen was not lowered too far by a step that could be shorter.
+            fell = bool(ropes) and all(parted.get(rope, np.inf) <= when for rope in ropes)
+            advice = "its hoist ropes have parted" if fell else "lower it less far"
+            found.append(f"{first}, up to {deepest}: nothing stops it there; {advice}")
     return found
 
 

@@ -16,6 +16,7 @@ __all__ = ["failed_at", "on_its_route"]
 
 #: How the core says that a body has met the next place of its rope (`event/standstill.rs`).
 _MET = "it has come to the next place that "
+_RUN_OUT = re.compile(rf"{_MET}sling\.(?P<sling>.+) passes, and nothing stops it there")
 #: How it names a straight part of a rope (`build/ropes.rs`, `stepper/seats.rs`), and what is wrong with one.
 _PART = re.compile(r"\bits part (\d+)( at the start)?: ")
 _WITHIN = {
@@ -31,7 +32,7 @@ _WITHIN = {
 
 
 def failed_at(scenario: Scenario, element: str, cause: str) -> tuple[str, str]:
-    """Where a simulation failed, and why, of hooks and hinges as who wrote the lift file knows them.
+    """Where a simulation failed, and why, of hooks, slings and hinges as who wrote the lift file knows them.
 
     Args:
         scenario: The lift.
@@ -41,6 +42,12 @@ def failed_at(scenario: Scenario, element: str, cause: str) -> tuple[str, str]:
     if cause.startswith(_MET) and element in scenario.hooks:
         met = "its hook block has come up to the sheaves above it (two-blocking), and nothing stops it there"
         return element, f"{met}: hoist it less far; 'highest' of a hook is checked"
+    found = _RUN_OUT.match(cause)
+    slings = scenario.slings or {}
+    if found is not None and found["sling"] in slings and (over := slings[found["sling"]].over) is not None:
+        # The core names the sheave or what hangs on the sling, as one or the other moves.
+        ran = "the sling over it has run out to one of its ends, and nothing stops it there"
+        return over, f"{ran}: what hung on the other end of {found['sling']} does not hold any more"
     return failed_in_hinge(scenario, element, on_its_route(scenario, element, cause))
 
 
