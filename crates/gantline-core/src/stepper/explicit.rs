@@ -385,8 +385,11 @@ impl Explicit {
 }
 
 fn too_long(h: f64) -> String {
+    // Units of lift files leave rounding in the last digit: 2.6 ms are 0.0026000000000000003 s.
+    let digits = format!("{h:.9e}");
+    let step = digits.parse().unwrap_or(h);
     format!(
-        "the step of {h} s is too long for an explicit method; it must be shorter than 2/ω of the fastest oscillation, shorter \
+        "the step of {step} s is too long for an explicit method; it must be shorter than 2/ω of the fastest oscillation, shorter \
          still with damping"
     )
 }
