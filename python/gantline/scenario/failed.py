@@ -42,12 +42,12 @@ def failed_at(scenario: Scenario, element: str, cause: str) -> tuple[str, str]:
     if cause.startswith(_MET) and element in scenario.hooks:
         met = "its hook block has come up to the sheaves above it (two-blocking), and nothing stops it there"
         return element, f"{met}: hoist it less far; 'highest' of a hook is checked"
-    found = _RUN_OUT.match(cause)
-    slings = scenario.slings or {}
-    if found is not None and found["sling"] in slings and (over := slings[found["sling"]].over) is not None:
-        # The core names the sheave or what hangs on the sling, as one or the other moves.
-        ran = "the sling over it has run out to one of its ends, and nothing stops it there"
-        return over, f"{ran}: what hung on the other end of {found['sling']} does not hold any more"
+    if (found := _RUN_OUT.match(cause)) is not None:
+        sling = (scenario.slings or {}).get(found["sling"])
+        if sling is not None and sling.over is not None:
+            # The core names the sheave or what hangs on the sling, as one or the other moves.
+            ran = "the sling over it has run out to one of its ends, and nothing stops it there"
+            return sling.over, f"{ran}: what hung on the other end of {found['sling']} does not hold any more"
     return failed_in_hinge(scenario, element, on_its_route(scenario, element, cause))
 
 
